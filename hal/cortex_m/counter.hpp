@@ -1,0 +1,134 @@
+#pragma once
+/// How much a piece of code costs: cycles on silicon, instructions in QEMU.
+///
+/// DWT's cycle counter where it advances. QEMU leaves it at 0; there, with `-icount shift=6`, every instruction takes
+/// 64 ns of virtual time and SysTick tells the time, so SysTick counts instructions. One SysTick tick is shorter than one
+/// instruction on every board, and the bracket restarts the counter, so the conversion is exact.
+
+#include <cstdint>
+
+#include <hal/cortex_m/core.hpp>
+#include <hal/cortex_m/registers.hpp>
+
+namespace axial::hal {
+
+enum class CounterKind : std::uint8_t { instructions = 0, cycles = 1 };
+
+/// Count over raw ticks, as a ratio.
+struct CounterScale {
+  CounterKind kind;
+  std::uint32_t numerator, denominator;
+};
+
+}  // namespace axial::hal
+
+namespace axial::hal::cortex_m {
+
+/// Virtual time of an instruction under `-icount shift=6`.
+constexpr std::uint32_t emulated_instruction_ns = 64;
+/// A count that the counter could not hold.
+constexpr std::uint32_t count_overflow = 0xFFFFFFFF;
+
+constexpr std::uint32_t greatest_common_divisor(std::uint32_t a, std::uint32_t b) {
+  return b == 0 ? a : greatest_common_divisor(b, a % b);
+}
+
+/// Instructions a SysTick tick, as a reduced ratio: instructions a second over ticks a second.
+constexpr CounterScale instructions_of_ticks(std::uint32_t tick_Hz) {
+  constexpr std::uint32_t instructions_per_s = 1'000'000'000u / emulated_instruction_ns;
+  const std::uint32_t common = greatest_common_divisor(instructions_per_s, tick_Hz);
+  return {CounterKind::instructions, instructions_per_s / common, tick_Hz / common};
+}
+
+/// Instructions from SysTick ticks since a restart. After k instructions the counter shows floor(k * d/n + c), where c, the
+/// emulator's rounding to whole nanoseconds, was seen between 0 and 1/2. With d/n > 3/2 that differs for every k, and the
+/// ceiling of (ticks - 1/2) * n/d gives k back exactly; tests/hal checks the arithmetic, the self-test the emulator.
+constexpr std::uint32_t instructions_of(std::uint32_t ticks, const CounterScale& scale) {
+  if (ticks == 0) return 0;
+  return ((2 * ticks - 1) * scale.numerator + 2 * scale.denominator - 1) / (2 * scale.denominator);
+}
+
+/// A piece of code to measure: a function and its argument.
+using Measured = void (*)(void*);
+
+/// Restarts the counter at `counter` (a store of anything clears DWT and SysTick alike), calls `code(argument)`, returns
+/// the counter. Between the store and the load lie `blx` and the code, nothing else, whatever the compiler.
+[[gnu::naked, gnu::noinline]] inline std::uint32_t bracket(Register*, Measured, void*) {
+  asm volatile(
+      "push {r4, lr}\n\t"
+      "mov r4, r0\n\t"
+      "mov r0, r2\n\t"
+      "str r4, [r4]\n\t"
+      "blx r1\n\t"
+      "ldr r0, [r4]\n\t"
+      "pop {r4, pc}");
+}
+
+[[gnu::naked, gnu::noinline]] inline void empty_code(void*) { asm volatile("bx lr"); }
+
+/// The counter of a board whose emulated core clock is `emulator_Hz`.
+template <std::uint32_t emulator_Hz>
+class Counter {
+  static constexpr std::uint32_t sys_tick_span = 1u << 24;
+  static constexpr CounterScale emulated = instructions_of_ticks(emulator_Hz);
+  static_assert(3 * emulated.numerator <= 2 * emulated.denominator,
+                "a SysTick tick must be shorter than 2/3 of an emulated instruction: raise the icount shift");
+  static_assert(emulated.numerator < 128, "instructions_of would leave 32 bits: widen it");
+
+ public:
+  /// Finds out whether DWT counts; measures the empty bracket.
+  static void start() {
+    debug_monitor_control() |= trace_enable;
+    dwt().cycle_count = 0;
+    dwt().control |= dwt_cycle_counter_enable;
+    asm volatile("nop\n\tnop\n\tnop\n\tnop");
+    cycles_ = dwt().cycle_count != 0;
+    empty_ = 0;
+    empty_ = count(empty_code, nullptr);
+  }
+
+  static CounterScale scale() { return cycles_ ? CounterScale{CounterKind::cycles, 1, 1} : emulated; }
+
+  /// The empty bracket: call and return. Already subtracted from every count.
+  static std::uint32_t empty() { return empty_; }
+
+  /// Instructions (or cycles) of `code(argument)`, without the call and the return; interrupts masked. `count_overflow`
+  /// where SysTick's 24 bits did not suffice.
+  static std::uint32_t count(Measured code, void* argument) {
+    const InterruptMask mask;
+    if (cycles_) return bracket(&dwt().cycle_count, code, argument) - empty_;
+    const std::uint32_t ticks = by_sys_tick(code, argument);
+    return ticks == count_overflow ? ticks : instructions_of(ticks, emulated) - empty_;
+  }
+
+ private:
+  /// Borrows SysTick: the control tick's period resumes where it stood, less the time that the code took.
+  static std::uint32_t by_sys_tick(Measured code, void* argument) {
+    auto& tick = sys_tick();
+    const std::uint32_t control = tick.control, period = tick.reload, left = tick.current;
+    tick.control = sys_tick_control::core_clock;
+    tick.reload = sys_tick_span - 1;
+    tick.control = sys_tick_control::core_clock | sys_tick_control::enable;
+    const std::uint32_t end = bracket(&tick.current, code, argument);
+    const bool wrapped = (tick.control & sys_tick_control::wrapped) != 0;
+    const std::uint32_t elapsed = (sys_tick_span - end) % sys_tick_span;
+    if ((control & sys_tick_control::interrupts) != 0) give_back(control, period, left, elapsed);
+    return wrapped ? count_overflow : elapsed;
+  }
+
+  static void give_back(std::uint32_t control, std::uint32_t period, std::uint32_t left, std::uint32_t elapsed) {
+    auto& tick = sys_tick();
+    const bool due = elapsed >= left;
+    if (due) system_control().interrupt_control = interrupt_control::set_pending_sys_tick;
+    tick.reload = due ? period : left - elapsed;
+    tick.current = 0;
+    tick.control = control;
+    while (tick.current == 0) {}  // one tick: the shortened period is loaded
+    tick.reload = period;
+  }
+
+  inline static bool cycles_ = false;
+  inline static std::uint32_t empty_ = 0;
+};
+
+}  // namespace axial::hal::cortex_m
