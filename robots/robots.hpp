@@ -1,0 +1,58 @@
+// All robots of this folder, their names, and a walk over them that compiles on a microcontroller too.
+#pragma once
+
+#include <robots/panda.hpp>
+#include <robots/planar2r.hpp>
+#include <robots/puma560.hpp>
+#include <robots/scara.hpp>
+#include <robots/scara_rrpr.hpp>
+
+namespace robots {
+
+/// A robot as a value, for generic lambdas: [](auto robot) { using R = typename decltype(robot)::Robot; ... }.
+template <class R>
+struct Named {
+  using Robot = R;
+  static constexpr const char* name = R::name;
+};
+
+/// Name of a robot on the command line, in file names and in JSON.
+template <class R>
+inline constexpr const char* name = R::name;
+
+template <class... Rs>
+struct List {
+  static constexpr int size = sizeof...(Rs);
+
+  /// Calls visit(Named<R>{}) for every robot, in order.
+  template <class Visit>
+  static constexpr void for_each(Visit&& visit) {
+    (static_cast<void>(visit(Named<Rs>{})), ...);
+  }
+};
+
+using All = List<Scara, ScaraRrpr, Puma560, Panda, Planar2r>;
+
+template <class Visit>
+constexpr void for_each(Visit&& visit) {
+  All::for_each(visit);
+}
+
+constexpr bool same_name(const char* left, const char* right) {
+  while (*left != '\0' && *left == *right) ++left, ++right;
+  return *left == *right;
+}
+
+/// Calls visit(Named<R>{}) for the robot called `wanted`; false if there is none.
+template <class Visit>
+constexpr bool visit_named(const char* wanted, Visit&& visit) {
+  bool found = false;
+  for_each([&](auto robot) {
+    if (!same_name(robot.name, wanted)) return;
+    found = true;
+    visit(robot);
+  });
+  return found;
+}
+
+}  // namespace robots
