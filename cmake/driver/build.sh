@@ -1,0 +1,27 @@
+# shellcheck shell=bash
+# Configuring and building presets.
+
+readonly BOARDS=(stm32f405 stm32f100)
+
+# build PRESET [TARGET...]: configures when there is something new to configure, then builds.
+build() {
+  local preset=$1 directory=$AXIAL_ROOT/build/$1
+  shift
+  if [[ ! -f $directory/build.ninja || $AXIAL_ROOT/CMakePresets.json -nt $directory/build.ninja ]]; then
+    with_progress "configuring $preset" "$AXIAL_ROOT/build/$preset.log" \
+      cmake -S "$AXIAL_ROOT" --preset "$preset" || return
+  fi
+  say "building $preset"
+  cmake --build "$directory" --parallel "$(nproc)" ${1:+--target "$@"}
+}
+
+build_boards() {
+  local board
+  for board in "${BOARDS[@]}"; do
+    build "$board"
+  done
+}
+
+build_host_sim() { build host-release host_sim; }
+
+host_sim() { "$AXIAL_ROOT/build/host-release/host_sim/host_sim" "$@"; }

@@ -1,0 +1,38 @@
+# shellcheck shell=bash
+# summary: streams a pick-and-place cycle to the firmware in QEMU; torques, errors, cost, a picture
+
+usage() {
+  cat <<'END'
+usage: ./axial demo [options]
+Installs and builds what is missing, starts the feed-forward firmware of a board in QEMU, streams a pick-and-place
+cycle to it tick by tick, compares every torque with the oracle, prints a table and writes CSV, JSON and a picture.
+  --robot NAME        scara (default), scara_rrpr, puma560, panda, planar2r
+  --board NAME        stm32f405 (default), stm32f100
+  --trajectory FILE   way-points (.json as in host_sim/trajectories) or set-points (.csv: time, q..., qd..., qdd...)
+  --output FOLDER     where the files go; default output/demo
+  --json FILE         the figures of every joint once more, as an array of objects
+Exits non-zero when an error is above its bound or a frame is lost.
+END
+}
+
+run() {
+  ensure_packages
+  build_host_sim
+  build_board_of "$@"
+  host_sim demo "$@"
+}
+
+# Builds the board that the options name; an unknown one is left to host_sim, which says what there is.
+build_board_of() {
+  local board=${BOARDS[0]} known
+  while (($#)); do
+    case $1 in
+      --board) board=${2:-} ;;
+      --board=*) board=${1#*=} ;;
+    esac
+    shift
+  done
+  for known in "${BOARDS[@]}"; do
+    if [[ $board == "$known" ]]; then build "$board"; fi
+  done
+}

@@ -1,0 +1,52 @@
+# shellcheck shell=bash
+# summary: builds everything and runs every test: on the host, under sanitizers, on the boards in QEMU
+
+usage() {
+  cat <<'END'
+usage: ./axial test [--quick] [--filter REGEX]
+Installs what is missing, builds the images of all boards and the host programs, and runs all tests:
+on the host, once more under the address and undefined-behaviour sanitizers, and on the boards in QEMU.
+  --filter REGEX  only the tests whose names match (folder.Suite.Test)
+  --quick         host only: no images, no boards, no sanitizers
+END
+}
+
+run() {
+  local quick=false select=()
+  while (($#)); do
+    case $1 in
+      --quick) quick=true ;;
+      --filter)
+        (($# > 1)) || fail_usage "--filter needs a regular expression"
+        select=(--tests-regex "$2")
+        shift
+        ;;
+      *) fail_usage "unknown option '$1'; see ./axial test --help" ;;
+    esac
+    shift
+  done
+  ensure_packages
+  if $quick; then
+    test_preset host-debug --no-tests=error "${select[@]}" --label-exclude target
+  else
+    test_everything "${select[@]}"
+  fi
+}
+
+# Both runs happen even if the first fails: one round shows all there is to mend.
+test_everything() {
+  local status=0
+  build_boards
+  test_preset host-debug --no-tests=error "$@" || status=1
+  test_preset host-sanitize "$@" || status=1
+  ((status == 0)) && say "all tests passed"
+  return $status
+}
+
+test_preset() {
+  local preset=$1
+  shift
+  build "$preset" || return 1
+  say "testing $preset"
+  ctest --test-dir "$AXIAL_ROOT/build/$preset" --parallel "$(nproc)" --output-on-failure "$@" </dev/null
+}
