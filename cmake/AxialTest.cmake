@@ -16,6 +16,6 @@ function(axial_add_test name)
   if(TARGET axial_oracle)
     target_link_libraries(${name} PRIVATE axial_oracle)
   endif()
-  gtest_discover_tests(${name} TEST_PREFIX ${label}. DISCOVERY_TIMEOUT 60
+  gtest_discover_tests(${name} TEST_PREFIX ${label}. NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
     PROPERTIES LABELS ${label} TIMEOUT ${arg_TIMEOUT})
 endfunction()

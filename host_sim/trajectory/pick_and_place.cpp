@@ -1,0 +1,105 @@
+#include <host_sim/trajectory/pick_and_place.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace host_sim {
+
+namespace {
+
+/// Limits of the path parameter: those of the joint that needs longest.
+PathLimits path_limits(const std::vector<double>& from, const std::vector<double>& to,
+                       const std::vector<JointLimits>& limits, const Cycle& cycle) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  PathLimits path{none, none, none};
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double way = std::abs(to[i] - from[i]);
+    path.speed = std::min(path.speed, cycle.utilisation * limits[i].speed / way);
+    path.acceleration = std::min(path.acceleration, cycle.utilisation * limits[i].acceleration / way);
+  }
+  path.jerk = path.acceleration / cycle.jerk_time;
+  return path;
+}
+
+void check_limits(const Cycle& cycle, const std::vector<JointLimits>& limits) {
+  for (std::size_t i = 0; i < limits.size(); ++i)
+    if (!std::isfinite(limits[i].speed) || !std::isfinite(limits[i].acceleration))
+      throw std::runtime_error("joint " + std::to_string(i + 1) + " of " + cycle.robot +
+                               " declares no speed or acceleration limit to plan a trajectory with");
+}
+
+void check_way_point(const WayPoint& point, const std::vector<JointLimits>& limits) {
+  const std::string where = "way-point '" + point.name + "'";
+  if (point.q.size() != limits.size())
+    throw std::runtime_error(where + " has " + std::to_string(point.q.size()) + " joints, the robot has " +
+                             std::to_string(limits.size()));
+  for (std::size_t i = 0; i < limits.size(); ++i)
+    if (!(point.q[i] >= limits[i].position_min && point.q[i] <= limits[i].position_max))
+      throw std::runtime_error(where + ": joint " + std::to_string(i + 1) + " is outside its position limits");
+}
+
+void check_way_points(const Cycle& cycle, const std::vector<JointLimits>& limits) {
+  if (cycle.way_points.size() < 2) throw std::runtime_error("a cycle needs at least two way-points");
+  for (const WayPoint& point : cycle.way_points)
+    check_way_point(point, limits);
+  for (std::size_t i = 1; i < cycle.way_points.size(); ++i)
+    if (cycle.way_points[i].q == cycle.way_points[i - 1].q)
+      throw std::runtime_error("way-point '" + cycle.way_points[i].name +
+                               "' repeats the one before; give that a dwell");
+}
+
+/// Appends the set-points of a time span; each span begins on the tick after the last, so every way-point is met
+/// exactly.
+template <class State>
+void append(Trajectory& trajectory, double duration, double tick, State state) {
+  const std::size_t begin = trajectory.size();
+  for (std::size_t i = 0; static_cast<double>(i) * tick < duration; ++i) {
+    trajectory.push_back(state(static_cast<double>(i) * tick));
+    trajectory.back().time = static_cast<double>(begin + i) * tick;
+  }
+}
+
+SetPoint at_rest(const WayPoint& point) {
+  const std::vector<double> zero(point.q.size(), 0.0);
+  return {0.0, point.q, zero, zero};
+}
+
+}  // namespace
+
+Move::Move(const std::vector<double>& from, const std::vector<double>& to, const std::vector<JointLimits>& limits,
+           const Cycle& cycle)
+    : from_(from), to_(to), time_law_(path_limits(from, to, limits, cycle)) {}
+
+SetPoint Move::at(double time) const {
+  const PathState path = time_law_.at(time);
+  SetPoint point;
+  point.time = time;
+  for (std::size_t i = 0; i < from_.size(); ++i) {
+    const double way = to_[i] - from_[i];
+    point.q.push_back(path.s < 0.5 ? from_[i] + way * path.s : to_[i] - way * (1.0 - path.s));
+    point.qd.push_back(way * path.speed);
+    point.qdd.push_back(way * path.acceleration);
+  }
+  return point;
+}
+
+Trajectory plan(const Cycle& cycle, const std::vector<JointLimits>& limits) {
+  check_limits(cycle, limits);
+  check_way_points(cycle, limits);
+  Trajectory trajectory;
+  const auto rest = [&](const WayPoint& point, double duration) {
+    append(trajectory, duration, cycle.tick, [&](double) { return at_rest(point); });
+  };
+  for (std::size_t i = 0; i + 1 < cycle.way_points.size(); ++i) {
+    const WayPoint &here = cycle.way_points[i], &next = cycle.way_points[i + 1];
+    rest(here, here.dwell);
+    const Move move(here.q, next.q, limits, cycle);
+    append(trajectory, move.duration(), cycle.tick, [&](double time) { return move.at(time); });
+  }
+  rest(cycle.way_points.back(), std::max(cycle.way_points.back().dwell, cycle.tick));
+  return trajectory;
+}
+
+}  // namespace host_sim
