@@ -12,7 +12,8 @@ struct HexText {
 /// Eight hexadecimal digits.
 constexpr HexText hex(std::uint32_t value) {
   HexText out{};
-  for (int i = 0; i < 8; ++i) out.text[i] = "0123456789abcdef"[(value >> (28 - 4 * i)) & 0xFu];
+  for (int i = 0; i < 8; ++i)
+    out.text[i] = "0123456789abcdef"[(value >> (28 - 4 * i)) & 0xFu];
   return out;
 }
 
@@ -28,7 +29,8 @@ constexpr DecimalText decimal(std::uint32_t value) {
     value /= 10u;
   } while (value != 0);
   DecimalText out{};
-  for (int i = 0; i < digits; ++i) out.text[i] = reversed[digits - 1 - i];
+  for (int i = 0; i < digits; ++i)
+    out.text[i] = reversed[digits - 1 - i];
   return out;
 }
 

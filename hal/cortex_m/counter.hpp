@@ -2,8 +2,8 @@
 /// How much a piece of code costs: cycles on silicon, instructions in QEMU.
 ///
 /// DWT's cycle counter where it advances. QEMU leaves it at 0; there, with `-icount shift=6`, every instruction takes
-/// 64 ns of virtual time and SysTick tells the time, so SysTick counts instructions. One SysTick tick is shorter than one
-/// instruction on every board, and the bracket restarts the counter, so the conversion is exact.
+/// 64 ns of virtual time and SysTick tells the time, so SysTick counts instructions. One SysTick tick is shorter than
+/// one instruction on every board, and the bracket restarts the counter, so the conversion is exact.
 
 #include <cstdint>
 
@@ -40,9 +40,10 @@ constexpr CounterScale instructions_of_ticks(std::uint32_t tick_Hz) {
   return {CounterKind::instructions, instructions_per_s / common, tick_Hz / common};
 }
 
-/// Instructions from SysTick ticks since a restart. After k instructions the counter shows floor(k * d/n + c), where c, the
-/// emulator's rounding to whole nanoseconds, was seen between 0 and 1/2. With d/n > 3/2 that differs for every k, and the
-/// ceiling of (ticks - 1/2) * n/d gives k back exactly; tests/hal checks the arithmetic, the self-test the emulator.
+/// Instructions from SysTick ticks since a restart. After k instructions the counter shows floor(k * d/n + c), where c,
+/// the emulator's rounding to whole nanoseconds, was seen between 0 and 1/2. With d/n > 3/2 that differs for every k,
+/// and the ceiling of (ticks - 1/2) * n/d gives k back exactly; tests/hal checks the arithmetic, the self-test the
+/// emulator.
 constexpr std::uint32_t instructions_of(std::uint32_t ticks, const CounterScale& scale) {
   if (ticks == 0) return 0;
   return ((2 * ticks - 1) * scale.numerator + 2 * scale.denominator - 1) / (2 * scale.denominator);
@@ -51,8 +52,8 @@ constexpr std::uint32_t instructions_of(std::uint32_t ticks, const CounterScale&
 /// A piece of code to measure: a function and its argument.
 using Measured = void (*)(void*);
 
-/// Restarts the counter at `counter` (a store of anything clears DWT and SysTick alike), calls `code(argument)`, returns
-/// the counter. Between the store and the load lie `blx` and the code, nothing else, whatever the compiler.
+/// Restarts the counter at `counter` (a store of anything clears DWT and SysTick alike), calls `code(argument)`,
+/// returns the counter. Between the store and the load lie `blx` and the code, nothing else, whatever the compiler.
 [[gnu::naked, gnu::noinline]] inline std::uint32_t bracket(Register*, Measured, void*) {
   asm volatile(
       "push {r4, lr}\n\t"
@@ -123,7 +124,8 @@ class Counter {
     tick.reload = due ? period : left - elapsed;
     tick.current = 0;
     tick.control = control;
-    while (tick.current == 0) {}  // one tick: the shortened period is loaded
+    while (tick.current == 0) {
+    }  // one tick: the shortened period is loaded
     tick.reload = period;
   }
 

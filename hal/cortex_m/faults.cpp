@@ -29,8 +29,14 @@ void step_over(ExceptionFrame& frame) {
 
 void record(const ExceptionFrame& frame) {
   auto& control = system_control();
-  fault_record = {FaultRecord::valid,   control.interrupt_control & 0x1FFu, frame.pc, frame.lr, control.configurable_fault,
-                  control.hard_fault,   control.memory_address,            control.bus_address};
+  fault_record = {FaultRecord::valid,
+                  control.interrupt_control & 0x1FFu,
+                  frame.pc,
+                  frame.lr,
+                  control.configurable_fault,
+                  control.hard_fault,
+                  control.memory_address,
+                  control.bus_address};
 }
 
 void write_line(const char* name, std::uint32_t value) {
@@ -56,7 +62,8 @@ extern "C" [[gnu::used]] void axial_fault_with_frame(axial::hal::cortex_m::Excep
   record(*frame);
   report();
   semihosting::exit(fault_exit_code);
-  for (;;) asm volatile("wfi");
+  for (;;)
+    asm volatile("wfi");
 }
 
 /// Finds the frame: bit 2 of the return code in lr tells which stack holds it.

@@ -15,11 +15,13 @@ namespace axial::hal::cortex_m {
 namespace {
 
 void fill(std::uint32_t* from, const std::uint32_t* to, std::uint32_t value) {
-  while (from < to) *from++ = value;
+  while (from < to)
+    *from++ = value;
 }
 
 void copy(std::uint32_t* from, const std::uint32_t* to, const std::uint32_t* source) {
-  while (from < to) *from++ = *source++;
+  while (from < to)
+    *from++ = *source++;
 }
 
 void paint_stack() {
@@ -50,7 +52,8 @@ extern "C" [[gnu::used, noreturn]] void axial_reset() {
   fill(axial_bss_begin, axial_bss_end, 0);
   paint_stack();
   main();
-  for (;;) asm volatile("wfi");
+  for (;;)
+    asm volatile("wfi");
 }
 
 namespace axial::hal::cortex_m {
@@ -59,11 +62,14 @@ namespace {
 constexpr VectorTable make_vectors() {
   constexpr std::size_t reset = 0, sys_tick_index = 14;
   VectorTable table{axial_stack_top, {}, {}};
-  for (auto& handler : table.core) handler = axial_fault;
-  for (auto& handler : table.board) handler = axial_fault;
+  for (auto& handler : table.core)
+    handler = axial_fault;
+  for (auto& handler : table.board)
+    handler = axial_fault;
   table.core[reset] = axial_reset;
   table.core[sys_tick_index] = Board::tick_interrupt;
-  for (const auto& interrupt : Board::interrupts) table.board[interrupt.number] = interrupt.handler;
+  for (const auto& interrupt : Board::interrupts)
+    table.board[interrupt.number] = interrupt.handler;
   return table;
 }
 

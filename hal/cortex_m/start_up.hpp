@@ -26,7 +26,8 @@ constexpr std::uint32_t stack_paint = 0x5AFE57AC;
 /// Bytes of stack used since the start, by the paint that is gone.
 inline std::uint32_t stack_used_bytes() {
   const std::uint32_t* word = axial_stack_bottom;
-  while (word < axial_stack_top && *word == stack_paint) ++word;
+  while (word < axial_stack_top && *word == stack_paint)
+    ++word;
   return static_cast<std::uint32_t>((axial_stack_top - word) * std::ptrdiff_t{sizeof *word});
 }
 

@@ -33,7 +33,8 @@ static_assert(internal_Hz / 2 * internal_multiplier == core_Hz, "the PLL halves 
 // RCC_CR, RCC_CFGR. The flash needs no wait state up to 24 MHz.
 constexpr std::uint32_t internal_ready = 1u << 1, crystal_on = 1u << 16, crystal_ready = 1u << 17, pll_on = 1u << 24,
                         pll_ready = 1u << 25;
-constexpr std::uint32_t from_crystal = 1u << 16 | (multiplier - 2) << 18, from_internal = (internal_multiplier - 2) << 18;
+constexpr std::uint32_t from_crystal = 1u << 16 | (multiplier - 2) << 18, from_internal = (internal_multiplier - 2)
+                                                                                          << 18;
 constexpr std::uint32_t select_pll = 2u, running_pll = 2u << 2, running_mask = 3u << 2;
 
 constexpr ClockReport by_crystal{ClockSource::crystal, core_Hz, core_Hz};
@@ -59,7 +60,8 @@ bool switch_to_pll(Rcc& rcc, std::uint32_t settings) {
 template <class Rcc>
 ClockReport start(Rcc& rcc, std::uint32_t emulator_Hz) {
   rcc.control = rcc.control | crystal_on;
-  if (wait_until([&] { return (rcc.control & crystal_ready) != 0; }) && switch_to_pll(rcc, from_crystal)) return by_crystal;
+  if (wait_until([&] { return (rcc.control & crystal_ready) != 0; }) && switch_to_pll(rcc, from_crystal))
+    return by_crystal;
   rcc.control = rcc.control & ~crystal_on;
   if (switch_to_pll(rcc, from_internal)) return by_internal_pll;
   if ((rcc.control & internal_ready) != 0) return by_internal;

@@ -1,0 +1,230 @@
+#pragma once
+/// Every message of the link, and the only place of their layouts. A layout is written once, as `layout(archive,
+/// message)`, and serves writing and reading. README.md has the table.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <hal/link/bytes.hpp>
+#include <hal/link/frame.hpp>
+
+namespace axial::hal::link {
+
+constexpr std::uint8_t protocol_version = 1;
+constexpr std::size_t max_joints = 8;
+constexpr std::size_t name_size = 16;
+
+enum class MessageType : std::uint8_t {
+  hello = 1,          ///< firmware: after start-up, and as the answer to `start`
+  set_point = 2,      ///< host
+  torque = 3,         ///< firmware: the answer to a set-point, with its sequence number
+  error = 4,          ///< firmware: something on the line was refused
+  stats_request = 5,  ///< host
+  stats = 6,          ///< firmware
+  shutdown = 7,       ///< host: end the emulator
+  start = 8           ///< host: choose a mode, restart the sequence numbers
+};
+
+enum class Mode : std::uint8_t {
+  lock_step = 0,    ///< a set-point is answered at once; its sequence number is the time
+  free_running = 1  ///< the newest set-point is answered at the 1 kHz tick; the watchdog is armed
+};
+
+enum class TorqueStatus : std::uint8_t {
+  ok = 0,
+  not_finite = 1,      ///< the set-point holds NaN or infinity; the last safe torque is repeated
+  outside_limits = 2,  ///< of position, speed or acceleration; the last safe torque is repeated
+  effort_limited = 3,  ///< the torque was cut to the joint's effort limit
+  watchdog = 4         ///< no set-point came in time; the last safe torque is repeated
+};
+constexpr std::uint8_t no_joint = 255;
+
+/// What was refused; each has a counter.
+enum class Fault : std::uint8_t {
+  bad_cobs = 0,      ///< the stuffing ends inside a block
+  truncated = 1,     ///< shorter than a header and a CRC
+  oversized = 2,     ///< longer than any message
+  bad_length = 3,    ///< the length field disagrees with the frame
+  bad_crc = 4,       //
+  out_of_order = 5,  ///< a sequence number not after the last one
+  bad_payload = 6,   ///< a payload that does not fit its type
+  unknown_type = 7,  //
+  overrun = 8        ///< bytes lost in the receiver
+};
+constexpr std::size_t fault_kinds = 9;
+using FaultCounters = std::array<std::uint32_t, fault_kinds>;
+using Name = std::array<char, name_size>;  ///< padded with zeros, at least one
+
+struct Hello {
+  static constexpr MessageType type = MessageType::hello;
+  std::uint8_t version, joints, clock_source, counter_kind, mode;  ///< see ClockSource, CounterKind, Mode
+  std::uint32_t clock_Hz, baud, tick_Hz;
+  std::uint32_t counter_numerator,
+      counter_denominator;      ///< count over raw ticks; counts in messages are scaled already
+  std::uint32_t empty_bracket;  ///< subtracted already
+  Name robot, board;
+};
+
+struct SetPoint {
+  static constexpr MessageType type = MessageType::set_point;
+  std::size_t joints;  ///< not sent: the payload's length tells
+  std::array<float, max_joints> q, qd, qdd;
+};
+
+struct Torque {
+  static constexpr MessageType type = MessageType::torque;
+  std::size_t joints;  ///< not sent: the payload's length tells
+  std::array<float, max_joints> tau;
+  std::uint32_t count;  ///< instructions or cycles of this torque
+  std::uint8_t status, joint;
+};
+
+struct ErrorReply {
+  static constexpr MessageType type = MessageType::error;
+  std::uint8_t fault;  ///< the latest
+  FaultCounters counters;
+};
+
+struct StatsRequest {
+  static constexpr MessageType type = MessageType::stats_request;
+};
+
+struct Stats {
+  static constexpr MessageType type = MessageType::stats;
+  std::uint32_t frames, set_points, refused, gaps;  ///< good frames; torques computed; held by status; numbers left out
+  std::uint32_t ticks, watchdog_holds;
+  std::uint32_t count_min, count_max;
+  std::uint32_t stack_bytes;  ///< deepest use so far
+  FaultCounters counters;
+};
+
+struct Shutdown {
+  static constexpr MessageType type = MessageType::shutdown;
+  std::uint8_t exit_code;
+};
+
+struct Start {
+  static constexpr MessageType type = MessageType::start;
+  std::uint8_t mode;
+};
+
+template <class Archive, class Array>
+void each(Archive& archive, Array& values, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i)
+    archive(values[i]);
+}
+
+template <class Archive>
+void layout(Archive& a, Name& name) {
+  for (char& c : name) {
+    auto byte = static_cast<std::uint8_t>(c);
+    a(byte);
+    c = static_cast<char>(byte);
+  }
+}
+
+template <class Archive>
+void layout(Archive& a, Hello& m) {
+  a(m.version), a(m.joints), a(m.clock_source), a(m.counter_kind), a(m.mode);
+  a(m.clock_Hz), a(m.baud), a(m.tick_Hz);
+  a(m.counter_numerator), a(m.counter_denominator), a(m.empty_bracket);
+  layout(a, m.robot), layout(a, m.board);
+}
+
+template <class Archive>
+void layout(Archive& a, SetPoint& m) {
+  each(a, m.q, m.joints), each(a, m.qd, m.joints), each(a, m.qdd, m.joints);
+}
+
+template <class Archive>
+void layout(Archive& a, Torque& m) {
+  each(a, m.tau, m.joints);
+  a(m.count), a(m.status), a(m.joint);
+}
+
+template <class Archive>
+void layout(Archive& a, ErrorReply& m) {
+  a(m.fault), each(a, m.counters, fault_kinds);
+}
+
+template <class Archive>
+void layout(Archive&, StatsRequest&) {}
+
+template <class Archive>
+void layout(Archive& a, Stats& m) {
+  a(m.frames), a(m.set_points), a(m.refused), a(m.gaps), a(m.ticks), a(m.watchdog_holds);
+  a(m.count_min), a(m.count_max), a(m.stack_bytes), each(a, m.counters, fault_kinds);
+}
+
+template <class Archive>
+void layout(Archive& a, Shutdown& m) {
+  a(m.exit_code);
+}
+
+template <class Archive>
+void layout(Archive& a, Start& m) {
+  a(m.mode);
+}
+
+constexpr std::size_t set_point_size(std::size_t joints) { return 12 * joints; }
+constexpr std::size_t torque_size(std::size_t joints) { return 4 * joints + 6; }
+static_assert(set_point_size(max_joints) <= max_payload && torque_size(max_joints) <= max_payload);
+
+/// Bytes of a message with a frame around it.
+struct WireBytes {
+  std::array<std::uint8_t, max_wire_size> bytes;
+  std::size_t size;
+};
+
+template <class Message>
+std::size_t encode_message(Message message, std::uint32_t sequence, std::uint8_t* out) {
+  std::uint8_t payload[max_payload];
+  ByteWriter writer(payload, sizeof payload);
+  layout(writer, message);
+  return encode_frame({static_cast<std::uint8_t>(Message::type), sequence, payload, writer.size()}, out);
+}
+
+template <class Message>
+WireBytes encode_message(const Message& message, std::uint32_t sequence) {
+  WireBytes wire{};
+  wire.size = encode_message(message, sequence, wire.bytes.data());
+  return wire;
+}
+
+template <class Message>
+bool set_joints(Message&, std::size_t) {
+  return true;
+}
+inline bool set_joints(SetPoint& m, std::size_t length) {
+  m.joints = length / 12;
+  return length % 12 == 0 && m.joints <= max_joints;
+}
+inline bool set_joints(Torque& m, std::size_t length) {
+  m.joints = length < 6 ? 0 : (length - 6) / 4;
+  return length == torque_size(m.joints) && m.joints <= max_joints;
+}
+
+/// Reads `frame` as a `Message`; false when the type or the payload's length does not fit.
+template <class Message>
+bool decode_message(const FrameView& frame, Message& message) {
+  if (frame.type != static_cast<std::uint8_t>(Message::type) || !set_joints(message, frame.length)) return false;
+  ByteReader reader(frame.payload, frame.length);
+  layout(reader, message);
+  return reader.complete();
+}
+
+constexpr Name make_name(const char* text) {
+  Name name{};
+  for (std::size_t i = 0; i + 1 < name_size && text[i] != '\0'; ++i)
+    name[i] = text[i];
+  return name;
+}
+
+/// Whether a set-point and its answer, one after the other, fit one tick on a line of 10 bits a byte.
+constexpr bool fits_tick(std::size_t joints, std::uint32_t baud, std::uint32_t tick_Hz) {
+  const std::size_t bytes = wire_size(set_point_size(joints)) + wire_size(torque_size(joints));
+  return bytes * 10 * tick_Hz <= baud;
+}
+
+}  // namespace axial::hal::link

@@ -1,0 +1,104 @@
+#include <hal/link/messages.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "noise.hpp"
+
+namespace axial::hal::link {
+namespace {
+
+template <class Message>
+bool round_trip(const Message& sent, Message& received) {
+  FrameDecoder decoder;
+  FrameEvent event = FrameEvent::none;
+  for (const std::uint8_t byte : noise::wire(sent, 5)) {
+    const FrameEvent next = decoder.feed(byte);
+    if (next != FrameEvent::none) event = next;
+  }
+  return event == FrameEvent::frame && decode_message(decoder.frame(), received);
+}
+
+TEST(Messages, SetPointKeepsEveryBit) {
+  SetPoint sent{}, received{};
+  sent.joints = 7;
+  for (std::size_t i = 0; i < sent.joints; ++i) {
+    sent.q[i] = 0.1f * static_cast<float>(i);
+    sent.qd[i] = -sent.q[i];
+    sent.qdd[i] = 1e-30f;
+  }
+  sent.q[3] = std::numeric_limits<float>::quiet_NaN();
+  sent.qd[0] = -std::numeric_limits<float>::infinity();
+  ASSERT_TRUE(round_trip(sent, received));
+  EXPECT_EQ(received.joints, sent.joints);
+  for (std::size_t i = 0; i < sent.joints; ++i) {
+    EXPECT_EQ(std::isnan(received.q[i]), std::isnan(sent.q[i]));
+    EXPECT_TRUE(std::isnan(sent.q[i]) || received.q[i] == sent.q[i]);
+    EXPECT_EQ(received.qd[i], sent.qd[i]);
+    EXPECT_EQ(received.qdd[i], sent.qdd[i]);
+  }
+}
+
+TEST(Messages, TorqueAndHelloRoundTrip) {
+  Torque torque{}, torque_back{};
+  torque.joints = 3;
+  torque.tau = {1.5f, -2.0f, 3.0f};
+  torque.count = 0xFEDCBA98;
+  torque.status = static_cast<std::uint8_t>(TorqueStatus::outside_limits);
+  torque.joint = 2;
+  ASSERT_TRUE(round_trip(torque, torque_back));
+  EXPECT_EQ(torque_back.tau, torque.tau);
+  EXPECT_EQ(torque_back.count, torque.count);
+  EXPECT_EQ(torque_back.status, torque.status);
+  EXPECT_EQ(torque_back.joint, torque.joint);
+
+  Hello hello{}, hello_back{};
+  hello.version = protocol_version;
+  hello.joints = 4;
+  hello.clock_Hz = 168000000;
+  hello.robot = make_name("a_name_longer_than_the_field");
+  ASSERT_TRUE(round_trip(hello, hello_back));
+  EXPECT_EQ(hello_back.clock_Hz, hello.clock_Hz);
+  EXPECT_STREQ(hello_back.robot.data(), "a_name_longer_t");
+}
+
+TEST(Messages, EveryMessageFitsAFrame) {
+  std::uint8_t out[max_payload];
+  const auto size = [&](auto message) {
+    ByteWriter writer(out, sizeof out);
+    layout(writer, message);
+    EXPECT_TRUE(writer.ok());
+    return writer.size();
+  };
+  EXPECT_EQ(size(Hello{}), 61u);
+  EXPECT_EQ(size(ErrorReply{}), 37u);
+  EXPECT_EQ(size(Stats{}), 72u);
+  SetPoint full{};
+  full.joints = max_joints;
+  EXPECT_EQ(size(full), set_point_size(max_joints));
+}
+
+TEST(Messages, AWrongLengthIsRefused) {
+  const std::uint8_t bytes[40]{};
+  SetPoint set_point{};
+  Torque torque{};
+  Start start{};
+  EXPECT_TRUE(decode_message({2, 0, bytes, 36}, set_point));
+  EXPECT_FALSE(decode_message({2, 0, bytes, 35}, set_point));
+  EXPECT_FALSE(decode_message({3, 0, bytes, 36}, set_point));
+  EXPECT_TRUE(decode_message({3, 0, bytes, 18}, torque));
+  EXPECT_FALSE(decode_message({3, 0, bytes, 17}, torque));
+  EXPECT_FALSE(decode_message({3, 0, bytes, 5}, torque));
+  EXPECT_TRUE(decode_message({8, 0, bytes, 1}, start));
+  EXPECT_FALSE(decode_message({8, 0, bytes, 0}, start));
+  EXPECT_FALSE(decode_message({8, 0, bytes, 2}, start));
+}
+
+// 7 joints: 84 + 34 bytes of payload, 11 of header and CRC, 1 of stuffing and 2 delimiters each: 146 bytes, 1 460 bits.
+static_assert(wire_size(set_point_size(7)) == 98 && wire_size(torque_size(7)) == 48);
+static_assert(fits_tick(7, 1'460'000, 1000) && !fits_tick(7, 1'459'999, 1000));
+
+}  // namespace
+}  // namespace axial::hal::link
