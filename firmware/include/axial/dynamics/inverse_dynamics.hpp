@@ -1,0 +1,171 @@
+// Inverse dynamics: joint efforts from the motion, by recursive Newton-Euler (RNEA) with successive axial screws.
+#pragma once
+
+#include <axial/dynamics/gyration.hpp>
+#include <axial/dynamics/loads.hpp>
+#include <axial/dynamics/passes.hpp>
+#include <axial/model/model.hpp>
+
+namespace axial {
+namespace rnea {
+
+/// Motion of a link in its own frame: angular velocity w, angular acceleration dw, acceleration a of the origin, and
+/// the products p and matrix U that they give (gyration.hpp).
+template <class W, class DW, class A, class P, class U>
+struct Motion {
+  W w{};
+  DW dw{};
+  A a{};
+  P p{};
+  U u{};
+  template <class T>
+  constexpr Motion<Vec3<T>, Vec3<T>, Vec3<T>, Vec3<T>, Mat3<Vec3<T>>> dense() const {
+    return {w, dw, a, p, u};
+  }
+};
+template <class W, class DW, class A, class P, class U>
+Motion(W, DW, A, P, U) -> Motion<W, DW, A, P, U>;
+
+/// The base at rest, accelerated against gravity.
+template <class A>
+constexpr auto base_motion(const A& acceleration) {
+  constexpr ZeroVec3 o;
+  return Motion{o, o, acceleration, o, Mat3<ZeroVec3>{}};
+}
+
+/// Motion of a revolute link from its parent's (Luh, Walker and Paul 1980; Craig 2005, eqs. (6.45)-(6.47)).
+/// `screw` is the joint's z-screw; the part d of the offset lies on the axis, so the link's own U carries it.
+template <class Link, class Screw, class Parent, class V, class A>
+constexpr auto move(Revolute, const Link& link, const Screw& screw, const Parent& parent, const V& qd, const A& qdd) {
+  using namespace quantity;
+  const auto x = link.x();
+  const auto at_axis = link.sum(LinearAcceleration{}, parent.a, parent.u * Vec3{x.shift, Zero{}, Zero{}});
+  const auto turning = to_child(screw, to_child(x, parent.w));
+  const auto w = link.sum(AngularVelocity{}, turning, along_z(qd));
+  const auto dw = link.sum(AngularAcceleration{}, to_child(screw, to_child(x, parent.dw)), cross_z(turning, qd), along_z(qdd));
+  const auto p = products(w, link);
+  const auto u = rotation_acceleration(w, dw, p, link);
+  const auto a = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, at_axis)), u * along_z(screw.shift));
+  return Motion{w, dw, a, p, u};
+}
+
+/// Motion of a prismatic link from its parent's (Craig 2005, eqs. (6.48), (6.49)).
+template <class Link, class Screw, class Parent, class V, class A>
+constexpr auto move(Prismatic, const Link& link, const Screw& screw, const Parent& parent, const V& qd, const A& qdd) {
+  using namespace quantity;
+  const auto x = link.x();
+  const auto at_axis = link.sum(LinearAcceleration{}, parent.a, parent.u * Vec3{x.shift, Zero{}, Zero{}});
+  const auto w = to_child(screw, to_child(x, parent.w));
+  const auto dw = to_child(screw, to_child(x, parent.dw));
+  const auto p = products(w, link);
+  const auto u = rotation_acceleration(w, dw, p, link);
+  const auto a = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, at_axis)), u * along_z(screw.shift),
+                          cross_z(w, qd + qd), along_z(qdd));
+  return Motion{w, dw, a, p, u};
+}
+
+/// Force and moment about the frame's origin that give a body its motion: f = m a + U h, n = J dw + w x J w + h x a.
+template <class Link, class Body, class D, class M>
+constexpr auto newton_euler(const Link& link, const Body& body, const D& differences, const M& motion) {
+  using namespace quantity;
+  const auto& h = body.first_moment;
+  const auto force = link.sum(Force{}, body.mass * motion.a, motion.u * h);
+  const auto moment = link.sum(Moment{}, rotational_moment(body.inertia, differences, motion.dw, motion.p, motion.u),
+                               cross(h, motion.a));
+  return ForceVector{moment, force};
+}
+
+/// Component of a force along the joint.
+template <class F>
+constexpr auto along_joint(Revolute, const F& f) { return f.moment.z; }
+template <class F>
+constexpr auto along_joint(Prismatic, const F& f) { return f.force.z; }
+
+template <class F>
+struct Left {
+  F sent{};
+};
+template <class F>
+Left(F) -> Left<F>;
+
+/// The algorithm over any form of links; tau[i] is written for every joint.
+template <class Links, class Input, class Q, class V, class A, class Tau>
+constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Tau& tau) {
+  const TipLoads<typename Links::Scene, Input> loads(in);
+  const auto screws = map_links(links, [&](auto i) AXIAL_INLINE { return links.link(i).z(q[i]); });
+  const auto motions = outward(links, base_motion(links.base_acceleration()), [&](auto i, const auto& parent) AXIAL_INLINE {
+    const auto link = links.link(i);
+    return link.on_joint([&](auto joint) AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i], qdd[i])); });
+  });
+  const auto own = [&](auto i) AXIAL_INLINE {
+    const auto link = links.link(i);
+    const auto body = loads.body(link);
+    const auto differences = loaded_differences<typename Links::Scene>(link, body);
+    return link.shape(newton_euler(link, body, differences, motions[i]) - loads.wrench(link));
+  };
+  const auto joint = [&](auto i, const auto& force) AXIAL_INLINE {
+    const auto link = links.link(i);
+    tau[i] = link.on_joint([&](auto kind) AXIAL_INLINE {
+      return static_cast<typename Links::Scalar>(link.sum(quantity::JointEffort{}, along_joint(kind, force),
+                                                          link.rotor() * qdd[i], friction_effort(link, qd[i])));
+    });
+    return Left{link.shape(to_parent(link.x(), to_parent(screws[i], force, link), link))};
+  };
+  inward(links, own, joint);
+}
+
+}  // namespace rnea
+
+/// Joint efforts for a desired motion: tau = M(q) qdd + c(q, qd) + g(q) [+ rotor inertia, friction] - J^T wrench.
+/// Source: recursive Newton-Euler (Luh, Walker and Paul 1980) in link frames with successive axial screws.
+/// In: q (rad or m), qd, qdd; `in` carries the run-time inputs that the scene names. Out: N m or N, one a joint.
+/// Gravity as the chain declares it: a link that must be held up has a positive effort along +g's opposite.
+/// NaN and infinities propagate to the result; use control/feedforward.hpp where inputs are not trusted.
+template <class S, class T>
+constexpr Efforts<robot_of<S>, T> inverse_dynamics(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+                                                   const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
+  Efforts<robot_of<S>, T> tau{};
+  rnea::run(links_of<S, T>(), in, q, qd, qdd, tau);
+  return tau;
+}
+
+/// Gravity torque g(q) (with the tip wrench that the scene names): the effort that holds the robot still.
+template <class S, class T>
+constexpr Efforts<robot_of<S>, T> gravity_torque(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+  Efforts<robot_of<S>, T> tau{};
+  rnea::run(links_of<S, T>(), in, q, NoMotion{}, NoMotion{}, tau);
+  return tau;
+}
+
+/// Bias torque c(q, qd) + g(q) [+ friction] - J^T wrench: the effort at zero acceleration.
+template <class S, class T>
+constexpr Efforts<robot_of<S>, T> bias_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+                                              const Inputs<S, T>& in = {}) {
+  Efforts<robot_of<S>, T> tau{};
+  rnea::run(links_of<S, T>(), in, q, qd, NoMotion{}, tau);
+  return tau;
+}
+
+/// The same three for a run-time model, in the looped form.
+template <int N, class... F, class T, class M = Model<N, F...>>
+constexpr Efforts<M, T> inverse_dynamics(const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd,
+                                         const Accelerations<M, T>& qdd, const Inputs<M, T>& in = {}) {
+  Efforts<M, T> tau{};
+  rnea::run(model.template links<T>(), in, q, qd, qdd, tau);
+  return tau;
+}
+template <int N, class... F, class T, class M = Model<N, F...>>
+constexpr Efforts<M, T> gravity_torque(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {}) {
+  Efforts<M, T> tau{};
+  rnea::run(model.template links<T>(), in, q, NoMotion{}, NoMotion{}, tau);
+  return tau;
+}
+template <int N, class... F, class T, class M = Model<N, F...>>
+constexpr Efforts<M, T> bias_torque(const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd,
+                                    const Inputs<M, T>& in = {}) {
+  Efforts<M, T> tau{};
+  rnea::run(model.template links<T>(), in, q, qd, NoMotion{}, tau);
+  return tau;
+}
+
+}  // namespace axial

@@ -1,0 +1,201 @@
+// Passes over the links: outward (from the base), inward (from the tips). One form for unrolled and looped links.
+#pragma once
+
+#include <axial/model/links.hpp>
+
+namespace axial {
+
+namespace detail {
+
+template <int I, class V>
+struct Slot {
+  V value{};
+};
+template <int I, class V>
+constexpr V& pick(Slot<I, V>& slot) { return slot.value; }
+template <int I, class V>
+constexpr const V& pick(const Slot<I, V>& slot) { return slot.value; }
+
+template <class Indices, class... V>
+struct SlotsOf;
+template <int... I, class... V>
+struct SlotsOf<std::integer_sequence<int, I...>, V...> : Slot<I, V>... {
+  template <int K>
+  constexpr auto& operator[](Index<K>) { return pick<K>(*this); }
+  template <int K>
+  constexpr const auto& operator[](Index<K>) const { return pick<K>(*this); }
+};
+
+}  // namespace detail
+
+/// One value a link, each of its own type; `slots[Index<2>{}]`.
+template <class... V>
+struct Slots : detail::SlotsOf<std::make_integer_sequence<int, sizeof...(V)>, V...> {
+  template <class Next>
+  using Append = Slots<V..., Next>;
+};
+
+/// One value a link, all of one type.
+template <class V, int N>
+struct Row {
+  V values[N] = {};
+  constexpr V& operator[](int i) { return values[i]; }
+  constexpr const V& operator[](int i) const { return values[i]; }
+};
+
+namespace detail {
+
+template <class Step, int I, class Parent>
+using StepResult = std::decay_t<decltype(std::declval<const Step&>()(Index<I>{}, std::declval<const Parent&>()))>;
+
+// The type of every slot of an outward pass, found link by link.
+template <class Links, class Root, class Step, class Found, int I>
+struct Outward {
+  template <int P>
+  static const auto& parent(Index<P> p, const Root& root, const Found& found) {
+    if constexpr (P < 0) return root;
+    else return found[p];
+  }
+  using Parent = decltype(parent(Index<Links::template parent_of<I>>{}, std::declval<Root>(), std::declval<Found>()));
+  using type = typename Outward<Links, Root, Step,
+                                typename Found::template Append<StepResult<Step, I, Parent>>, I + 1>::type;
+};
+template <class Links, class Root, class Step, class Found>
+struct Outward<Links, Root, Step, Found, Links::capacity> {
+  using type = Found;
+};
+
+template <int P, class Root, class Values>
+constexpr const auto& value_or_root(Index<P> parent, const Root& root, const Values& values) {
+  if constexpr (P < 0) return root;
+  else return values[parent];
+}
+
+template <class Links, class Root, class Step, int... I>
+constexpr auto outward_unrolled(const Root& root, const Step& step, std::integer_sequence<int, I...>) {
+  typename Outward<Links, Root, Step, Slots<>, 0>::type values{};
+  ((values[Index<I>{}] = step(Index<I>{}, value_or_root(Index<Links::template parent_of<I>>{}, root, values))), ...);
+  return values;
+}
+
+template <class Links, class F, int... I>
+constexpr void each_unrolled(const F& f, std::integer_sequence<int, I...>) {
+  (f(Index<I>{}), ...);
+}
+
+template <class Links, class F, int... I>
+constexpr auto map_unrolled(const F& f, std::integer_sequence<int, I...>) {
+  return Slots<std::decay_t<decltype(f(Index<I>{}))>...>{{{f(Index<I>{})}...}};
+}
+
+}  // namespace detail
+
+/// Calls f(i) for every link, outwards.
+template <class Links, class F>
+constexpr void for_each_link(const Links& links, const F& f) {
+  if constexpr (Links::unrolled) {
+    detail::each_unrolled<Links>(f, typename Links::Indices{});
+  } else {
+    for (int i = 0; i < links.size(); ++i) f(i);
+  }
+}
+
+/// values[i] = f(i).
+template <class Links, class F>
+constexpr auto map_links(const Links& links, const F& f) {
+  if constexpr (Links::unrolled) {
+    return detail::map_unrolled<Links>(f, typename Links::Indices{});
+  } else {
+    Row<std::decay_t<decltype(f(0))>, Links::capacity> values;
+    for (int i = 0; i < links.size(); ++i) values[i] = f(i);
+    return values;
+  }
+}
+
+/// values[i] = step(i, value of the parent), the base's being `root`.
+template <class Links, class Root, class Step>
+constexpr auto outward(const Links& links, const Root& root, const Step& step) {
+  if constexpr (Links::unrolled) {
+    return detail::outward_unrolled<Links>(root, step, typename Links::Indices{});
+  } else {
+    const auto dense_root = root.template dense<typename Links::Scalar>();
+    Row<std::decay_t<decltype(step(0, dense_root))>, Links::capacity> values;
+    for (int i = 0; i < links.size(); ++i) {
+      const int parent = links.parent(i);
+      values[i] = step(i, parent < 0 ? dense_root : values[parent]);
+    }
+    return values;
+  }
+}
+
+namespace detail {
+
+struct NoLoad {};
+
+template <class V>
+constexpr auto loaded(const V& own, NoLoad) { return own; }
+template <class V, class W>
+constexpr auto loaded(const V& own, const W& load) { return own + load; }
+constexpr NoLoad loaded(NoLoad, NoLoad) { return {}; }
+template <class W>
+constexpr auto loaded(NoLoad, const W& load) { return load; }
+
+// The pass over a tree of types: what the children of link I, from child C on, send to it.
+template <class Links, class Own, class Joint>
+struct Inward {
+  const Own& own;
+  const Joint& joint;
+
+  template <int I>
+  using Left = decltype(std::declval<Inward>().template leave_type<I>());
+
+  template <int I, int C>
+  constexpr auto loads_type() const {
+    if constexpr (C >= Links::capacity) return NoLoad{};
+    else if constexpr (Links::template parent_of<C> == I)
+      return loaded(loads_type<I, C + 1>(), leave_type<C>().sent);
+    else return loads_type<I, C + 1>();
+  }
+  template <int I>
+  constexpr auto leave_type() const {
+    return joint(Index<I>{}, loaded(own(Index<I>{}), loads_type<I, I + 1>()));
+  }
+
+  template <int I, int C, class Values>
+  constexpr auto loads(const Values& values) const {
+    if constexpr (C >= Links::capacity) return NoLoad{};
+    else if constexpr (Links::template parent_of<C> == I)
+      return loaded(loads<I, C + 1>(values), values[Index<C>{}].sent);
+    else return loads<I, C + 1>(values);
+  }
+
+  template <int... I>
+  constexpr auto run(std::integer_sequence<int, I...>) const {
+    constexpr int last = Links::capacity - 1;
+    Slots<Left<I>...> values{};
+    ((values[Index<last - I>{}] = joint(Index<last - I>{}, loaded(own(Index<last - I>{}), loads<last - I, last - I + 1>(values)))), ...);
+    return values;
+  }
+};
+
+}  // namespace detail
+
+/// From the tips to the base: left[i] = joint(i, own(i) + what the children sent). What joint() returns has a member
+/// `sent`, the load on the parent in the parent's frame; nothing reads the load that a root link sends.
+template <class Links, class Own, class Joint>
+constexpr auto inward(const Links& links, const Own& own, const Joint& joint) {
+  if constexpr (Links::unrolled) {
+    return detail::Inward<Links, Own, Joint>{own, joint}.run(typename Links::Indices{});
+  } else {
+    Row<std::decay_t<decltype(own(0))>, Links::capacity> total;
+    Row<std::decay_t<decltype(joint(0, own(0)))>, Links::capacity> left;
+    for (int i = 0; i < links.size(); ++i) total[i] = own(i);
+    for (int i = links.size(); i-- > 0;) {
+      left[i] = joint(i, total[i]);
+      if (const int parent = links.parent(i); parent >= 0) total[parent] = total[parent] + left[i].sent;
+    }
+    return left;
+  }
+}
+
+}  // namespace axial

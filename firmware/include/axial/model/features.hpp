@@ -1,0 +1,58 @@
+// What a scene can name. What it does not name adds no instruction, no byte and no argument.
+#pragma once
+
+#include <axial/spatial/inertia.hpp>
+#include <axial/spatial/spatial_vector.hpp>
+
+namespace axial {
+
+/// A load rigidly fixed to the last link, known at run time: mass (kg), centre of mass (m, last link's frame) and
+/// inertia about that centre (kg m^2, axes of the last link's frame).
+template <class T>
+struct PayloadBody {
+  T mass{};
+  Vec3<T> com{};
+  Sym3<T> inertia_com{};
+};
+
+/// Gravity as the robot declares it.
+struct Gravity {
+  template <class T>
+  struct Input {};
+};
+
+/// gear^2 J of each drive on its own joint.
+struct RotorInertia {
+  template <class T>
+  struct Input {};
+};
+
+/// Viscous and Coulomb friction as the links declare it, on the joint side; Coulomb friction is 0 at rest.
+struct Friction {
+  template <class T>
+  struct Input {};
+};
+
+/// Force that the environment exerts on the last link: axes and origin of its frame, run-time input `tip_wrench`.
+struct TipWrench {
+  template <class T>
+  struct Input {
+    ForceVector<Vec3<T>, Vec3<T>> tip_wrench{};
+  };
+};
+
+/// A run-time load on the last link, input `payload`.
+struct Payload {
+  template <class T>
+  struct Input {
+    PayloadBody<T> payload{};
+  };
+};
+
+/// Loops over a table of links instead of unrolling: small code for small flash, and for long chains.
+struct Looped {
+  template <class T>
+  struct Input {};
+};
+
+}  // namespace axial

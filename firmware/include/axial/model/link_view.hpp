@@ -1,0 +1,156 @@
+// How an algorithm sees a link: through constants known to the compiler (unrolled) or through a table (looped).
+#pragma once
+
+#include <utility>
+
+#include <axial/model/joints.hpp>
+#include <axial/model/link_constants.hpp>
+#include <axial/scalar/rounding.hpp>
+#include <axial/spatial/inertia.hpp>
+#include <axial/spatial/screw.hpp>
+
+#define AXIAL_INLINE __attribute__((always_inline))
+
+namespace axial {
+
+/// Kind of a joint as a type.
+struct Revolute {};
+struct Prismatic {};
+
+/// Index of a link as a type, usable as an int.
+template <int I>
+using Index = std::integral_constant<int, I>;
+
+namespace detail {
+
+template <class Robot, int... I>
+constexpr auto all_constants(std::integer_sequence<int, I...>) {
+  struct Table {
+    LinkConstants<double> links[sizeof...(I)];
+  };
+  return Table{{link_constants(Robot::chain.links[I], Robot::chain.parent(I))...}};
+}
+
+/// The derived constants of a robot, computed by the compiler.
+template <class Robot>
+inline constexpr auto robot_constants = all_constants<Robot>(std::make_integer_sequence<int, Robot::chain.size>{});
+
+template <class T>
+using Member = T LinkConstants<T>::*;
+
+/// What both views share: the accessors, written over `get<member>()` of the view.
+template <class View, class Source>
+class LinkAccess {
+  using C = LinkConstants<Source>;
+  constexpr const View& self() const { return static_cast<const View&>(*this); }
+
+ public:
+  constexpr auto x() const {
+    return x_screw(self().template get<&C::cos_alpha>(), self().template get<&C::sin_alpha>(), self().template get<&C::a>());
+  }
+  constexpr auto mass() const { return self().template get<&C::mass>(); }
+  constexpr auto first_moment() const {
+    return Vec3{self().template get<&C::hx>(), self().template get<&C::hy>(), self().template get<&C::hz>()};
+  }
+  constexpr auto inertia() const {
+    return Sym3{self().template get<&C::jxx>(), self().template get<&C::jyy>(), self().template get<&C::jzz>(),
+                self().template get<&C::jxy>(), self().template get<&C::jxz>(), self().template get<&C::jyz>()};
+  }
+  constexpr auto body() const { return RigidInertia{mass(), first_moment(), inertia()}; }
+  /// (Jzz - Jyy, Jxx - Jzz, Jyy - Jxx).
+  constexpr auto inertia_differences() const {
+    return Vec3{self().template get<&C::jzz_jyy>(), self().template get<&C::jxx_jzz>(), self().template get<&C::jyy_jxx>()};
+  }
+  constexpr auto rotor() const {
+    if constexpr (View::Scene::template has<RotorInertia>) return self().template get<&C::rotor>();
+    else return Zero{};
+  }
+  constexpr auto viscous() const { return self().template get<&C::viscous>(); }
+  constexpr auto coulomb_forward() const { return self().template get<&C::coulomb_forward>(); }
+  constexpr auto coulomb_backward() const { return self().template get<&C::coulomb_backward>(); }
+
+  /// Turn and shift of the joint at position q: about z by theta + q (rad), or along z by d + q (m).
+  template <class Q>
+  constexpr auto z(const Q& q) const {
+    return self().on_joint([&](auto joint) AXIAL_INLINE { return self().shape(joint_screw(joint, q)); });
+  }
+
+ private:
+  template <class Q>
+  constexpr auto joint_screw(Revolute, const Q& q) const {
+    const auto ct = self().template get<&C::cos_theta>();
+    const auto st = self().template get<&C::sin_theta>();
+    const auto d = self().template get<&C::d>();
+    if constexpr (is_structural_v<decltype(ct)> || !View::unrolled) {  // exact for quarter turns
+      const auto pair = sincos(q);
+      return z_screw(ct * pair.cos - st * pair.sin, st * pair.cos + ct * pair.sin, d);
+    } else {
+      const auto pair = sincos(q + self().template get<&C::theta>());
+      return z_screw(pair.cos, pair.sin, d);
+    }
+  }
+  template <class Q>
+  constexpr auto joint_screw(Prismatic, const Q& q) const {
+    return z_screw(self().template get<&C::cos_theta>(), self().template get<&C::sin_theta>(),
+                   self().template get<&C::d>() + q);
+  }
+};
+
+}  // namespace detail
+
+/// Link I of a scene's robot: every constant that is 0 or +-1 is a type, the rest are literals of T.
+template <class SceneType, int I, class T>
+class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T>, double>, public Plain {
+ public:
+  using Scene = SceneType;
+  static constexpr bool unrolled = true;
+  static constexpr bool is_last = I + 1 == Scene::Robot::chain.size;
+
+  template <detail::Member<double> M>
+  static constexpr auto get() {
+    constexpr double value = detail::robot_constants<typename Scene::Robot>.links[I].*M;
+    if constexpr (value == 0.0) return Zero{};
+    else if constexpr (value == 1.0) return One{};
+    else if constexpr (value == -1.0) return MinusOne{};
+    else return NumberTraits<T>::constant(value);
+  }
+  /// Calls f with the kind of this joint.
+  template <class F>
+  static constexpr auto on_joint(const F& f) {
+    if constexpr (detail::robot_constants<typename Scene::Robot>.links[I].prismatic) return f(Prismatic{});
+    else return f(Revolute{});
+  }
+  /// The form in which this view keeps a result: with its structural zeros.
+  template <class V>
+  static constexpr const V& shape(const V& v) { return v; }
+};
+
+/// Row of a table of links: plain numbers. One step serves all links, so results are kept as plain numbers too.
+template <class SceneType, class T, class Source>
+class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source>, Source>, public Plain {
+ public:
+  using Scene = SceneType;
+  static constexpr bool unrolled = false;
+  const LinkConstants<Source>& row;
+  bool is_last;
+
+  constexpr TableLink(const LinkConstants<Source>& constants, bool last) : row(constants), is_last(last) {}
+
+  template <detail::Member<Source> M>
+  constexpr T get() const {
+    if constexpr (std::is_same_v<T, Source>) return row.*M;
+    else return NumberTraits<T>::constant(row.*M);
+  }
+  template <class F>
+  constexpr auto on_joint(const F& f) const {
+    if (row.prismatic) return f(Prismatic{});
+    return f(Revolute{});
+  }
+  template <class V>
+  static constexpr auto shape(const V& v) {
+    if constexpr (is_scalar_v<V>) return T(v);
+    else return v.template dense<T>();
+  }
+};
+
+}  // namespace axial

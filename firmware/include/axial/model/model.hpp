@@ -1,0 +1,57 @@
+// A robot that is described at run time: for tests, reports, import and plants on the host.
+#pragma once
+
+#include <axial/model/links.hpp>
+
+namespace axial {
+
+/// Up to N links, filled at run time; the algorithms run over it in their looped form. Stands where a robot or scene
+/// stands: `inverse_dynamics(model, q, qd, qdd)` with `Joints<Model<N>, T>`. Features as for Scene; without any, gravity
+/// and rotor inertia. No allocation; add() says false where a link is refused (full, or its parent is not before it).
+template <int N, class... Features>
+class Model {
+ public:
+  using Robot = Model;
+  struct Size {
+    int size = N;
+  };
+  static constexpr Size chain{};
+  using Scene = std::conditional_t<sizeof...(Features) == 0, axial::Scene<Model, Gravity, RotorInertia>,
+                                   axial::Scene<Model, Features...>>;
+
+  constexpr bool add(const LinkParameters& link) {
+    const int parent = link.parent == LinkParameters::previous ? size_ - 1 : link.parent;
+    if (size_ >= N || parent >= size_ || parent < LinkParameters::base) return false;
+    table_[size_++] = link_constants(link, parent);
+    return true;
+  }
+  constexpr bool add(const Link& link) { return add(link.parameters()); }
+  /// Acceleration of free fall in frame 0, m/s^2.
+  constexpr void set_gravity(double x, double y, double z) { gravity_ = {x, y, z}; }
+  constexpr int size() const { return size_; }
+  constexpr const LinkConstants<double>& constants(int i) const { return table_[i]; }
+
+  template <class T>
+  constexpr auto links() const {
+    return TableLinks<Scene, T, double, N>(table_, size_, {T(gravity_.x), T(gravity_.y), T(gravity_.z)});
+  }
+
+ private:
+  LinkConstants<double> table_[N] = {};
+  GravityVector gravity_{};
+  int size_ = 0;
+};
+
+template <class T>
+struct IsModel : std::false_type {};
+template <int N, class... Features>
+struct IsModel<Model<N, Features...>> : std::true_type {};
+
+namespace detail {
+template <int N, class... Features>
+struct SceneOf<Model<N, Features...>, false> {
+  using type = typename Model<N, Features...>::Scene;
+};
+}  // namespace detail
+
+}  // namespace axial

@@ -1,0 +1,144 @@
+// A number that records what is done to it: run a kernel over it and read the kernel's cost.
+#pragma once
+
+#include <axial/scalar/sincos.hpp>
+
+namespace axial {
+
+/// Operations that a kernel's outputs need. Multiplications by +-1 and negations are free, expressions of constants
+/// alone are off-line, equal expressions are computed once and what no output needs is not computed: as an optimising
+/// compiler leaves it.
+struct Operations {
+  int mul = 0, add = 0, div = 0, sincos = 0;
+  constexpr bool operator==(const Operations& o) const {
+    return mul == o.mul && add == o.add && div == o.div && sincos == o.sincos;
+  }
+};
+
+/// The record of one run: every operation once, in order.
+class Trace {
+ public:
+  enum class Kind : unsigned char { input, constant, mul, add, sub, div, neg, sine, cosine };
+  struct Node {
+    Kind kind = Kind::input;
+    int left = -1, right = -1;
+    double value = 0.0;  ///< of a constant
+  };
+
+  constexpr int input() { return push({Kind::input, -1, -1, 0.0}); }
+  constexpr int record(const Node& node) {
+    for (int i = size_; i-- > 0;)
+      if (same(nodes_[i], node)) return i;
+    return push(node);
+  }
+  /// Marks a value as an output of the kernel.
+  constexpr void need(int node) { live_[node] = true; }
+  /// Number of operations that the needed values depend on.
+  constexpr Operations operations() const {
+    bool live[capacity] = {};
+    for (int i = 0; i < size_; ++i) live[i] = live_[i];
+    Operations total;
+    for (int i = size_; i-- > 0;) {
+      if (!live[i]) continue;
+      if (nodes_[i].left >= 0) live[nodes_[i].left] = true;
+      if (nodes_[i].right >= 0) live[nodes_[i].right] = true;
+      tally(total, i, live);
+    }
+    return total;
+  }
+  constexpr bool overflowed() const { return size_ >= capacity; }
+
+ private:
+  static constexpr int capacity = 12288;
+
+  static constexpr bool same(const Node& a, const Node& b) {
+    return a.kind != Kind::input && a.kind == b.kind && a.left == b.left && a.right == b.right && !(a.value < b.value) &&
+           !(b.value < a.value);
+  }
+  constexpr int push(const Node& node) {
+    if (size_ < capacity) nodes_[size_++] = node;
+    return size_ - 1;
+  }
+  constexpr void tally(Operations& total, int i, const bool (&live)[capacity]) const {
+    switch (nodes_[i].kind) {
+      case Kind::mul: ++total.mul; break;
+      case Kind::add:
+      case Kind::sub: ++total.add; break;
+      case Kind::div: ++total.div; break;
+      case Kind::cosine: ++total.sincos; break;
+      case Kind::sine: total.sincos += pair_is_needed(i, live) ? 0 : 1; break;
+      default: break;
+    }
+  }
+  // A sine whose cosine is needed too costs nothing more.
+  constexpr bool pair_is_needed(int sine, const bool (&live)[capacity]) const {
+    for (int i = 0; i < size_; ++i)
+      if (live[i] && nodes_[i].kind == Kind::cosine && nodes_[i].left == nodes_[sine].left) return true;
+    return false;
+  }
+
+  Node nodes_[capacity] = {};
+  bool live_[capacity] = {};
+  int size_ = 0;
+};
+
+/// Scalar that records its history in a Trace. A constant of the model belongs to no trace.
+class Counting {
+  using Kind = Trace::Kind;
+
+ public:
+  constexpr Counting() = default;
+  /// A run-time input.
+  constexpr explicit Counting(Trace& trace) : trace_(&trace), node_(trace.input()) {}
+  constexpr static Counting constant(double value) {
+    Counting c;
+    c.value_ = value;
+    return c;
+  }
+
+  /// Marks this value as an output.
+  constexpr void need() const {
+    if (trace_ != nullptr) trace_->need(node_);
+  }
+
+  friend constexpr Counting operator*(Counting a, Counting b) { return combine(Kind::mul, a, b, a.value_ * b.value_); }
+  friend constexpr Counting operator/(Counting a, Counting b) {
+    return combine(Kind::div, a, b, b.value_ < 0.0 || b.value_ > 0.0 ? a.value_ / b.value_ : 0.0);
+  }
+  friend constexpr Counting operator+(Counting a, Counting b) { return combine(Kind::add, a, b, a.value_ + b.value_); }
+  friend constexpr Counting operator-(Counting a, Counting b) { return combine(Kind::sub, a, b, a.value_ - b.value_); }
+  constexpr Counting operator-() const { return apply(Kind::neg, -value_); }
+  // Comparisons are not arithmetic; they say what a healthy state says.
+  friend constexpr bool operator<(Counting, Counting) { return false; }
+  friend constexpr bool operator>(Counting, Counting) { return true; }
+
+  friend constexpr SinCos<Counting> sincos(Counting x) { return {x.apply(Kind::sine, 0.0), x.apply(Kind::cosine, 0.0)}; }
+
+ private:
+  constexpr Counting(Trace& trace, const Trace::Node& node) : trace_(&trace), node_(trace.record(node)) {}
+
+  constexpr int node_in(Trace& trace) const {
+    return trace_ != nullptr ? node_ : trace.record({Kind::constant, -1, -1, value_});
+  }
+  constexpr Counting apply(Kind kind, double folded) const {
+    return trace_ == nullptr ? constant(folded) : Counting(*trace_, {kind, node_, -1, 0.0});
+  }
+  static constexpr Counting combine(Kind kind, Counting a, Counting b, double folded) {
+    Trace* const trace = a.trace_ != nullptr ? a.trace_ : b.trace_;
+    if (trace == nullptr) return constant(folded);
+    return Counting(*trace, {kind, a.node_in(*trace), b.node_in(*trace), 0.0});
+  }
+
+  Trace* trace_ = nullptr;
+  int node_ = -1;
+  double value_ = 0.0;
+};
+
+template <>
+struct NumberTraits<Counting> {
+  static constexpr bool is_number = true;
+  static constexpr Counting constant(double value) { return Counting::constant(value); }
+  static constexpr double epsilon() { return std::numeric_limits<double>::epsilon(); }
+};
+
+}  // namespace axial

@@ -1,0 +1,110 @@
+// Sine-cosine pairs: constexpr, without tables, without branches on data.
+#pragma once
+
+#include <axial/scalar/structural.hpp>
+
+namespace axial {
+
+/// sin and cos of one angle.
+template <class T>
+struct SinCos {
+  T sin, cos;
+};
+
+namespace detail {
+
+// The numbers of one floating-point format: pi/2 in pieces short enough that a multiple of each is exact (Cody and
+// Waite 1980), the constant whose addition rounds to an integer, and minimax polynomials in t = r^2 on [0, (pi/4)^2]
+// (weighted least squares, reweighted to the minimax error given with each; 40-digit arithmetic).
+template <class T>
+struct TrigonometricConstants;
+
+template <>
+struct TrigonometricConstants<float> {
+  using Bits = std::uint32_t;
+  static constexpr float two_over_pi = 0.63661977F;
+  static constexpr float pieces[3] = {0x1.92p+0F, 0x1.fb4p-12F, 0x1.4442d2p-24F};
+  static constexpr float rounder = 0x1.8p+23F;
+  static constexpr float sine[] = {-0.166666548733002685F, 0.00833217353549626166F, -0.000195166550433800746F};  // 3.6e-9
+  static constexpr float cosine[] = {0.0416666467473967017F, -0.00138873614349370836F, 0.0000244377286253442746F};  // 1e-10
+};
+
+template <>
+struct TrigonometricConstants<double> {
+  using Bits = std::uint64_t;
+  static constexpr double two_over_pi = 0.63661977236758134308;
+  static constexpr double pieces[3] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2e037073p-69};
+  static constexpr double rounder = 0x1.8p+52;
+  static constexpr double sine[] = {-0.166666666666666316,   0.00833333333332231317,  -0.000198412698297235503,
+                                    2.75573136615068856e-6, -2.50507531838161692e-8, 1.58965005931046379e-10};  // 3.5e-18
+  static constexpr double cosine[] = {0.0416666666666665987,   -0.00138888888888739883, 0.0000248015872893938844,
+                                      -2.75573143258295247e-7, 2.08757195410711982e-9,  -1.13594481519286497e-11};  // 5e-20
+};
+
+template <class T, std::size_t N>
+constexpr T horner(const T (&coefficients)[N], T t) {
+  T sum = coefficients[N - 1];
+  for (std::size_t i = N - 1; i-- > 0;) sum = sum * t + coefficients[i];
+  return sum;
+}
+
+// x = quadrant pi/2 + r + low, |r| <= pi/4.
+template <class T>
+struct Reduced {
+  T r, low;
+  typename TrigonometricConstants<T>::Bits quadrant;
+};
+
+template <class T>
+constexpr Reduced<T> reduce(T x) {
+  using C = TrigonometricConstants<T>;
+  const T shifted = x * C::two_over_pi + C::rounder;
+  const T k = shifted - C::rounder;
+  const T first = x - k * C::pieces[0];
+  const T second = first - k * C::pieces[1];
+  const T low = ((first - second) - k * C::pieces[1]) - k * C::pieces[2];
+  const T r = second + low;
+  return {r, (second - r) + low, __builtin_bit_cast(typename C::Bits, shifted)};
+}
+
+// cos(r + low). In double the rounding of 1 - t/2 is put back, which keeps it within 1 ulp; float saves the operations.
+template <class T>
+constexpr T cosine_near_zero(T r, T t, T low) {
+  const T tail = t * horner(TrigonometricConstants<T>::cosine, t);
+  if constexpr (sizeof(T) <= sizeof(float)) {
+    return T(1) + t * (T(-0.5) + tail);
+  } else {
+    const T half = T(0.5) * t, near = T(1) - half;
+    return near + (((T(1) - near) - half) + (t * tail - r * low));
+  }
+}
+
+// Exchanges the pair in odd quadrants and sets the signs, with integer masks instead of branches.
+template <class T, class Bits>
+constexpr SinCos<T> into_quadrant(T sine, T cosine, Bits quadrant) {
+  constexpr int sign_shift = static_cast<int>(sizeof(Bits)) * 8 - 2;
+  const Bits odd = Bits(0) - (quadrant & 1u);
+  const Bits s = __builtin_bit_cast(Bits, sine), c = __builtin_bit_cast(Bits, cosine);
+  const Bits exchange = (s ^ c) & odd;
+  const Bits sine_bits = (s ^ exchange) ^ ((quadrant & 2u) << sign_shift);
+  const Bits cosine_bits = (c ^ exchange) ^ (((quadrant + 1u) & 2u) << sign_shift);
+  return {__builtin_bit_cast(T, sine_bits), __builtin_bit_cast(T, cosine_bits)};
+}
+
+}  // namespace detail
+
+/// Sine and cosine of an angle in radians, without branches: the same instructions for every x. NaN and infinities
+/// give NaN.
+/// double: within 1 ulp for |x| <= 10^6. float: within 1.5 * 2^-24 (absolute) for |x| <= 10^4.
+/// Beyond that the reduction loses digits gradually.
+template <class T, std::enable_if_t<std::is_floating_point_v<T>, int> = 0>
+constexpr SinCos<T> sincos(T x) {
+  using C = detail::TrigonometricConstants<T>;
+  const auto reduced = detail::reduce(x);
+  const T r = reduced.r, t = r * r;
+  const T sine = r + (r * t * detail::horner(C::sine, t) + reduced.low);
+  const T cosine = detail::cosine_near_zero(r, t, reduced.low);
+  return detail::into_quadrant(sine, cosine, reduced.quadrant);
+}
+
+}  // namespace axial

@@ -1,0 +1,87 @@
+// Numbers that the type system knows: 0, 1 and -1 cost nothing, on every compiler and without -ffast-math.
+#pragma once
+
+#include <axial/scalar/traits.hpp>
+
+namespace axial {
+
+/// The integer N as a type. `Zero * x` is `Zero`, `Zero + x` is `x`, `One * x` is `x`, `MinusOne * x` is `-x`.
+/// Arithmetic between two of them is done by the compiler; a result outside {0, 1, -1} turns into a constant of the
+/// number it meets.
+template <int N>
+struct Int {
+  static constexpr int value = N;
+  template <class T, class = std::enable_if_t<is_number_v<T>>>
+  constexpr operator T() const {  // NOLINT(google-explicit-constructor): a zero is a valid float
+    return NumberTraits<T>::constant(static_cast<double>(N));
+  }
+};
+
+using Zero = Int<0>;
+using One = Int<1>;
+using MinusOne = Int<-1>;
+
+template <class T>
+struct IsStructural : std::false_type {};
+template <int N>
+struct IsStructural<Int<N>> : std::true_type {};
+
+/// True for Int<N>.
+template <class T>
+inline constexpr bool is_structural_v = IsStructural<T>::value;
+
+/// True for a type that is zero whatever happens at run time.
+template <class T>
+inline constexpr bool is_zero_v = std::is_same_v<T, Zero>;
+
+/// True for anything that may stand in a formula: a number or a structural scalar.
+template <class T>
+inline constexpr bool is_scalar_v = is_number_v<T> || is_structural_v<T>;
+
+namespace detail {
+template <class T>
+using if_number = std::enable_if_t<is_number_v<T>, int>;
+}
+
+template <int N>
+constexpr Int<-N> operator-(Int<N>) { return {}; }
+template <int N, int M>
+constexpr Int<N + M> operator+(Int<N>, Int<M>) { return {}; }
+template <int N, int M>
+constexpr Int<N - M> operator-(Int<N>, Int<M>) { return {}; }
+template <int N, int M>
+constexpr Int<N * M> operator*(Int<N>, Int<M>) { return {}; }
+
+template <int N, class T, detail::if_number<T> = 0>
+constexpr auto operator*(Int<N>, const T& x) {
+  if constexpr (N == 0) return Zero{};
+  else if constexpr (N == 1) return x;
+  else if constexpr (N == -1) return -x;
+  else if constexpr (N == 2) return x + x;
+  else return T(Int<N>{}) * x;
+}
+template <int N, class T, detail::if_number<T> = 0>
+constexpr auto operator*(const T& x, Int<N> n) { return n * x; }
+
+template <int N, class T, detail::if_number<T> = 0>
+constexpr auto operator+(Int<N> n, const T& x) {
+  if constexpr (N == 0) return x;
+  else return T(n) + x;
+}
+template <int N, class T, detail::if_number<T> = 0>
+constexpr auto operator+(const T& x, Int<N> n) {
+  if constexpr (N == 0) return x;
+  else return x + T(n);
+}
+template <int N, class T, detail::if_number<T> = 0>
+constexpr auto operator-(const T& x, Int<N> n) {
+  if constexpr (N == 0) return x;
+  else return x - T(n);
+}
+template <int N, class T, detail::if_number<T> = 0>
+constexpr auto operator-(Int<N> n, const T& x) {
+  if constexpr (N == 0) return -x;
+  else return T(n) - x;
+}
+
+}  // namespace axial

@@ -1,0 +1,28 @@
+// What the kernels ask of a number: float and double here, the counting scalar and fixed point add themselves.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace axial {
+
+/// Says whether T is a number that kernels compute with, and how a constant of the model becomes one.
+/// Specialise it to add a number system: `is_number`, `constant(double)`, `epsilon()`.
+template <class T, class = void>
+struct NumberTraits {
+  static constexpr bool is_number = false;
+};
+
+template <class T>
+struct NumberTraits<T, std::enable_if_t<std::is_floating_point_v<T>>> {
+  static constexpr bool is_number = true;
+  static constexpr T constant(double value) { return static_cast<T>(value); }
+  static constexpr T epsilon() { return std::numeric_limits<T>::epsilon(); }
+};
+
+template <class T>
+inline constexpr bool is_number_v = NumberTraits<T>::is_number;
+
+}  // namespace axial

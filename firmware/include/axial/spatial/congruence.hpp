@@ -1,0 +1,122 @@
+// Congruences by one axial screw: inertias from the child's frame to the parent's, X^T N X.
+#pragma once
+
+#include <axial/spatial/inertia.hpp>
+#include <axial/spatial/screw.hpp>
+
+namespace axial {
+
+/// The trigonometric products of step A: s^2, c^2 - s^2, s c, 2 s c; 2M 3A, off-line for a constant turn.
+template <class S2, class C2, class SC, class SC2>
+struct DoubleAngle {
+  S2 ss{};
+  C2 cc_ss{};
+  SC sc{};
+  SC2 two_sc{};
+};
+template <class A, class B, class C, class D>
+DoubleAngle(A, B, C, D) -> DoubleAngle<A, B, C, D>;
+
+template <class Axis, class C, class S, class L>
+constexpr auto double_angle(const AxialScrew<Axis, C, S, L>& x) {
+  const auto ss = turned(x.sin * x.sin);
+  const auto sc = turned(x.sin * x.cos);
+  return DoubleAngle{ss, One{} - ss - ss, sc, sc + sc};
+}
+
+namespace detail {
+
+// R S R^T about z, step B or C of Table I: 8M 7A.
+template <class A, class Screw, class XX, class YY, class ZZ, class XY, class XZ, class YZ>
+constexpr auto turn(const A& twice, const Screw& x, const Sym3<XX, YY, ZZ, XY, XZ, YZ>& s) {
+  const auto difference = s.xx - s.yy;
+  const auto k1 = turned(difference * twice.ss + s.xy * twice.two_sc);
+  const auto k2 = turned(difference * twice.sc + s.xy * twice.cc_ss);
+  const auto column = to_parent(z_screw(x.cos, x.sin, Zero{}), Vec3{s.xz, s.yz, Zero{}});
+  return Sym3{s.xx - k1, s.yy + k1, s.zz, k2, column.x, column.y};
+}
+
+// R M R^T about z for a general M, step D of Table I: 12M 14A, 8M 10A with a zero row.
+template <class A, class Screw, class R1, class R2, class R3>
+constexpr auto turn(const A& twice, const Screw& x, const Mat3<R1, R2, R3>& m) {
+  const auto difference = m.x.x - m.y.y, sum = m.x.y + m.y.x;
+  const auto k1 = turned(difference * twice.ss + sum * twice.sc);
+  const auto k2 = turned(difference * twice.sc - sum * twice.ss);
+  const auto plane = z_screw(x.cos, x.sin, Zero{});
+  const auto column = to_parent(plane, Vec3{m.x.z, m.y.z, Zero{}});
+  const auto row = to_parent(plane, Vec3{m.z.x, m.z.y, m.z.z});
+  return Mat3{Vec3{m.x.x - k1, m.x.y + k2, column.x}, Vec3{m.y.x + k2, m.y.y + k1, column.y}, row};
+}
+
+// p~ M for p along z, step E: 5M for a symmetric M.
+template <class L, class XX, class YY, class ZZ, class XY, class XZ, class YZ>
+constexpr auto shift_rows(const L& p, const Sym3<XX, YY, ZZ, XY, XZ, YZ>& m) {
+  const auto xy = p * m.xy;
+  return Mat3{Vec3{-xy, -(p * m.yy), -(p * m.yz)}, Vec3{p * m.xx, xy, p * m.xz}, ZeroVec3{}};
+}
+
+}  // namespace detail
+
+/// Symmetric 3x3, R S R^T (Table II: 18M 17A for both screws with step A).
+template <class Axis, class C, class S, class L, class A, class B, class D, class E, class F, class G>
+constexpr auto to_parent(const AxialScrew<Axis, C, S, L>& x, const Sym3<A, B, D, E, F, G>& tensor) {
+  return Axis::out(detail::turn(double_angle(x), x, Axis::in(tensor)));
+}
+
+/// General 3x3, R M R^T (Table II: 26M 24A for both screws with step A).
+template <class Axis, class C, class S, class L, class A, class B, class D>
+constexpr auto to_parent(const AxialScrew<Axis, C, S, L>& x, const Mat3<A, B, D>& matrix) {
+  const DoubleAngle twice{turned(x.sin * x.sin), Zero{}, turned(x.sin * x.cos), Zero{}};
+  return Axis::out(detail::turn(twice, x, Axis::in(matrix)));
+}
+
+/// Articulated, reflected or any symmetric 6x6 inertia: X^T N X by one axial screw, McMillan and Orin 1995, Table I.
+/// The blocks are turned first and then shifted (p along the axis): with D = R N12 R^T and I = D + p~ N22', the
+/// angular block is B + I p~^T + (D p~^T)^T, which needs 4M 3A less a screw than the paper's steps F, G and H.
+template <class Axis, class C, class S, class L, class A11, class A12, class A22, class Rounding = Plain>
+constexpr auto to_parent(const AxialScrew<Axis, C, S, L>& x, const ArticulatedInertia<A11, A12, A22>& n,
+                         const Rounding& round = {}) {
+  using namespace quantity;
+  if constexpr (AxialScrew<Axis, C, S, L>::is_identity) {
+    return n;
+  } else {
+    const auto twice = double_angle(x);
+    const auto b = detail::turn(twice, x, Axis::in(n.angular));
+    const auto d = detail::turn(twice, x, Axis::in(n.coupling));
+    const auto linear = detail::turn(twice, x, Axis::in(n.linear));
+    const auto e = detail::shift_rows(x.shift, linear);
+    const Mat3 i{round.sum(FirstMoment{}, d.x, e.x), round.sum(FirstMoment{}, d.y, e.y), d.z};
+    const Sym3 angular{round.sum(RotationalInertia{}, b.xx, -(x.shift * (i.x.y + d.x.y))),
+                       round.sum(RotationalInertia{}, b.yy, x.shift * (i.y.x + d.y.x)),
+                       b.zz,
+                       round.sum(RotationalInertia{}, b.xy, x.shift * (i.x.x - d.y.y)),
+                       round.sum(RotationalInertia{}, b.xz, -(x.shift * d.z.y)),
+                       round.sum(RotationalInertia{}, b.yz, x.shift * d.z.x)};
+    return ArticulatedInertia{Axis::out(angular), Axis::out(i), Axis::out(linear)};
+  }
+}
+
+/// Rigid or composite body: at most 16M 15A with step A off-line, one multiplication less where m p is a constant.
+/// McMillan and Orin 1995, Table II (spatial inertia); parallel-axis shift of first moment and inertia.
+template <class Axis, class C, class S, class L, class M, class H, class J, class Rounding = Plain>
+constexpr auto to_parent(const AxialScrew<Axis, C, S, L>& x, const RigidInertia<M, H, J>& body,
+                         const Rounding& round = {}) {
+  using namespace quantity;
+  if constexpr (AxialScrew<Axis, C, S, L>::is_identity) {
+    return body;
+  } else {
+    const auto j = detail::turn(double_angle(x), x, Axis::in(body.inertia));
+    const auto turned_h = Axis::in(to_parent(x, body.first_moment));
+    const auto hz = round.sum(FirstMoment{}, turned_h.z, x.shift * body.mass);
+    const auto growth = x.shift * (turned_h.z + hz);
+    const Sym3 inertia{round.sum(RotationalInertia{}, j.xx, growth),
+                       round.sum(RotationalInertia{}, j.yy, growth),
+                       j.zz,
+                       j.xy,
+                       round.sum(RotationalInertia{}, j.xz, -(x.shift * turned_h.x)),
+                       round.sum(RotationalInertia{}, j.yz, -(x.shift * turned_h.y))};
+    return RigidInertia{body.mass, Axis::out(Vec3{turned_h.x, turned_h.y, hz}), Axis::out(inertia)};
+  }
+}
+
+}  // namespace axial

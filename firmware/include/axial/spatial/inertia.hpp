@@ -1,0 +1,61 @@
+// Inertias about a frame's origin: of one rigid body, and of an articulated body.
+#pragma once
+
+#include <axial/spatial/mat3.hpp>
+
+namespace axial {
+
+/// Rigid (or composite) body: mass m (kg), first moment m c (kg m) and inertia about the frame's origin (kg m^2).
+/// As a 6x6 matrix: [ J, (m c)~ ; (m c)~^T, m 1 ], theory of McMillan and Orin 1995, eq. (2).
+template <class M, class H, class J>
+struct RigidInertia {
+  M mass{};
+  H first_moment{};
+  J inertia{};
+
+  template <class A, class B, class C>
+  constexpr operator RigidInertia<A, B, C>() const { return {mass, first_moment, inertia}; }  // NOLINT(google-explicit-constructor)
+  template <class T>
+  constexpr RigidInertia<T, Vec3<T>, Sym3<T>> dense() const { return *this; }
+};
+template <class M, class H, class J>
+RigidInertia(M, H, J) -> RigidInertia<M, H, J>;
+
+template <class A, class B, class C, class D, class E, class F>
+constexpr auto operator+(const RigidInertia<A, B, C>& a, const RigidInertia<D, E, F>& b) {
+  return RigidInertia{a.mass + b.mass, a.first_moment + b.first_moment, a.inertia + b.inertia};
+}
+
+/// Articulated-body or reflected inertia, 6x6 symmetric in 3x3 blocks: angular (kg m^2), coupling (kg m, row = moment,
+/// column = linear acceleration) and linear (kg).
+template <class A11, class A12, class A22>
+struct ArticulatedInertia {
+  A11 angular{};
+  A12 coupling{};
+  A22 linear{};
+
+  template <class A, class B, class C>
+  constexpr operator ArticulatedInertia<A, B, C>() const { return {angular, coupling, linear}; }  // NOLINT(google-explicit-constructor)
+  template <class T>
+  constexpr ArticulatedInertia<Sym3<T>, Mat3<Vec3<T>>, Sym3<T>> dense() const { return *this; }
+};
+template <class A11, class A12, class A22>
+ArticulatedInertia(A11, A12, A22) -> ArticulatedInertia<A11, A12, A22>;
+
+template <class A, class B, class C, class D, class E, class F>
+constexpr auto operator+(const ArticulatedInertia<A, B, C>& a, const ArticulatedInertia<D, E, F>& b) {
+  return ArticulatedInertia{a.angular + b.angular, a.coupling + b.coupling, a.linear + b.linear};
+}
+
+/// The 6x6 form of a rigid body's inertia.
+template <class M, class H, class J>
+constexpr auto articulated(const RigidInertia<M, H, J>& body) {
+  const auto& h = body.first_moment;
+  const Zero o{};
+  return ArticulatedInertia{
+      body.inertia,
+      Mat3{Vec3{o, -h.z, h.y}, Vec3{h.z, o, -h.x}, Vec3{-h.y, h.x, o}},
+      Sym3{body.mass, body.mass, body.mass, o, o, o}};
+}
+
+}  // namespace axial

@@ -1,0 +1,50 @@
+// Spatial vectors, angular part first.
+#pragma once
+
+#include <axial/spatial/vec3.hpp>
+
+namespace axial {
+
+/// A motion: angular (rad/s or rad/s^2) and linear (m/s or m/s^2) part, both in the axes and at the origin of one frame.
+/// Accelerations are classical ones: the linear part is that of the point, not Featherstone's spatial acceleration.
+template <class W, class V>
+struct MotionVector {
+  W angular{};
+  V linear{};
+
+  template <class A, class B>
+  constexpr operator MotionVector<A, B>() const { return {angular, linear}; }  // NOLINT(google-explicit-constructor)
+  template <class T>
+  constexpr MotionVector<Vec3<T>, Vec3<T>> dense() const { return *this; }
+};
+template <class W, class V>
+MotionVector(W, V) -> MotionVector<W, V>;
+
+/// A force: moment (N m) about the origin of a frame and force (N), in its axes.
+template <class N, class F>
+struct ForceVector {
+  N moment{};
+  F force{};
+
+  template <class A, class B>
+  constexpr operator ForceVector<A, B>() const { return {moment, force}; }  // NOLINT(google-explicit-constructor)
+  template <class T>
+  constexpr ForceVector<Vec3<T>, Vec3<T>> dense() const { return *this; }
+};
+template <class N, class F>
+ForceVector(N, F) -> ForceVector<N, F>;
+
+template <class A, class B, class C, class D>
+constexpr auto operator+(const MotionVector<A, B>& u, const MotionVector<C, D>& v) {
+  return MotionVector{u.angular + v.angular, u.linear + v.linear};
+}
+template <class A, class B, class C, class D>
+constexpr auto operator+(const ForceVector<A, B>& u, const ForceVector<C, D>& v) {
+  return ForceVector{u.moment + v.moment, u.force + v.force};
+}
+template <class A, class B, class C, class D>
+constexpr auto operator-(const ForceVector<A, B>& u, const ForceVector<C, D>& v) {
+  return ForceVector{u.moment - v.moment, u.force - v.force};
+}
+
+}  // namespace axial
