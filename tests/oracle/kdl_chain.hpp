@@ -1,0 +1,32 @@
+// Orocos KDL behind the oracle's data types: an implementation by other people, in double. Serial chains only.
+#pragma once
+
+#include <memory>
+
+#include <oracle/lagrange.hpp>
+
+namespace oracle {
+
+/// Each MDH row is two KDL segments: a fixed one for the x-screw, then the joint with its z-screw. KDL has rotor
+/// inertia (as joint inertia), tip wrench and gravity; friction is added by the caller.
+class KdlChain {
+ public:
+  explicit KdlChain(const Chain<double>& chain);
+  ~KdlChain();
+
+  Pose<double> tool_pose(const Vector<double>& q) const;                 ///< in the root frame
+  Jacobian<double> tool_jacobian(const Vector<double>& q) const;         ///< at the tool, axes of the root frame
+  Matrix<double> mass_matrix(const Vector<double>& q) const;             ///< ChainDynParam (composite bodies)
+  Vector<double> coriolis_torque(const Vector<double>& q, const Vector<double>& qd) const;
+  Vector<double> gravity_torque(const Vector<double>& q) const;
+  Vector<double> inverse_dynamics(const Vector<double>& q, const Vector<double>& qd, const Vector<double>& qdd,
+                                  const Wrench<double>& tip = {}) const;  ///< ChainIdSolver_RNE
+  Vector<double> forward_dynamics(const Vector<double>& q, const Vector<double>& qd, const Vector<double>& tau,
+                                  const Wrench<double>& tip = {}) const;  ///< ChainFdSolver_RNE (M, then L D L^T)
+
+ private:
+  struct Solvers;
+  std::unique_ptr<Solvers> solvers_;
+};
+
+}  // namespace oracle
