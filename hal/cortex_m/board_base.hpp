@@ -48,6 +48,7 @@ struct BoardBase {
   }
 
   static CounterScale counter_scale() { return Counter::scale(); }
+  static std::uint32_t empty_bracket() { return Counter::empty(); }
 
   /// Instructions (QEMU) or cycles (silicon) of `code()`, the empty bracket subtracted.
   template <class Code>

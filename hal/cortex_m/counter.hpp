@@ -9,18 +9,7 @@
 
 #include <hal/cortex_m/core.hpp>
 #include <hal/cortex_m/registers.hpp>
-
-namespace axial::hal {
-
-enum class CounterKind : std::uint8_t { instructions = 0, cycles = 1 };
-
-/// Count over raw ticks, as a ratio.
-struct CounterScale {
-  CounterKind kind;
-  std::uint32_t numerator, denominator;
-};
-
-}  // namespace axial::hal
+#include <hal/counter.hpp>
 
 namespace axial::hal::cortex_m {
 
