@@ -36,7 +36,8 @@ TEST(PickAndPlace, RestsAtEveryWayPointInOrder) {
   std::size_t tick = 0;
   for (const auto& way_point : cycle().way_points) {
     const auto rests = [&](const SetPoint& x) { return x.q == way_point.q && x.qd == zero && x.qdd == zero; };
-    while (tick < trajectory.size() && !rests(trajectory[tick])) ++tick;
+    while (tick < trajectory.size() && !rests(trajectory[tick]))
+      ++tick;
     EXPECT_LT(tick, trajectory.size()) << way_point.name;
   }
   EXPECT_EQ(tick + 1, trajectory.size());

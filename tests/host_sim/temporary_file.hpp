@@ -1,8 +1,8 @@
 // A file that lives as long as a test.
 #pragma once
 
-#include <cstdlib>
-#include <filesystem>
+#include <host_sim/system/temporary_folder.hpp>
+
 #include <fstream>
 #include <string>
 
@@ -10,20 +10,14 @@ namespace host_sim::test {
 
 class TemporaryFile {
  public:
-  TemporaryFile(const std::string& ending, const std::string& content) {
-    std::string name = (std::filesystem::temp_directory_path() / "axial-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-    path_ = (folder_ / ("file" + ending)).string();
+  TemporaryFile(const std::string& ending, const std::string& content) : path_(folder_.file("file" + ending)) {
     std::ofstream(path_) << content;
   }
-  ~TemporaryFile() { std::filesystem::remove_all(folder_); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   const std::string& path() const { return path_; }
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   std::string path_;
 };
 

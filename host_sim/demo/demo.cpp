@@ -1,0 +1,85 @@
+#include <host_sim/demo/demo.hpp>
+
+#include <host_sim/demo/summary.hpp>
+#include <host_sim/emulator/qemu.hpp>
+#include <host_sim/output/files.hpp>
+#include <host_sim/output/table.hpp>
+#include <host_sim/trajectory/files.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <stdexcept>
+
+namespace host_sim {
+
+namespace {
+
+std::string trajectory_file(const DemoOptions& options) {
+  if (!options.trajectory.empty()) return options.trajectory;
+  return std::string(AXIAL_ROOT) + "/host_sim/trajectories/" + options.robot + ".json";
+}
+
+/// What the emulator printed belongs to the message when the conversation with it breaks.
+Recording record(const Board& board, const std::string& image, const Robot& robot, const Trajectory& trajectory) {
+  Emulator emulator(board, image);
+  try {
+    return stream(emulator.serial(), robot, trajectory);
+  } catch (const std::runtime_error& error) {
+    const std::string words = emulator.console();
+    throw std::runtime_error(error.what() + (words.empty() ? "" : "\nthe emulator printed: " + words));
+  }
+}
+
+std::vector<std::string> header(int joints) {
+  std::vector<std::string> names = {"time"};
+  for (const char* group : {"q", "qd", "qdd", "torque", "error"})
+    for (int i = 1; i <= joints; ++i)
+      names.push_back(group + std::to_string(i));
+  names.push_back("instructions");
+  return names;
+}
+
+void write_csv(const std::string& path, const Recording& recording, int joints) {
+  CsvFile file(path, header(joints));
+  for (const Sample& s : recording.samples) {
+    file.cell(s.asked.time);
+    for (const auto* group : {&s.asked.q, &s.asked.qd, &s.asked.qdd, &s.torque})
+      for (const double value : *group)
+        file.cell(value);
+    for (std::size_t i = 0; i < s.torque.size(); ++i)
+      file.cell(s.torque[i] - s.exact[i], 4);
+    file.cell(s.instructions);
+    file.end_row();
+  }
+}
+
+void write_files(const DemoOptions& options, const Recording& recording, const Summary& summary) {
+  make_folder(options.output);
+  const std::string stem = options.output + "/" + summary.robot.name + "-" + summary.board.name;
+  write_csv(stem + ".csv", recording, summary.robot.joints());
+  write_json(stem + ".json", to_json(summary));
+  if (!options.json.empty()) write_json(options.json, to_json(summary));
+  run_plot("demo.py", {stem + ".csv", stem + ".json"});
+  std::printf("\npicture  %s.png (and .svg)\ndata     %s.csv, %s.json\n", stem.c_str(), stem.c_str(), stem.c_str());
+}
+
+}  // namespace
+
+int run_demo(const DemoOptions& options) {
+  const Robot robot = find_robot(options.robot);
+  const Board board = read_board(options.board);
+  const Trajectory trajectory = load_trajectory(trajectory_file(options), robot.name, robot.limits);
+  const std::string image = image_path(board, "feedforward", robot.name);
+
+  const Recording recording = record(board, image, robot, trajectory);
+  const Summary summary = summarise(recording, robot, board, image);
+  std::printf("%s", describe(summary).c_str());
+  write_files(options, recording, summary);
+  if (within_bound(summary)) return 0;
+  std::fprintf(stderr, "demo: an error is above its bound of %s relative to the joint's largest torque\n",
+               significant(error_bound).c_str());
+  return 1;
+}
+
+}  // namespace host_sim

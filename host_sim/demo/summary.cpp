@@ -1,0 +1,80 @@
+#include <host_sim/demo/summary.hpp>
+
+#include <host_sim/output/table.hpp>
+
+#include <nlohmann/json.hpp>
+
+namespace host_sim {
+
+namespace {
+
+std::string table_of_errors(const Summary& s) {
+  Table table({"joint", "unit", "largest torque", "largest error", "RMS error", "largest relative", "RMS relative"});
+  for (std::size_t i = 0; i < s.joints.size(); ++i) {
+    const ErrorStatistics& e = s.joints[i];
+    table.add({std::to_string(i + 1), s.robot.effort_unit(static_cast<int>(i)), significant(e.scale(), 4),
+               significant(e.largest()), significant(e.rms()), significant(e.relative(e.largest())),
+               significant(e.relative(e.rms()))});
+  }
+  return table.text();
+}
+
+std::string cost_lines(const Summary& s) {
+  return "instructions per torque  " + grouped(s.instructions.min) + " to " + grouped(s.instructions.max) +
+         "  (counted by QEMU; not cycles)\n" +  //
+         "flash                    " + grouped(s.image.flash) + " of " + grouped(s.board.flash_bytes) + " bytes\n" +
+         "RAM                      " + grouped(s.image.ram) + " of " + grouped(s.board.ram_bytes) + " bytes\n" +
+         "stack, deepest use       " + grouped(s.stack) + " bytes\n";
+}
+
+}  // namespace
+
+Summary summarise(const Recording& recording, const Robot& robot, const Board& board, const std::string& image) {
+  Summary summary{robot, board, std::vector<ErrorStatistics>(robot.limits.size()), {}, image_size(image)};
+  for (const Sample& sample : recording.samples) {
+    for (std::size_t i = 0; i < sample.torque.size(); ++i)
+      summary.joints[i].add(sample.torque[i], sample.exact[i]);
+    summary.instructions.add(sample.instructions);
+  }
+  summary.hello = recording.hello;
+  summary.stack = recording.stats.stack_bytes;
+  summary.set_points = recording.samples.size();
+  summary.duration = recording.samples.back().asked.time;
+  return summary;
+}
+
+bool within_bound(const Summary& summary) {
+  return std::all_of(summary.joints.begin(), summary.joints.end(),
+                     [](const ErrorStatistics& e) { return e.relative(e.largest()) <= error_bound; });
+}
+
+std::string describe(const Summary& s) {
+  return s.robot.name + " on " + s.board.name + " in QEMU: " + grouped(s.set_points) + " set-points, " +
+         significant(s.duration) + " s of motion\n\n" + table_of_errors(s) + "\n" + cost_lines(s);
+}
+
+nlohmann::json to_json(const Summary& s) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (std::size_t i = 0; i < s.joints.size(); ++i) {
+    const ErrorStatistics& e = s.joints[i];
+    rows.push_back({{"robot", s.robot.name},
+                    {"board", s.board.name},
+                    {"joint", i + 1},
+                    {"unit", s.robot.effort_unit(static_cast<int>(i))},
+                    {"torque_max", e.scale()},
+                    {"error_max", e.largest()},
+                    {"error_max_relative", e.relative(e.largest())},
+                    {"error_rms", e.rms()},
+                    {"error_rms_relative", e.relative(e.rms())},
+                    {"error_bound_relative", error_bound},
+                    {"instructions_min", s.instructions.min},
+                    {"instructions_max", s.instructions.max},
+                    {"flash_bytes", s.image.flash},
+                    {"ram_bytes", s.image.ram},
+                    {"stack_bytes", s.stack},
+                    {"set_points", s.set_points}});
+  }
+  return rows;
+}
+
+}  // namespace host_sim

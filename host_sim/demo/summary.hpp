@@ -1,0 +1,41 @@
+// What a recording shows: errors of every joint, cost, memory; and whether that is good enough.
+#pragma once
+
+#include <host_sim/analysis/error_statistics.hpp>
+#include <host_sim/analysis/image_size.hpp>
+#include <host_sim/demo/recording.hpp>
+#include <host_sim/emulator/board.hpp>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace host_sim {
+
+struct Summary {
+  Robot robot;
+  Board board;
+  std::vector<ErrorStatistics> joints;
+  Range instructions;
+  ImageSize image;
+  link::Hello hello{};
+  std::uint32_t stack = 0;  ///< bytes, deepest use over the run
+  std::size_t set_points = 0;
+  double duration = 0.0;  ///< s of motion
+};
+
+/// Largest torque error that the float kernels are allowed, relative to the joint's largest torque over the trajectory.
+constexpr double error_bound = 5e-7;
+
+Summary summarise(const Recording& recording, const Robot& robot, const Board& board, const std::string& image);
+
+bool within_bound(const Summary& summary);
+
+/// The text that `./axial demo` prints.
+std::string describe(const Summary& summary);
+
+/// One object a joint, with the fields that every machine-readable `demo` has.
+nlohmann::json to_json(const Summary& summary);
+
+}  // namespace host_sim

@@ -1,0 +1,56 @@
+#include <host_sim/emulator/board.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace host_sim {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path description(const std::string& board) { return fs::path(AXIAL_ROOT) / "hal/boards" / board / "board.json"; }
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names)
+    text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> board_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(fs::path(AXIAL_ROOT) / "hal/boards"))
+    if (fs::exists(entry.path() / "board.json")) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Board read_board(const std::string& name) {
+  const auto known = board_names();
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    throw std::runtime_error("unknown board '" + name + "'; there are: " + joined(known));
+  std::ifstream file(description(name));
+  const auto json = nlohmann::json::parse(file);
+  Board board{name, json.at("cpu"), json.at("flash_bytes"), json.at("ram_bytes"), {}};
+  board.emulator = {json.at("qemu").at("program").get<std::string>()};
+  for (const auto& argument : json.at("qemu").at("arguments"))
+    board.emulator.push_back(argument);
+  return board;
+}
+
+std::string image_path(const Board& board, const std::string& app, const std::string& robot) {
+  const fs::path path = fs::path(AXIAL_IMAGES_ROOT) / board.name / "images" / (app + "-" + robot + ".elf");
+  if (!fs::exists(path))
+    throw std::runtime_error("no image " + path.string() + "; build it: cmake --preset " + board.name +
+                             " && cmake --build --preset " + board.name);
+  return path.string();
+}
+
+}  // namespace host_sim

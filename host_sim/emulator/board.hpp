@@ -1,0 +1,26 @@
+// What the host needs to know of a board: hal/boards/<board>/board.json.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace host_sim {
+
+struct Board {
+  std::string name, cpu;
+  std::uint32_t flash_bytes = 0, ram_bytes = 0;  ///< of the part
+  std::vector<std::string> emulator;             ///< program and arguments
+};
+
+/// Names of all boards of the project, sorted.
+std::vector<std::string> board_names();
+
+/// Throws std::runtime_error that names the boards there are.
+Board read_board(const std::string& name);
+
+/// Path of an image, e.g. build/stm32f405/images/feedforward-scara.elf.
+/// Throws std::runtime_error that says how to build it.
+std::string image_path(const Board& board, const std::string& app, const std::string& robot);
+
+}  // namespace host_sim

@@ -1,0 +1,94 @@
+#include <host_sim/link/firmware.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace host_sim {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto start_limit = std::chrono::seconds(20);
+constexpr auto answer_limit = std::chrono::seconds(5);
+
+const char* fault_name(std::uint8_t fault) {
+  constexpr const char* names[] = {"bad stuffing",  "a truncated frame", "an oversized frame",
+                                   "a bad length",  "a bad CRC",         "a sequence number out of order",
+                                   "a bad payload", "an unknown type",   "an overrun"};
+  static_assert(sizeof names / sizeof *names == link::fault_kinds);
+  return fault < link::fault_kinds ? names[fault] : "an unknown fault";
+}
+
+std::string describe_error(const link::FrameView& frame) {
+  link::ErrorReply reply{};
+  return link::decode_message(frame, reply) ? std::string("the firmware reports ") + fault_name(reply.fault)
+                                            : "frame of type " + std::to_string(frame.type);
+}
+
+}  // namespace
+
+Firmware::Firmware(SerialLine& line) : line_(line) {
+  wait_for<link::Hello>(start_limit, "hello");
+  send(link::Start{static_cast<std::uint8_t>(link::Mode::lock_step)}, 0);
+  hello_ = wait_for<link::Hello>(answer_limit, "hello in lock-step");
+  if (hello_.version != link::protocol_version)
+    throw std::runtime_error("the firmware speaks protocol version " + std::to_string(hello_.version) +
+                             ", this program " + std::to_string(link::protocol_version));
+}
+
+link::Torque Firmware::torque(const link::SetPoint& set_point) {
+  send(set_point, ++sequence_);
+  const auto answer = wait_for<link::Torque>(answer_limit, "torque " + std::to_string(sequence_));
+  if (answer.joints != set_point.joints) throw std::runtime_error("a torque has the wrong number of joints");
+  return answer;
+}
+
+link::Stats Firmware::stats() {
+  send(link::StatsRequest{}, ++sequence_);
+  return wait_for<link::Stats>(answer_limit, "statistics");
+}
+
+void Firmware::shut_down() { send(link::Shutdown{0}, ++sequence_); }
+
+template <class Answer>
+Answer Firmware::wait_for(std::chrono::milliseconds limit, const std::string& what) {
+  const link::FrameView frame = next_frame(Clock::now() + limit, what);
+  Answer answer{};
+  if (!link::decode_message(frame, answer))
+    throw std::runtime_error("expected " + what + ", got: " + describe_error(frame));
+  if (Answer::type == link::MessageType::torque && frame.sequence != sequence_)
+    throw std::runtime_error("expected " + what + ", got torque " + std::to_string(frame.sequence));
+  return answer;
+}
+
+link::FrameView Firmware::next_frame(Clock::time_point end, const std::string& what) {
+  while (true) {
+    while (at_ < size_) {
+      const link::FrameEvent event = decoder_.feed(received_[at_++]);
+      if (event == link::FrameEvent::frame) return decoder_.frame();
+      if (event != link::FrameEvent::none) throw std::runtime_error("a broken frame came instead of " + what);
+    }
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
+    if (left.count() <= 0) throw std::runtime_error("no " + what + " came in time");
+    at_ = 0;
+    size_ = line_.read(received_, sizeof received_, left);
+  }
+}
+
+template <class Message>
+void Firmware::send(const Message& message, std::uint32_t sequence) {
+  const link::WireBytes wire = link::encode_message(message, sequence);
+  line_.write(wire.bytes.data(), wire.size);
+}
+
+link::SetPoint to_message(const SetPoint& point) {
+  link::SetPoint message{};
+  message.joints = point.q.size();
+  const auto narrow = [](double value) { return static_cast<float>(value); };
+  std::transform(point.q.begin(), point.q.end(), message.q.begin(), narrow);
+  std::transform(point.qd.begin(), point.qd.end(), message.qd.begin(), narrow);
+  std::transform(point.qdd.begin(), point.qdd.end(), message.qdd.begin(), narrow);
+  return message;
+}
+
+}  // namespace host_sim

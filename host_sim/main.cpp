@@ -1,0 +1,55 @@
+// The host's side of ./axial demo and ./axial report.
+#include <host_sim/demo/demo.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+constexpr int usage_error = 2;
+
+/// Adds a verb whose run() gives the exit status.
+template <class Options, class Run>
+CLI::App* add_verb(CLI::App& app, const char* name, const char* text, const Options& options, int& status, Run run) {
+  CLI::App* verb = app.add_subcommand(name, text);
+  verb->callback([&status, &options, run] { status = run(options); });
+  return verb;
+}
+
+void add_demo(CLI::App& app, host_sim::DemoOptions& options, int& status) {
+  CLI::App* verb =
+      add_verb(app, "demo", "streams a pick-and-place cycle to a board in QEMU", options, status, host_sim::run_demo);
+  verb->add_option("--robot", options.robot, "name as in robots/README.md")->capture_default_str();
+  verb->add_option("--board", options.board, "folder of hal/boards")->capture_default_str();
+  verb->add_option("--trajectory", options.trajectory, "way-points (.json) or set-points (.csv)")
+      ->check(CLI::ExistingFile);
+  verb->add_option("--output", options.output, "folder of CSV, JSON and picture")->capture_default_str();
+  verb->add_option("--json", options.json, "one more copy of the figures");
+}
+
+int run(int count, char** arguments) {
+  int status = 0;
+  host_sim::DemoOptions demo;
+  CLI::App app("axial's host side: emulated boards, checked against the oracle", "host_sim");
+  app.require_subcommand(1);
+  add_demo(app, demo, status);
+  try {
+    app.parse(count, arguments);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : usage_error;
+  }
+  return status;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    return run(count, arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "host_sim: %s\n", error.what());
+    return 1;
+  }
+}
