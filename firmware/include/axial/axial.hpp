@@ -2,3 +2,6 @@
 #pragma once
 
 #include <axial/dynamics/inverse_dynamics.hpp>
+#include <axial/dynamics/forward_dynamics.hpp>
+#include <axial/dynamics/kinematics.hpp>
+#include <axial/dynamics/mass_matrix.hpp>

@@ -22,7 +22,7 @@ constexpr auto products(const W& w, const Rounding& round) {
 }
 
 /// Matrix U = dw~ + w~ w~: U r is the acceleration of a point r of a body that turns with w and dw, relative to the
-/// frame's origin. Khalil and Dombre 2002, eq. (9.95). `p` are products(w); dw may be a ZeroVec3.
+/// frame's origin. The form of Khalil and Dombre 2002, chapter 9. `p` are products(w); dw may be a ZeroVec3.
 template <class W, class DW, class P, class Rounding>
 constexpr auto rotation_acceleration(const W& w, const DW& dw, const P& p, const Rounding& round) {
   using quantity::AngularAcceleration;

@@ -33,7 +33,7 @@ constexpr auto base_motion(const A& acceleration) {
   return Motion{o, o, acceleration, o, Mat3<ZeroVec3>{}};
 }
 
-/// Motion of a revolute link from its parent's (Luh, Walker and Paul 1980; Craig 2005, eqs. (6.45)-(6.47)).
+/// Motion of a revolute link from its parent's (Luh, Walker and Paul 1980; Craig 2005, eqs. (6.45) to (6.47)).
 /// `screw` is the joint's z-screw; the part d of the offset lies on the axis, so the link's own U carries it.
 template <class Link, class Screw, class Parent, class V, class A>
 constexpr auto move(Revolute, const Link& link, const Screw& screw, const Parent& parent, const V& qd, const A& qdd) {
@@ -49,7 +49,7 @@ constexpr auto move(Revolute, const Link& link, const Screw& screw, const Parent
   return Motion{w, dw, a, p, u};
 }
 
-/// Motion of a prismatic link from its parent's (Craig 2005, eqs. (6.48), (6.49)).
+/// Motion of a prismatic link from its parent's (Craig 2005, eqs. (6.33) and (6.35)).
 template <class Link, class Screw, class Parent, class V, class A>
 constexpr auto move(Prismatic, const Link& link, const Screw& screw, const Parent& parent, const V& qd, const A& qdd) {
   using namespace quantity;

@@ -121,7 +121,7 @@ constexpr auto outward(const Links& links, const Root& root, const Step& step) {
     const auto dense_root = root.template dense<typename Links::Scalar>();
     Row<std::decay_t<decltype(step(0, dense_root))>, Links::capacity> values;
     for (int i = 0; i < links.size(); ++i) {
-      const int parent = links.parent(i);
+      const int parent = links.parent_index(i);
       values[i] = step(i, parent < 0 ? dense_root : values[parent]);
     }
     return values;
@@ -192,7 +192,7 @@ constexpr auto inward(const Links& links, const Own& own, const Joint& joint) {
     for (int i = 0; i < links.size(); ++i) total[i] = own(i);
     for (int i = links.size(); i-- > 0;) {
       left[i] = joint(i, total[i]);
-      if (const int parent = links.parent(i); parent >= 0) total[parent] = total[parent] + left[i].sent;
+      if (const int parent = links.parent_index(i); parent >= 0) total[parent] = total[parent] + left[i].sent;
     }
     return left;
   }

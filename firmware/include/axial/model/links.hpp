@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/model/link_view.hpp>
+#include <axial/spatial/pose.hpp>
 
 namespace axial {
 
@@ -19,26 +20,61 @@ struct StaticLinks {
   static constexpr auto link(Index<I>) { return StaticLink<Scene, I, Scalar>{}; }
   template <int I>
   static constexpr int parent_of = Scene::Robot::chain.parent(I);
-  template <int I>
-  static constexpr auto parent(Index<I>) { return Index<parent_of<I>>{}; }
+  static constexpr int parent_index(int i) { return Scene::Robot::chain.parent(i); }
   /// Acceleration of the base that stands for gravity, -g in frame 0.
   static constexpr auto base_acceleration() {
     if constexpr (Scene::template has<Gravity>) {
-      return Vec3{component<0>(), component<1>(), component<2>()};
+      return Vec3{constant([] { return -Scene::Robot::chain.gravity.x; }), constant([] { return -Scene::Robot::chain.gravity.y; }),
+                  constant([] { return -Scene::Robot::chain.gravity.z; })};
     } else {
       return ZeroVec3{};
     }
   }
+  /// Pose of frame 0 in the world.
+  static constexpr auto base_pose() {
+    return Pose{Mat3{base_row<0>(), base_row<1>(), base_row<2>()},
+                Vec3{constant([] { return Scene::Robot::chain.base.pose.position[0]; }),
+                     constant([] { return Scene::Robot::chain.base.pose.position[1]; }),
+                     constant([] { return Scene::Robot::chain.base.pose.position[2]; })}};
+  }
+  /// Pose of the tool in the last link's frame.
+  static constexpr const FixedPose& tool_pose() { return Scene::Robot::chain.tool.pose; }
 
  private:
-  template <int K>
-  static constexpr auto component() {
-    constexpr GravityVector g = Scene::Robot::chain.gravity;
-    constexpr double value = K == 0 ? -g.x : K == 1 ? -g.y : -g.z;
+  // A constant of the robot: a type where it is 0 or +-1, else a literal.
+  template <class Get>
+  static constexpr auto constant(Get get) {
+    constexpr double value = get();
     if constexpr (value == 0.0) return Zero{};
+    else if constexpr (value == 1.0) return One{};
+    else if constexpr (value == -1.0) return MinusOne{};
     else return NumberTraits<Scalar>::constant(value);
   }
+  template <int K>
+  static constexpr auto base_row() {
+    return Vec3{constant([] { return Scene::Robot::chain.base.pose.rotation[3 * K]; }),
+                constant([] { return Scene::Robot::chain.base.pose.rotation[3 * K + 1]; }),
+                constant([] { return Scene::Robot::chain.base.pose.rotation[3 * K + 2]; })};
+  }
 };
+
+/// What a table of links stands on and carries: gravity, base and tool, as written by the robot's author.
+struct Mounting {
+  GravityVector gravity{};
+  FixedPose base{};
+  FixedPose tool{};
+};
+
+/// A constant pose as plain numbers.
+template <class T>
+constexpr Pose<Mat3<Vec3<T>>, Vec3<T>> pose_of(const FixedPose& p) {
+  using N = NumberTraits<T>;
+  const auto& r = p.rotation;
+  return {{{N::constant(r[0]), N::constant(r[1]), N::constant(r[2])},
+           {N::constant(r[3]), N::constant(r[4]), N::constant(r[5])},
+           {N::constant(r[6]), N::constant(r[7]), N::constant(r[8])}},
+          {N::constant(p.position[0]), N::constant(p.position[1]), N::constant(p.position[2])}};
+}
 
 /// A table of links with one type for all; the table may be constexpr, or filled at run time.
 template <class SceneType, class ScalarType, class Source, int Capacity>
@@ -49,21 +85,25 @@ class TableLinks {
   static constexpr bool unrolled = false;
   static constexpr int capacity = Capacity;
 
-  constexpr TableLinks(const LinkConstants<Source>* table, int size, const Vec3<Scalar>& gravity)
-      : table_(table), size_(size), gravity_(gravity) {}
+  constexpr TableLinks(const LinkConstants<Source>* table, int size, const Mounting& mounting)
+      : table_(table), size_(size), mounting_(mounting) {}
 
   constexpr int size() const { return size_; }
   constexpr auto link(int i) const { return TableLink<Scene, Scalar, Source>(table_[i], i + 1 == size_); }
-  constexpr int parent(int i) const { return table_[i].parent; }
+  constexpr int parent_index(int i) const { return table_[i].parent; }
   constexpr Vec3<Scalar> base_acceleration() const {
-    if constexpr (Scene::template has<Gravity>) return -gravity_;
+    using N = NumberTraits<Scalar>;
+    const auto& g = mounting_.gravity;
+    if constexpr (Scene::template has<Gravity>) return {N::constant(-g.x), N::constant(-g.y), N::constant(-g.z)};
     else return ZeroVec3{};
   }
+  constexpr auto base_pose() const { return pose_of<Scalar>(mounting_.base); }
+  constexpr const FixedPose& tool_pose() const { return mounting_.tool; }
 
  private:
   const LinkConstants<Source>* table_;
   int size_;
-  Vec3<Scalar> gravity_;
+  const Mounting& mounting_;
 };
 
 namespace detail {
@@ -77,6 +117,8 @@ constexpr auto converted_table(std::integer_sequence<int, I...>) {
 }
 template <class Robot, class T>
 inline constexpr auto robot_table = converted_table<Robot, T>(std::make_integer_sequence<int, Robot::chain.size>{});
+template <class Robot>
+inline constexpr Mounting robot_mounting{Robot::chain.gravity, Robot::chain.base.pose, Robot::chain.tool.pose};
 
 }  // namespace detail
 
@@ -86,10 +128,8 @@ constexpr auto links_of() {
   using Scene = scene_of<S>;
   using Robot = typename Scene::Robot;
   if constexpr (Scene::template has<Looped>) {
-    constexpr GravityVector g = Robot::chain.gravity;
-    using N = NumberTraits<T>;
     return TableLinks<Scene, T, T, Robot::chain.size>(detail::robot_table<Robot, T>.links, Robot::chain.size,
-                                                     {N::constant(g.x), N::constant(g.y), N::constant(g.z)});
+                                                     detail::robot_mounting<Robot>);
   } else {
     return StaticLinks<Scene, T>{};
   }

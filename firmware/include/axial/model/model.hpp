@@ -27,18 +27,21 @@ class Model {
   }
   constexpr bool add(const Link& link) { return add(link.parameters()); }
   /// Acceleration of free fall in frame 0, m/s^2.
-  constexpr void set_gravity(double x, double y, double z) { gravity_ = {x, y, z}; }
+  constexpr void set_gravity(double x, double y, double z) { mounting_.gravity = {x, y, z}; }
+  /// Pose of frame 0 in the world, and of the tool in the last link's frame: only kinematics sees them.
+  constexpr void set_base(const FixedPose& pose) { mounting_.base = pose; }
+  constexpr void set_tool(const FixedPose& pose) { mounting_.tool = pose; }
   constexpr int size() const { return size_; }
   constexpr const LinkConstants<double>& constants(int i) const { return table_[i]; }
 
   template <class T>
   constexpr auto links() const {
-    return TableLinks<Scene, T, double, N>(table_, size_, {T(gravity_.x), T(gravity_.y), T(gravity_.z)});
+    return TableLinks<Scene, T, double, N>(table_, size_, mounting_);
   }
 
  private:
   LinkConstants<double> table_[N] = {};
-  GravityVector gravity_{};
+  Mounting mounting_{};
   int size_ = 0;
 };
 

@@ -138,7 +138,7 @@ template <>
 struct NumberTraits<Counting> {
   static constexpr bool is_number = true;
   static constexpr Counting constant(double value) { return Counting::constant(value); }
-  static constexpr double epsilon() { return std::numeric_limits<double>::epsilon(); }
+  static constexpr Counting epsilon() { return Counting::constant(std::numeric_limits<double>::epsilon()); }
 };
 
 }  // namespace axial

@@ -8,7 +8,7 @@ namespace axial {
 /// |x|.
 template <class T>
 constexpr T magnitude(const T& x) {
-  return x < T(0) ? -x : x;
+  return x < T(Zero{}) ? -x : x;
 }
 
 /// Square root by Newton's iteration, within 1 ulp; NaN for negative arguments. Meant for constants: it loops.

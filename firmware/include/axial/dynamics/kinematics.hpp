@@ -1,0 +1,105 @@
+// Forward kinematics and the geometric Jacobian.
+#pragma once
+
+#include <axial/dynamics/passes.hpp>
+#include <axial/model/model.hpp>
+
+namespace axial {
+
+template <class T>
+using WorldPose = Pose<Mat3<Vec3<T>>, Vec3<T>>;
+
+/// Poses in the world (m, rotation matrices): of every link's frame, and of the tool.
+template <class S, class T>
+struct ForwardKinematics {
+  WorldPose<T> frames[joint_count<S>];
+  WorldPose<T> tool;
+};
+
+/// Geometric Jacobian of the tool's origin: column j is the motion (angular; linear), in world axes, that a unit speed
+/// of joint j gives the tool.
+template <class S, class T>
+struct Jacobian {
+  MotionVector<Vec3<T>, Vec3<T>> columns[joint_count<S>];
+  constexpr auto& operator[](int j) { return columns[j]; }
+  constexpr const auto& operator[](int j) const { return columns[j]; }
+};
+
+namespace kinematics {
+
+/// Pose of a link's frame from its parent's: Rx(alpha) Tx(a) Rz(theta) Tz(d), 24M+ for the axes, 6M 6A for the origin.
+template <class Link, class Screw, class P>
+constexpr auto place(const Link& link, const Screw& screw, const P& parent) {
+  const auto x = link.x();
+  const auto row = [&](const auto& r) AXIAL_INLINE { return to_child(screw, to_child(x, r)); };
+  const Mat3 rotation{row(parent.rotation.x), row(parent.rotation.y), row(parent.rotation.z)};
+  return Pose{rotation, link.sum(quantity::Length{}, parent.position, x.shift * x_column(parent.rotation),
+                                 screw.shift * z_column(rotation))};
+}
+
+template <class Links, class Q, class Result>
+constexpr void run(const Links& links, const Q& q, Result& result) {
+  using T = typename Links::Scalar;
+  outward(links, links.base_pose(), [&](auto i, const auto& parent) AXIAL_INLINE {
+    const auto link = links.link(i);
+    const auto pose = link.shape(place(link, link.z(q[i]), parent));
+    result.frames[i] = pose.template dense<T>();
+    return pose;
+  });
+  result.tool = result.frames[links.size() - 1] * pose_of<T>(links.tool_pose());
+}
+
+template <class T>
+constexpr MotionVector<Vec3<T>, Vec3<T>> column(Revolute, const Vec3<T>& axis, const Vec3<T>& arm) {
+  return {axis, cross(axis, arm)};
+}
+template <class T>
+constexpr MotionVector<Vec3<T>, Vec3<T>> column(Prismatic, const Vec3<T>& axis, const Vec3<T>&) {
+  return {ZeroVec3{}, axis};
+}
+
+template <class Links, class Poses, class Result>
+constexpr void columns(const Links& links, const Poses& poses, Result& jacobian) {
+  bool carries_tool[Links::capacity] = {};
+  for (int i = links.size() - 1; i >= 0; i = links.parent_index(i)) carries_tool[i] = true;
+  for_each_link(links, [&](auto i) AXIAL_INLINE {
+    if (!carries_tool[i]) return;
+    const auto axis = z_column(poses.frames[i].rotation);
+    jacobian[i] = links.link(i).on_joint([&](auto joint) AXIAL_INLINE {
+      return column(joint, axis, poses.tool.position - poses.frames[i].position);
+    });
+  });
+}
+
+}  // namespace kinematics
+
+/// Poses of all frames and of the tool in the world. In: q (rad or m). Source: Craig 2005, eq. (3.6), as two screws.
+template <class S, class T>
+constexpr ForwardKinematics<robot_of<S>, T> forward_kinematics(const Positions<robot_of<S>, T>& q) {
+  ForwardKinematics<robot_of<S>, T> result{};
+  kinematics::run(links_of<S, T>(), q, result);
+  return result;
+}
+template <int N, class... F, class T, class M = Model<N, F...>>
+constexpr ForwardKinematics<M, T> forward_kinematics(const Model<N, F...>& model, const Positions<M, T>& q) {
+  ForwardKinematics<M, T> result{};
+  kinematics::run(model.template links<T>(), q, result);
+  return result;
+}
+
+/// Geometric Jacobian of the tool (m and dimensionless), in world axes, angular part first.
+/// Source: Craig 2005, chapter 5; column j is (z_j; z_j x (p_tool - p_j)), or (0; z_j) for a prismatic joint.
+template <class S, class T>
+constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q) {
+  Jacobian<robot_of<S>, T> result{};
+  kinematics::columns(links_of<S, T>(), forward_kinematics<S>(q), result);
+  return result;
+}
+template <int N, class... F, class T, class M = Model<N, F...>>
+constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, const Positions<M, T>& q) {
+  Jacobian<M, T> result{};
+  kinematics::columns(model.template links<T>(), forward_kinematics(model, q), result);
+  return result;
+}
+
+}  // namespace axial

@@ -1,0 +1,107 @@
+// Joint-space mass matrix by composite rigid bodies (CRBA) with successive axial screws.
+#pragma once
+
+#include <axial/dynamics/inverse_dynamics.hpp>
+#include <axial/spatial/congruence.hpp>
+
+namespace axial {
+
+/// Symmetric N x N matrix; the lower triangle is stored. Entry (i, j): kg m^2 between revolute joints, kg m mixed, kg
+/// between prismatic ones.
+template <class S, class T>
+struct MassMatrix {
+  static constexpr int size = joint_count<S>;
+  T values[size * (size + 1) / 2];
+
+  constexpr T& operator()(int i, int j) { return values[at(i, j)]; }
+  constexpr const T& operator()(int i, int j) const { return values[at(i, j)]; }
+
+ private:
+  static constexpr int at(int i, int j) { return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i; }
+};
+
+namespace crba {
+
+template <class B, class P>
+struct Left {
+  B composite{};
+  P sent{};
+};
+template <class B, class P>
+Left(B, P) -> Left<B, P>;
+
+/// Force that accelerates a composite body by one unit of its joint: I^c phi.
+template <class B>
+constexpr auto unit_force(Revolute, const B& body) {
+  const auto& h = body.first_moment;
+  return ForceVector{Vec3{body.inertia.xz, body.inertia.yz, body.inertia.zz}, Vec3{-h.y, h.x, Zero{}}};
+}
+template <class B>
+constexpr auto unit_force(Prismatic, const B& body) {
+  const auto& h = body.first_moment;
+  return ForceVector{Vec3{h.y, -h.x, Zero{}}, Vec3{Zero{}, Zero{}, body.mass}};
+}
+
+/// Carries the force of joint i from link j towards the base and writes the row M(i, .) on its way.
+template <class Links, class Screws, class F, class J, class Matrix>
+constexpr void climb(const Links& links, const Screws& screws, const F& force, int i, J j, Matrix& m) {
+  if constexpr (Links::unrolled) {
+    constexpr int parent = Links::template parent_of<J::value>;
+    if constexpr (parent >= 0) {
+      const auto link = links.link(j);
+      const auto at_parent = to_parent(link.x(), to_parent(screws[j], force, link), link);
+      m(i, parent) = static_cast<typename Links::Scalar>(
+          links.link(Index<parent>{}).on_joint([&](auto joint) AXIAL_INLINE { return rnea::along_joint(joint, at_parent); }));
+      climb(links, screws, at_parent, i, Index<parent>{}, m);
+    }
+  } else {
+    auto carried = force;
+    for (int k = j; links.parent_index(k) >= 0; k = links.parent_index(k)) {
+      const auto link = links.link(k);
+      carried = to_parent(link.x(), to_parent(screws[k], carried, link), link);
+      const int parent = links.parent_index(k);
+      m(i, parent) = links.link(parent).on_joint([&](auto joint) { return rnea::along_joint(joint, carried); });
+    }
+  }
+}
+
+/// The algorithm over any form of links; writes the entries of joints that move each other, the rest stay as they are.
+template <class Links, class Input, class Q, class Matrix>
+constexpr void run(const Links& links, const Input& in, const Q& q, Matrix& m) {
+  using T = typename Links::Scalar;
+  const TipLoads<typename Links::Scene, Input> loads(in);
+  const auto screws = map_links(links, [&](auto i) AXIAL_INLINE { return links.link(i).z(q[i]); });
+  const auto own = [&](auto i) AXIAL_INLINE { return links.link(i).shape(loads.body(links.link(i))); };
+  const auto bodies = inward(links, own, [&](auto i, const auto& body) AXIAL_INLINE {
+    const auto link = links.link(i);
+    return Left{body, link.shape(to_parent(link.x(), to_parent(screws[i], body, link), link))};
+  });
+  for_each_link(links, [&](auto i) AXIAL_INLINE {
+    const auto link = links.link(i);
+    const auto force = link.on_joint([&](auto joint) AXIAL_INLINE { return link.shape(unit_force(joint, bodies[i].composite)); });
+    m(i, i) = link.on_joint([&](auto joint) AXIAL_INLINE {
+      return static_cast<T>(link.sum(quantity::JointInertia{}, rnea::along_joint(joint, force), link.rotor()));
+    });
+    climb(links, screws, force, i, i, m);
+  });
+}
+
+}  // namespace crba
+
+/// Mass matrix M(q), with the rotor inertias and the payload that the scene names; symmetric positive definite.
+/// Source: composite rigid bodies (Walker and Orin 1982) with the spatial-inertia congruence of McMillan and Orin 1995,
+/// Table II. In: q (rad or m). Out: M(i, j).
+template <class S, class T>
+constexpr MassMatrix<robot_of<S>, T> mass_matrix(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+  MassMatrix<robot_of<S>, T> m{};
+  crba::run(links_of<S, T>(), in, q, m);
+  return m;
+}
+template <int N, class... F, class T, class M = Model<N, F...>>
+constexpr MassMatrix<M, T> mass_matrix(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {}) {
+  MassMatrix<M, T> m{};
+  crba::run(model.template links<T>(), in, q, m);
+  return m;
+}
+
+}  // namespace axial

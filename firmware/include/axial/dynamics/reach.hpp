@@ -1,0 +1,71 @@
+// How large the composite inertia about a joint can be: the scale against which a joint is singular or not.
+#pragma once
+
+#include <axial/dynamics/passes.hpp>
+#include <axial/scalar/math.hpp>
+
+namespace axial {
+
+/// Mass, a bound of |first moment| and the polar moment (integral of r^2 dm, bounded) of all that a link carries.
+/// Of constants, so the compiler folds it; it scales with masses and lengths, so no absolute threshold hides in it.
+template <class M, class H, class P>
+struct Reach {
+  M mass{};
+  H moment{};
+  P polar{};
+  template <class T>
+  constexpr Reach<T, T, T> dense() const { return {mass, moment, polar}; }
+};
+template <class M, class H, class P>
+Reach(M, H, P) -> Reach<M, H, P>;
+
+template <class A, class B, class C, class D, class E, class F>
+constexpr auto operator+(const Reach<A, B, C>& a, const Reach<D, E, F>& b) {
+  return Reach{a.mass + b.mass, a.moment + b.moment, a.polar + b.polar};
+}
+
+namespace detail {
+template <class X>
+constexpr auto absolute(const X& x) {
+  if constexpr (is_structural_v<X>) return Int<(X::value < 0 ? -X::value : X::value)>{};
+  else return magnitude(x);
+}
+}  // namespace detail
+
+/// Of one rigid body: the polar moment is half the trace of its inertia.
+template <class Body>
+constexpr auto reach(const Body& body) {
+  const auto& h = body.first_moment;
+  const auto& j = body.inertia;
+  return Reach{body.mass, detail::absolute(h.x) + detail::absolute(h.y) + detail::absolute(h.z), j.xx + j.yy + j.zz};
+}
+
+/// Seen from a point at a distance of at most `shift`: polar' <= polar + 2 shift |h| + shift^2 m (parallel axes).
+/// `polar` holds the trace, twice the moment, which only makes the bound wider.
+template <class M, class H, class P, class L>
+constexpr auto seen_from(const Reach<M, H, P>& r, const L& shift) {
+  const auto grown = r.moment + shift * r.mass;
+  const auto growth = shift * (r.moment + grown);
+  return Reach{r.mass, grown, r.polar + growth + growth};
+}
+
+/// True where every joint of a robot has something outboard that resists it: its own inertia about the axis (or mass
+/// along it), any mass or inertia further out, a rotor or a payload that the scene names.
+template <class S>
+constexpr bool every_joint_is_resisted() {
+  using Scene = scene_of<S>;
+  const auto& links = detail::robot_constants<typename Scene::Robot>.links;
+  constexpr int n = Scene::Robot::chain.size;
+  bool moves_something[n] = {};
+  for (int i = n; i-- > 0;) {
+    const auto& c = links[i];
+    const bool rotor = Scene::template has<RotorInertia> && c.rotor > 0.0;
+    const bool along_axis = c.prismatic ? c.mass > 0.0 : c.jzz > 0.0;
+    const bool payload = Scene::template has<Payload> && i + 1 == n;
+    if (!(moves_something[i] || rotor || along_axis || payload)) return false;
+    if (c.parent >= 0 && (moves_something[i] || c.mass > 0.0 || c.jxx + c.jyy + c.jzz > 0.0)) moves_something[c.parent] = true;
+  }
+  return true;
+}
+
+}  // namespace axial

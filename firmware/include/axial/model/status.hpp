@@ -1,0 +1,23 @@
+// What an algorithm says besides its numbers.
+#pragma once
+
+namespace axial {
+
+/// Result of a check. `joint` names the joint that it is about, -1 for none.
+struct Status {
+  enum class Code : unsigned char {
+    ok = 0,
+    near_singular = 1,       ///< forward dynamics: the joint's inertia is lost in rounding
+    not_finite = 2,          ///< an input is NaN or infinite
+    position_limit = 3,      ///< outside the declared limits
+    speed_limit = 4,
+    acceleration_limit = 5,
+    effort_limit = 6,        ///< the result was clamped to the declared effort
+  };
+  Code code = Code::ok;
+  int joint = -1;
+
+  constexpr bool ok() const { return code == Code::ok; }
+};
+
+}  // namespace axial
