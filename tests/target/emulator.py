@@ -1,0 +1,126 @@
+"""An image under QEMU, with its serial port on a UNIX socket."""
+
+import json
+import os
+import pathlib
+import select
+import socket
+import subprocess
+import tempfile
+import time
+
+import link
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+IMAGES = pathlib.Path(os.environ.get("AXIAL_IMAGES_ROOT", ROOT / "build"))
+
+
+def board(name):
+    return json.loads((ROOT / "hal" / "boards" / name / "board.json").read_text())
+
+
+def image(board_name, name):
+    path = IMAGES / board_name / "images" / (name + ".elf")
+    if not path.exists():
+        raise FileNotFoundError(f"{path}: build the images first (./axial test does)")
+    return path
+
+
+def command(board_name, path, serial, semihosting=True):
+    qemu = board(board_name)["qemu"]
+    arguments = qemu["arguments"]
+    if not semihosting:
+        at = arguments.index("-semihosting-config")
+        arguments = arguments[:at] + arguments[at + 2 :]
+    return [qemu["program"], *arguments, "-kernel", str(path), "-serial", serial]
+
+
+def run(board_name, name, timeout=120):
+    """Runs an image that ends by itself: (exit code, what it printed)."""
+    done = subprocess.run(command(board_name, image(board_name, name), "null"), stdin=subprocess.DEVNULL, timeout=timeout,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return done.returncode, done.stdout
+
+
+class Emulator:
+    """The main job on an emulated board. This side listens before QEMU starts, so the hello frame is not lost."""
+
+    def __init__(self, board_name, name, semihosting=True):
+        self.folder = tempfile.TemporaryDirectory(prefix="axial-")
+        path = os.path.join(self.folder.name, "serial")
+        with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as listener:
+            listener.bind(path)
+            listener.listen(1)
+            listener.settimeout(20)
+            self.process = subprocess.Popen(command(board_name, image(board_name, name), f"unix:{path}", semihosting),
+                                            stdin=subprocess.DEVNULL)
+            self.line, _ = listener.accept()
+        self.line.setblocking(False)
+        self.pending = bytearray()
+        self.unsent = bytearray()
+        self.hello = link.hello(self.expect(link.HELLO)[1])
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.line.close()
+        self.process.kill()
+        self.process.wait()
+        self.folder.cleanup()
+
+    def send(self, data):
+        self.unsent += data
+        self._pump(0)
+
+    def receive(self, timeout=20.0):
+        """The next frame as (type, sequence, payload); None when none comes in time."""
+        end = time.monotonic() + timeout
+        while True:
+            piece = self._piece()
+            if piece:
+                return link.parse(piece)
+            if piece is None:
+                left = end - time.monotonic()
+                if left <= 0 or not self._pump(left):
+                    return None
+
+    def expect(self, kind, timeout=20.0):
+        """(sequence, payload) of the next frame of a type; others are passed over."""
+        while True:
+            got = self.receive(timeout)
+            if got is None:
+                raise TimeoutError(f"no frame of type {kind}")
+            if got[0] == kind:
+                return got[1], got[2]
+
+    def ask(self, sequence, payload):
+        """One lock-step tick: the torque for a set-point."""
+        self.send(link.frame(link.SET_POINT, sequence, payload))
+        while True:
+            number, answer = self.expect(link.TORQUE)
+            if number == sequence:
+                return link.torque(answer)
+
+    def stats(self, sequence=0):
+        self.send(link.frame(link.STATS_REQUEST, sequence))
+        return link.stats(self.expect(link.STATS)[1])
+
+    def _piece(self):
+        end = self.pending.find(0)
+        if end < 0:
+            return None
+        piece = bytes(self.pending[:end])
+        del self.pending[: end + 1]
+        return piece
+
+    def _pump(self, timeout):
+        """Moves bytes both ways; False when the board hung up."""
+        readable, writable, _ = select.select([self.line], [self.line] if self.unsent else [], [], timeout)
+        if writable:
+            del self.unsent[: self.line.send(self.unsent)]
+        if readable:
+            got = self.line.recv(65536)
+            self.pending += got
+            return bool(got)
+        return True

@@ -1,0 +1,89 @@
+"""The link protocol, written from hal/link/README.md and nothing else, so that it checks the C++ side."""
+
+import struct
+import zlib
+
+HELLO, SET_POINT, TORQUE, ERROR, STATS_REQUEST, STATS, SHUTDOWN, START = range(1, 9)
+LOCK_STEP, FREE_RUNNING = 0, 1
+OK, NOT_FINITE, OUTSIDE_LIMITS, EFFORT_LIMITED, WATCHDOG = range(5)
+BAD_COBS, TRUNCATED, OVERSIZED, BAD_LENGTH, BAD_CRC, OUT_OF_ORDER, BAD_PAYLOAD, UNKNOWN_TYPE, OVERRUN = range(9)
+CLOCK_CRYSTAL, CLOCK_INTERNAL, CLOCK_EMULATOR = range(3)
+COUNTS_INSTRUCTIONS, COUNTS_CYCLES, COUNTS_NOTHING = range(3)
+
+
+def stuff(data):
+    """COBS: blocks of up to 254 bytes without a zero, each after its length plus one."""
+    out = bytearray()
+    blocks = bytes(data).split(b"\0")
+    for index, block in enumerate(blocks):
+        while len(block) >= 254:
+            out += b"\xff" + block[:254]
+            block = block[254:]
+            if not block and index == len(blocks) - 1:
+                return bytes(out)
+        out += bytes([len(block) + 1]) + block
+    return bytes(out)
+
+
+def unstuff(coded):
+    out = bytearray()
+    at = 0
+    while at < len(coded):
+        code = coded[at]
+        block = coded[at + 1 : at + code]
+        if len(block) != code - 1:
+            raise ValueError("a block is cut short")
+        out += block
+        at += code
+        if code < 255 and at < len(coded):
+            out.append(0)
+    return bytes(out)
+
+
+def body(kind, sequence, payload=b""):
+    head = struct.pack("<BIH", kind, sequence & 0xFFFFFFFF, len(payload)) + payload
+    return head + struct.pack("<I", zlib.crc32(head))
+
+
+def frame(kind, sequence, payload=b""):
+    return b"\0" + stuff(body(kind, sequence, payload)) + b"\0"
+
+
+def parse(piece):
+    """(type, sequence, payload) of what lay between two delimiters."""
+    data = unstuff(piece)
+    kind, sequence, length = struct.unpack_from("<BIH", data)
+    if len(data) != 11 + length or struct.unpack_from("<I", data, 7 + length)[0] != zlib.crc32(data[: 7 + length]):
+        raise ValueError("the firmware sent a broken frame: " + piece.hex())
+    return kind, sequence, data[7:-4]
+
+
+def hello(payload):
+    names = ("version joints clock_source counter_kind mode clock_Hz baud tick_Hz counter_numerator "
+             "counter_denominator empty_bracket robot board").split()
+    values = dict(zip(names, struct.unpack("<5B6I16s16s", payload)))
+    for name in ("robot", "board"):
+        values[name] = values[name].rstrip(b"\0").decode()
+    return values
+
+
+def set_point(q, qd, qdd):
+    values = [*q, *qd, *qdd]
+    return struct.pack(f"<{len(values)}f", *values)
+
+
+def torque(payload):
+    joints = (len(payload) - 6) // 4
+    *tau, count, status, joint = struct.unpack(f"<{joints}fIBB", payload)
+    return {"tau": tau, "count": count, "status": status, "joint": joint}
+
+
+def error(payload):
+    fault, *counters = struct.unpack("<B9I", payload)
+    return {"fault": fault, "counters": counters}
+
+
+def stats(payload):
+    names = "frames set_points refused gaps ticks watchdog_holds count_min count_max stack_bytes".split()
+    values = struct.unpack("<18I", payload)
+    return {**dict(zip(names, values)), "counters": list(values[9:])}
