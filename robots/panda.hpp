@@ -19,6 +19,8 @@ namespace robots {
 struct Panda {
   static constexpr const char* name = "panda";
 
+  // A line a group of values.
+  // clang-format off
   static constexpr auto chain = axial::chain(
       axial::gravity(0.0, 0.0, -9.81),
       axial::revolute().a(0.0).alpha_deg(0).d(0.333)
@@ -50,6 +52,7 @@ struct Panda {
           .inertia_com(0.012516, 0.010027, 0.004815, -0.000428, -0.001196, -0.000741)
           .position_limits(-2.8973, 2.8973).speed_limit(2.61).acceleration_limit(20.0).effort_limit(12.0),
       axial::tool(0.0, 0.0, 0.107));
+  // clang-format on
 };
 
 }  // namespace robots

@@ -16,6 +16,8 @@ struct Planar2r {
   static constexpr double l1 = 0.5, l2 = 0.75;  // m
   static constexpr double m1 = 4.6, m2 = 2.3;   // kg, at the ends
 
+  // A line a group of values.
+  // clang-format off
   static constexpr auto chain = axial::chain(
       axial::gravity(0.0, -9.81, 0.0),
       axial::revolute().mass(m1).com(l1, 0.0, 0.0)
@@ -23,6 +25,7 @@ struct Planar2r {
       axial::revolute().a(l1).mass(m2).com(l2, 0.0, 0.0)
           .position_limits(-2.8, 2.8).speed_limit(4.0).acceleration_limit(15.0).effort_limit(75.0),
       axial::tool(l2, 0.0, 0.0));
+  // clang-format on
 };
 
 }  // namespace robots

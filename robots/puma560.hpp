@@ -20,8 +20,8 @@ struct Puma560Drives {
   static constexpr double deg = 3.14159265358979323846 / 180.0;
 
   /// Rotor in kg m^2; friction: viscous N m s/rad times gear^2, Coulomb N m (forward, backward) times |gear|.
-  static constexpr axial::Link drive(const axial::Link& link, double rotor, double gear, double viscous,
-                                     double forward, double backward) {
+  static constexpr axial::Link drive(const axial::Link& link, double rotor, double gear, double viscous, double forward,
+                                     double backward) {
     const double ratio = gear < 0.0 ? -gear : gear;
     return link.rotor_inertia(rotor, gear).viscous(viscous * gear * gear).coulomb(forward * ratio, backward * ratio);
   }
@@ -30,6 +30,8 @@ struct Puma560Drives {
 struct Puma560 : Puma560Drives {
   static constexpr const char* name = "puma560";
 
+  // A line a group of values.
+  // clang-format off
   static constexpr auto chain = axial::chain(
       axial::gravity(0.0, 0.0, -9.81),
       drive(
@@ -68,6 +70,7 @@ struct Puma560 : Puma560Drives {
           .position_limits(-266 * deg, 266 * deg)
           .speed_limit(3.9).acceleration_limit(25.0).effort_limit(21.3),
           35e-6, 76.686, 36.7e-6, 3.96e-3, -10.5e-3));
+  // clang-format on
 };
 
 }  // namespace robots

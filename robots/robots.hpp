@@ -39,7 +39,8 @@ constexpr void for_each(Visit&& visit) {
 }
 
 constexpr bool same_name(const char* left, const char* right) {
-  while (*left != '\0' && *left == *right) ++left, ++right;
+  while (*left != '\0' && *left == *right)
+    ++left, ++right;
   return *left == *right;
 }
 

@@ -19,6 +19,8 @@ struct Scara {
   // Slender rods about their centres of mass, across their length: m l^2 / 12, kg m^2.
   static constexpr double rod1 = m1 * a1 * a1 / 12.0, rod2 = m2 * a2 * a2 / 12.0, rod3 = m3 * length3 * length3 / 12.0;
 
+  // A line a group of values.
+  // clang-format off
   static constexpr auto chain = axial::chain(
       axial::gravity(0.0, 0.0, -9.8125),
       axial::revolute().a(0.0).alpha_deg(0).d(0.5)
@@ -30,6 +32,7 @@ struct Scara {
       axial::prismatic().a(a2).alpha_deg(180)
           .mass(m3).com(0.0, 0.0, -length3 / 2).inertia_com(rod3, rod3, 0.0)
           .position_limits(0.0, 0.25).speed_limit(1.0).acceleration_limit(10.0).effort_limit(30.0));
+  // clang-format on
 };
 
 }  // namespace robots

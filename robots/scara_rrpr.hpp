@@ -15,6 +15,8 @@ struct ScaraRrpr {
   /// Motor turns (rad) per metre of a ball screw with a lead of 20 mm.
   static constexpr double screw = 2.0 * 3.14159265358979323846 / 0.020;
 
+  // A line a group of values.
+  // clang-format off
   static constexpr auto chain = axial::chain(
       axial::gravity(0.0, 0.0, -9.81),
       axial::revolute().a(0.0).alpha_deg(0).d(0.320)
@@ -33,6 +35,7 @@ struct ScaraRrpr {
           .mass(0.60).com(0.004, 0.0, 0.025).inertia_com(0.0006, 0.0006, 0.0004)
           .rotor_inertia(4.0e-6, 20.0).viscous(0.02).coulomb(0.15)
           .position_limits(-6.28, 6.28).speed_limit(20.0).acceleration_limit(120.0).effort_limit(2.0));
+  // clang-format on
 };
 
 }  // namespace robots

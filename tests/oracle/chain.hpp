@@ -15,9 +15,9 @@ struct Link {
   int parent = -1;  ///< index of the link that carries the joint; -1: frame 0
   T alpha{}, a{}, d{}, theta{};
   T mass{};
-  Vec3<T> com{};       ///< in the link's frame
-  Mat3<T> inertia{};   ///< about the centre of mass, axes of the link's frame
-  T rotor_inertia{};   ///< on the motor side; gear^2 rotor_inertia is added to the joint
+  Vec3<T> com{};      ///< in the link's frame
+  Mat3<T> inertia{};  ///< about the centre of mass, axes of the link's frame
+  T rotor_inertia{};  ///< on the motor side; gear^2 rotor_inertia is added to the joint
   T gear{T(1)};
   T viscous{};
   T coulomb_forward{}, coulomb_backward{};  ///< friction torque for qd > 0 (>= 0) and for qd < 0 (<= 0)
@@ -33,18 +33,22 @@ struct Chain {
   const Link<T>& operator[](int i) const { return links[std::size_t(i)]; }
   /// Whether joint j moves link i.
   bool moves(int j, int i) const {
-    while (i > j) i = (*this)[i].parent;
+    while (i > j)
+      i = (*this)[i].parent;
     return i == j;
   }
 };
 
 /// Symmetric matrix of tensor entries.
 template <class T>
-Mat3<T> symmetric(T xx, T yy, T zz, T xy, T xz, T yz) { return {{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}}; }
+Mat3<T> symmetric(T xx, T yy, T zz, T xy, T xz, T yz) {
+  return {{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}};
+}
 
 template <class T>
 Chain<T> without_rotors(Chain<T> chain) {
-  for (auto& link : chain.links) link.rotor_inertia = T(0);
+  for (auto& link : chain.links)
+    link.rotor_inertia = T(0);
   return chain;
 }
 

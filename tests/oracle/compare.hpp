@@ -8,7 +8,8 @@ namespace oracle {
 template <class T>
 double largest(const Vector<T>& values) {
   double result = 0.0;
-  for (const T& x : values) result = std::fmax(result, static_cast<double>(abs(x)));
+  for (const T& x : values)
+    result = std::fmax(result, static_cast<double>(abs(x)));
   return result;
 }
 
@@ -30,7 +31,8 @@ template <class T>
 Vector<T> elements(const Matrix<T>& A) {
   Vector<T> result;
   for (int i = 0; i < A.rows(); ++i)
-    for (int j = 0; j < A.columns(); ++j) result.push_back(A(i, j));
+    for (int j = 0; j < A.columns(); ++j)
+      result.push_back(A(i, j));
   return result;
 }
 

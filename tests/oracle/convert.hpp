@@ -12,17 +12,26 @@ To convert_angle(From angle) {
   return is_right_angle(angle, quarters) ? To(quarters) * right_angle<To>() : static_cast<To>(angle);
 }
 template <class To, class From>
-Vec3<To> convert(const Vec3<From>& v) { return {static_cast<To>(v.x), static_cast<To>(v.y), static_cast<To>(v.z)}; }
+Vec3<To> convert(const Vec3<From>& v) {
+  return {static_cast<To>(v.x), static_cast<To>(v.y), static_cast<To>(v.z)};
+}
 template <class To, class From>
-Mat3<To> convert(const Mat3<From>& M) { return {convert<To>(M.c0), convert<To>(M.c1), convert<To>(M.c2)}; }
+Mat3<To> convert(const Mat3<From>& M) {
+  return {convert<To>(M.c0), convert<To>(M.c1), convert<To>(M.c2)};
+}
 template <class To, class From>
-Pose<To> convert(const Pose<From>& X) { return {convert<To>(X.rotation), convert<To>(X.position)}; }
+Pose<To> convert(const Pose<From>& X) {
+  return {convert<To>(X.rotation), convert<To>(X.position)};
+}
 template <class To, class From>
-Wrench<To> convert(const Wrench<From>& w) { return {convert<To>(w.force), convert<To>(w.moment)}; }
+Wrench<To> convert(const Wrench<From>& w) {
+  return {convert<To>(w.force), convert<To>(w.moment)};
+}
 template <class To, class From>
 Vector<To> convert(const Vector<From>& v) {
   Vector<To> result;
-  for (const From& x : v) result.push_back(static_cast<To>(x));
+  for (const From& x : v)
+    result.push_back(static_cast<To>(x));
   return result;
 }
 template <class To, class From>

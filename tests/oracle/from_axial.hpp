@@ -42,7 +42,8 @@ Pose<T> pose_from_axial(const axial::FixedPose& pose) {
 template <class T, int N>
 Chain<T> from_axial(const axial::Chain<N>& source) {
   Chain<T> chain;
-  for (int i = 0; i < N; ++i) chain.links.push_back(link_from_axial<T>(source.links[i], source.parent(i)));
+  for (int i = 0; i < N; ++i)
+    chain.links.push_back(link_from_axial<T>(source.links[i], source.parent(i)));
   chain.gravity = {T(source.gravity.x), T(source.gravity.y), T(source.gravity.z)};
   chain.base = pose_from_axial<T>(source.base.pose);
   chain.tool = pose_from_axial<T>(source.tool.pose);
@@ -51,6 +52,8 @@ Chain<T> from_axial(const axial::Chain<N>& source) {
 
 /// The oracle's chain of a robot type.
 template <class T, class Robot>
-Chain<T> of_robot() { return from_axial<T>(Robot::chain); }
+Chain<T> of_robot() {
+  return from_axial<T>(Robot::chain);
+}
 
 }  // namespace oracle

@@ -22,7 +22,8 @@ Pose<double> from_kdl(const KDL::Frame& frame) {
 
 KDL::JntArray kdl(const Vector<double>& values) {
   KDL::JntArray result(static_cast<unsigned>(values.size()));
-  for (unsigned i = 0; i < values.size(); ++i) result(i) = values[i];
+  for (unsigned i = 0; i < values.size(); ++i)
+    result(i) = values[i];
   return result;
 }
 Vector<double> from_kdl(const KDL::JntArray& values) {
@@ -61,8 +62,13 @@ void check(int error) {
 
 struct KdlChain::Solvers {
   explicit Solvers(const Chain<double>& chain)
-      : source(chain), model(kdl(chain)), parameters(model, kdl(chain.gravity)), inverse(model, kdl(chain.gravity)),
-        forward(model, kdl(chain.gravity)), position(model), jacobian(model) {}
+      : source(chain),
+        model(kdl(chain)),
+        parameters(model, kdl(chain.gravity)),
+        inverse(model, kdl(chain.gravity)),
+        forward(model, kdl(chain.gravity)),
+        position(model),
+        jacobian(model) {}
 
   unsigned joints() const { return model.getNrOfJoints(); }
   KDL::Wrenches wrenches(const Wrench<double>& tip) const {
@@ -113,7 +119,8 @@ Matrix<double> KdlChain::mass_matrix(const Vector<double>& q) const {
   const int n = static_cast<int>(H.rows());
   Matrix<double> M(n, n);
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) M(i, j) = H(static_cast<unsigned>(i), static_cast<unsigned>(j));
+    for (int j = 0; j < n; ++j)
+      M(i, j) = H(static_cast<unsigned>(i), static_cast<unsigned>(j));
   return M;
 }
 

@@ -14,9 +14,9 @@ class KdlChain {
   explicit KdlChain(const Chain<double>& chain);
   ~KdlChain();
 
-  Pose<double> tool_pose(const Vector<double>& q) const;                 ///< in the root frame
-  Jacobian<double> tool_jacobian(const Vector<double>& q) const;         ///< at the tool, axes of the root frame
-  Matrix<double> mass_matrix(const Vector<double>& q) const;             ///< ChainDynParam (composite bodies)
+  Pose<double> tool_pose(const Vector<double>& q) const;          ///< in the root frame
+  Jacobian<double> tool_jacobian(const Vector<double>& q) const;  ///< at the tool, axes of the root frame
+  Matrix<double> mass_matrix(const Vector<double>& q) const;      ///< ChainDynParam (composite bodies)
   Vector<double> coriolis_torque(const Vector<double>& q, const Vector<double>& qd) const;
   Vector<double> gravity_torque(const Vector<double>& q) const;
   Vector<double> inverse_dynamics(const Vector<double>& q, const Vector<double>& qd, const Vector<double>& qdd,

@@ -4,9 +4,13 @@ namespace oracle {
 namespace {
 
 template <class T>
-Mat3<T> rotation_x(T sine, T cosine) { return {{T(1), T(0), T(0)}, {T(0), cosine, sine}, {T(0), -sine, cosine}}; }
+Mat3<T> rotation_x(T sine, T cosine) {
+  return {{T(1), T(0), T(0)}, {T(0), cosine, sine}, {T(0), -sine, cosine}};
+}
 template <class T>
-Mat3<T> rotation_z(T sine, T cosine) { return {{cosine, sine, T(0)}, {-sine, cosine, T(0)}, {T(0), T(0), T(1)}}; }
+Mat3<T> rotation_z(T sine, T cosine) {
+  return {{cosine, sine, T(0)}, {-sine, cosine, T(0)}, {T(0), T(0), T(1)}};
+}
 
 template <class T>
 Pose<T> pose_in_parent(const Link<T>& link, T q) {
@@ -74,12 +78,18 @@ class Configuration {
 };
 
 template <class T>
-T& at(Vector<T>& v, int i) { return v[std::size_t(i)]; }
+T& at(Vector<T>& v, int i) {
+  return v[std::size_t(i)];
+}
 template <class T>
-const T& at(const Vector<T>& v, int i) { return v[std::size_t(i)]; }
+const T& at(const Vector<T>& v, int i) {
+  return v[std::size_t(i)];
+}
 
 template <class T>
-Vector<T> zeros(const Chain<T>& chain) { return Vector<T>(chain.links.size(), T(0)); }
+Vector<T> zeros(const Chain<T>& chain) {
+  return Vector<T>(chain.links.size(), T(0));
+}
 
 /// Columns of link k's Jacobians, or of their derivatives, gathered once so that sums over pairs stay cheap.
 template <class T>
@@ -170,7 +180,8 @@ Matrix<T> mass_matrix(const Chain<T>& chain, const Vector<T>& q) {
         M(i, j) += dot(J.linear[std::size_t(i)], momentum) + dot(J.angular[std::size_t(i)], spin);
     }
   }
-  for (int i = 0; i < n; ++i) M(i, i) += chain[i].gear * chain[i].gear * chain[i].rotor_inertia;
+  for (int i = 0; i < n; ++i)
+    M(i, i) += chain[i].gear * chain[i].gear * chain[i].rotor_inertia;
   return M;
 }
 
@@ -228,7 +239,8 @@ Vector<T> wrench_torque(const Chain<T>& chain, const Vector<T>& q, const Wrench<
   const int last = chain.size() - 1;
   Vector<T> torque = zeros(chain);
   for (int i = 0; i <= last; ++i)
-    at(torque, i) = dot(configuration.linear(last, tip.position, i), force) + dot(configuration.angular(last, i), moment);
+    at(torque, i) =
+        dot(configuration.linear(last, tip.position, i), force) + dot(configuration.angular(last, i), moment);
   return torque;
 }
 
@@ -240,7 +252,8 @@ Vector<T> bias_torque(const Chain<T>& chain, const Vector<T>& q, const Vector<T>
   Vector<T> bias = coriolis_torque(chain, q, qd);
   const Vector<T> g = gravity_torque(chain, q), tip = wrench_torque(chain, q, load.tip);
   const Vector<T> friction = load.friction ? friction_torque(chain, qd) : zeros(chain);
-  for (int i = 0; i < chain.size(); ++i) at(bias, i) += at(g, i) + at(friction, i) - at(tip, i);
+  for (int i = 0; i < chain.size(); ++i)
+    at(bias, i) += at(g, i) + at(friction, i) - at(tip, i);
   return bias;
 }
 
@@ -251,7 +264,8 @@ Vector<T> inverse_dynamics(const Chain<T>& chain, const Vector<T>& q, const Vect
                            const Load<T>& load) {
   Vector<T> tau = mass_matrix(chain, q) * qdd;
   const Vector<T> bias = bias_torque(chain, q, qd, load);
-  for (int i = 0; i < chain.size(); ++i) at(tau, i) += at(bias, i);
+  for (int i = 0; i < chain.size(); ++i)
+    at(tau, i) += at(bias, i);
   return tau;
 }
 
@@ -260,7 +274,8 @@ Vector<T> forward_dynamics(const Chain<T>& chain, const Vector<T>& q, const Vect
                            const Load<T>& load) {
   Vector<T> drive = tau;
   const Vector<T> bias = bias_torque(chain, q, qd, load);
-  for (int i = 0; i < chain.size(); ++i) at(drive, i) -= at(bias, i);
+  for (int i = 0; i < chain.size(); ++i)
+    at(drive, i) -= at(bias, i);
   return solve(mass_matrix(chain, q), drive);
 }
 
@@ -284,25 +299,26 @@ template <class T>
 T potential_energy(const Chain<T>& chain, const Vector<T>& q) {
   const Configuration<T> configuration(chain, q);
   T energy(0);
-  for (int k = 0; k < chain.size(); ++k) energy -= chain[k].mass * dot(chain.gravity, configuration.centre(k));
+  for (int k = 0; k < chain.size(); ++k)
+    energy -= chain[k].mass * dot(chain.gravity, configuration.centre(k));
   return energy;
 }
 
-#define ORACLE_LAGRANGE(T)                                                                                            \
-  template std::vector<Pose<T>> link_poses(const Chain<T>&, const Vector<T>&);                                        \
-  template Pose<T> tool_pose(const Chain<T>&, const Vector<T>&);                                                      \
-  template Jacobian<T> tool_jacobian(const Chain<T>&, const Vector<T>&);                                              \
-  template Matrix<T> mass_matrix(const Chain<T>&, const Vector<T>&);                                                  \
-  template std::vector<Matrix<T>> mass_matrix_derivatives(const Chain<T>&, const Vector<T>&);                         \
-  template Vector<T> coriolis_torque(const Chain<T>&, const Vector<T>&, const Vector<T>&);                            \
-  template Vector<T> gravity_torque(const Chain<T>&, const Vector<T>&);                                               \
-  template Vector<T> friction_torque(const Chain<T>&, const Vector<T>&);                                              \
-  template Vector<T> wrench_torque(const Chain<T>&, const Vector<T>&, const Wrench<T>&);                              \
-  template Vector<T> inverse_dynamics(const Chain<T>&, const Vector<T>&, const Vector<T>&, const Vector<T>&,          \
-                                      const Load<T>&);                                                                \
-  template Vector<T> forward_dynamics(const Chain<T>&, const Vector<T>&, const Vector<T>&, const Vector<T>&,          \
-                                      const Load<T>&);                                                                \
-  template T kinetic_energy(const Chain<T>&, const Vector<T>&, const Vector<T>&);                                     \
+#define ORACLE_LAGRANGE(T)                                                                                   \
+  template std::vector<Pose<T>> link_poses(const Chain<T>&, const Vector<T>&);                               \
+  template Pose<T> tool_pose(const Chain<T>&, const Vector<T>&);                                             \
+  template Jacobian<T> tool_jacobian(const Chain<T>&, const Vector<T>&);                                     \
+  template Matrix<T> mass_matrix(const Chain<T>&, const Vector<T>&);                                         \
+  template std::vector<Matrix<T>> mass_matrix_derivatives(const Chain<T>&, const Vector<T>&);                \
+  template Vector<T> coriolis_torque(const Chain<T>&, const Vector<T>&, const Vector<T>&);                   \
+  template Vector<T> gravity_torque(const Chain<T>&, const Vector<T>&);                                      \
+  template Vector<T> friction_torque(const Chain<T>&, const Vector<T>&);                                     \
+  template Vector<T> wrench_torque(const Chain<T>&, const Vector<T>&, const Wrench<T>&);                     \
+  template Vector<T> inverse_dynamics(const Chain<T>&, const Vector<T>&, const Vector<T>&, const Vector<T>&, \
+                                      const Load<T>&);                                                       \
+  template Vector<T> forward_dynamics(const Chain<T>&, const Vector<T>&, const Vector<T>&, const Vector<T>&, \
+                                      const Load<T>&);                                                       \
+  template T kinetic_energy(const Chain<T>&, const Vector<T>&, const Vector<T>&);                            \
   template T potential_energy(const Chain<T>&, const Vector<T>&)
 
 ORACLE_LAGRANGE(double);

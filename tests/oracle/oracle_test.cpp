@@ -13,9 +13,9 @@ using oracle::quad;
 using oracle::Vector;
 
 constexpr unsigned seed = 20240611;
-constexpr double quad_eps = 1.93e-34;          // 2^-112
-constexpr double rounding = 1e3 * quad_eps;    // a few hundred operations on sums of unlike size
-constexpr double conditioned = 1e6 * quad_eps; // the same through M^-1, condition number up to some 1e4
+constexpr double quad_eps = 1.93e-34;           // 2^-112
+constexpr double rounding = 1e3 * quad_eps;     // a few hundred operations on sums of unlike size
+constexpr double conditioned = 1e6 * quad_eps;  // the same through M^-1, condition number up to some 1e4
 
 oracle::Chain<quad> pendulum(quad mass, quad length, quad inertia) {
   oracle::Link<quad> rod;
@@ -72,12 +72,14 @@ class RandomState : public testing::TestWithParam<int> {
 /// One step along qd.
 Vector<quad> along(const Vector<quad>& q, const Vector<quad>& qd, quad t) {
   Vector<quad> result = q;
-  for (std::size_t i = 0; i < q.size(); ++i) result[i] += t * qd[i];
+  for (std::size_t i = 0; i < q.size(); ++i)
+    result[i] += t * qd[i];
   return result;
 }
 quad dot(const Vector<quad>& a, const Vector<quad>& b) {
   quad sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  for (std::size_t i = 0; i < a.size(); ++i)
+    sum += a[i] * b[i];
   return sum;
 }
 
@@ -119,12 +121,13 @@ TEST(Oracle, RightAngleTwistsAreExact) {
 TEST_P(RandomState, MassMatrixIsSymmetricAndPositive) {
   const auto M = oracle::mass_matrix(chain, q);
   for (int i = 0; i < n(); ++i)
-    for (int j = 0; j < i; ++j) EXPECT_LE(double(oracle::abs(M(i, j) - M(j, i))), rounding * double(M(i, i)));
+    for (int j = 0; j < i; ++j)
+      EXPECT_LE(double(oracle::abs(M(i, j) - M(j, i))), rounding * double(M(i, i)));
   EXPECT_GT(double(dot(qdd, M * qdd)), 0.0);
 }
 
 TEST_P(RandomState, MassMatrixDerivativesAreItsDifferences) {
-  const quad h = 1e-11;                 // central difference: truncation h^2 M''' ~ 1e-22, rounding eps / h ~ 1e-23
+  const quad h = 1e-11;  // central difference: truncation h^2 M''' ~ 1e-22, rounding eps / h ~ 1e-23
   constexpr double difference = 1e-18;
   const auto dM = oracle::mass_matrix_derivatives(chain, q);
   for (int l = 0; l < n(); ++l) {
@@ -173,7 +176,8 @@ TEST_P(RandomState, RecursiveInverseDynamicsEqualsLagrange) {
 
 TEST_P(RandomState, RecursiveForwardDynamicsEqualsLagrange) {
   const auto reference = oracle::forward_dynamics(chain, q, qd, qdd, load);  // qdd serves as any torque
-  EXPECT_LE(oracle::relative_error(oracle::recursive_forward_dynamics(chain, q, qd, qdd, load), reference), conditioned);
+  EXPECT_LE(oracle::relative_error(oracle::recursive_forward_dynamics(chain, q, qd, qdd, load), reference),
+            conditioned);
 }
 
 TEST_P(RandomState, JacobianIsTheVelocityOfTheTool) {

@@ -20,19 +20,22 @@ class RandomChains {
   /// Serial chain of n links: mixed joints, right-angle and general twists, positive definite inertias, some rotors.
   Chain<double> chain(int n) {
     Chain<double> result;
-    for (int i = 0; i < n; ++i) result.links.push_back(link(i - 1));
+    for (int i = 0; i < n; ++i)
+      result.links.push_back(link(i - 1));
     result.gravity = point(9.0);
     return result;
   }
   /// The same with random parents: a tree.
   Chain<double> tree(int n) {
     Chain<double> result = chain(n);
-    for (int i = 1; i < n; ++i) result.links[std::size_t(i)].parent = below(i + 1) - 1;
+    for (int i = 1; i < n; ++i)
+      result.links[std::size_t(i)].parent = below(i + 1) - 1;
     return result;
   }
   Vector<double> vector(int n, double size) {
     Vector<double> result;
-    for (int i = 0; i < n; ++i) result.push_back(uniform(-size, size));
+    for (int i = 0; i < n; ++i)
+      result.push_back(uniform(-size, size));
     return result;
   }
   Wrench<double> wrench(double size) { return {point(size), point(size)}; }

@@ -11,13 +11,21 @@ struct Six {
 };
 
 template <class T>
-Six<T> operator+(const Six<T>& a, const Six<T>& b) { return {a.angular + b.angular, a.linear + b.linear}; }
+Six<T> operator+(const Six<T>& a, const Six<T>& b) {
+  return {a.angular + b.angular, a.linear + b.linear};
+}
 template <class T>
-Six<T> operator-(const Six<T>& a, const Six<T>& b) { return {a.angular - b.angular, a.linear - b.linear}; }
+Six<T> operator-(const Six<T>& a, const Six<T>& b) {
+  return {a.angular - b.angular, a.linear - b.linear};
+}
 template <class T>
-Six<T> operator*(T s, const Six<T>& a) { return {s * a.angular, s * a.linear}; }
+Six<T> operator*(T s, const Six<T>& a) {
+  return {s * a.angular, s * a.linear};
+}
 template <class T>
-T dot(const Six<T>& a, const Six<T>& b) { return dot(a.angular, b.angular) + dot(a.linear, b.linear); }
+T dot(const Six<T>& a, const Six<T>& b) {
+  return dot(a.angular, b.angular) + dot(a.linear, b.linear);
+}
 
 /// Rate of a motion vector that rides on a body with velocity v.
 template <class T>
@@ -37,16 +45,22 @@ struct Inertia6 {
 };
 
 template <class T>
-Mat3<T> scaled(T s, const Mat3<T>& M) { return {s * M.c0, s * M.c1, s * M.c2}; }
+Mat3<T> scaled(T s, const Mat3<T>& M) {
+  return {s * M.c0, s * M.c1, s * M.c2};
+}
 template <class T>
-Mat3<T> outer(const Vec3<T>& a, const Vec3<T>& b) { return {b.x * a, b.y * a, b.z * a}; }
+Mat3<T> outer(const Vec3<T>& a, const Vec3<T>& b) {
+  return {b.x * a, b.y * a, b.z * a};
+}
 
 template <class T>
 Six<T> operator*(const Inertia6<T>& I, const Six<T>& v) {
   return {I.A * v.angular + I.B * v.linear, transpose(I.B) * v.angular + I.C * v.linear};
 }
 template <class T>
-Inertia6<T> operator+(const Inertia6<T>& a, const Inertia6<T>& b) { return {a.A + b.A, a.B + b.B, a.C + b.C}; }
+Inertia6<T> operator+(const Inertia6<T>& a, const Inertia6<T>& b) {
+  return {a.A + b.A, a.B + b.B, a.C + b.C};
+}
 
 /// I - U U^T / D.
 template <class T>
@@ -103,11 +117,15 @@ Six<T> tip_force(const Chain<T>& chain, const Vector<T>& q, const Wrench<T>& wre
 }
 
 template <class T>
-T rotor(const Link<T>& link) { return link.gear * link.gear * link.rotor_inertia; }
+T rotor(const Link<T>& link) {
+  return link.gear * link.gear * link.rotor_inertia;
+}
 
 /// Acceleration of frame 0 that stands for gravity.
 template <class T>
-Six<T> base_acceleration(const Chain<T>& chain) { return {{}, T(-1) * chain.gravity}; }
+Six<T> base_acceleration(const Chain<T>& chain) {
+  return {{}, T(-1) * chain.gravity};
+}
 
 template <class T>
 Vector<T> friction_or_none(const Chain<T>& chain, const Vector<T>& qd, const Load<T>& load) {
@@ -167,11 +185,11 @@ Vector<T> recursive_forward_dynamics(const Chain<T>& chain, const Vector<T>& q, 
   return qdd;
 }
 
-#define ORACLE_RECURSIVE(T)                                                                                          \
-  template Vector<T> recursive_inverse_dynamics(const Chain<T>&, const Vector<T>&, const Vector<T>&,                 \
-                                                const Vector<T>&, const Load<T>&);                                   \
-  template Vector<T> recursive_forward_dynamics(const Chain<T>&, const Vector<T>&, const Vector<T>&,                 \
-                                                const Vector<T>&, const Load<T>&)
+#define ORACLE_RECURSIVE(T)                                                                                            \
+  template Vector<T> recursive_inverse_dynamics(const Chain<T>&, const Vector<T>&, const Vector<T>&, const Vector<T>&, \
+                                                const Load<T>&);                                                       \
+  template Vector<T> recursive_forward_dynamics(const Chain<T>&, const Vector<T>&, const Vector<T>&, const Vector<T>&, \
+                                                const Load<T>&)
 
 ORACLE_RECURSIVE(double);
 ORACLE_RECURSIVE(long double);
