@@ -1,7 +1,11 @@
 // axial: rigid-body dynamics for microcontrollers. The umbrella header.
 #pragma once
 
-#include <axial/dynamics/inverse_dynamics.hpp>
+#include <axial/closed_form/scara.hpp>
+#include <axial/control/feedforward.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
+#include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
+#include <axial/model/consistency.hpp>
+#include <axial/model/model.hpp>

@@ -108,11 +108,7 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T>, double
 
   template <detail::Member<double> M>
   static constexpr auto get() {
-    constexpr double value = detail::robot_constants<typename Scene::Robot>.links[I].*M;
-    if constexpr (value == 0.0) return Zero{};
-    else if constexpr (value == 1.0) return One{};
-    else if constexpr (value == -1.0) return MinusOne{};
-    else return NumberTraits<T>::constant(value);
+    return literal<T>([] { return detail::robot_constants<typename Scene::Robot>.links[I].*M; });
   }
   /// Calls f with the kind of this joint.
   template <class F>

@@ -24,8 +24,8 @@ struct StaticLinks {
   /// Acceleration of the base that stands for gravity, -g in frame 0.
   static constexpr auto base_acceleration() {
     if constexpr (Scene::template has<Gravity>) {
-      return Vec3{constant([] { return -Scene::Robot::chain.gravity.x; }), constant([] { return -Scene::Robot::chain.gravity.y; }),
-                  constant([] { return -Scene::Robot::chain.gravity.z; })};
+      return Vec3{literal<Scalar>([] { return -Scene::Robot::chain.gravity.x; }), literal<Scalar>([] { return -Scene::Robot::chain.gravity.y; }),
+                  literal<Scalar>([] { return -Scene::Robot::chain.gravity.z; })};
     } else {
       return ZeroVec3{};
     }
@@ -33,28 +33,19 @@ struct StaticLinks {
   /// Pose of frame 0 in the world.
   static constexpr auto base_pose() {
     return Pose{Mat3{base_row<0>(), base_row<1>(), base_row<2>()},
-                Vec3{constant([] { return Scene::Robot::chain.base.pose.position[0]; }),
-                     constant([] { return Scene::Robot::chain.base.pose.position[1]; }),
-                     constant([] { return Scene::Robot::chain.base.pose.position[2]; })}};
+                Vec3{literal<Scalar>([] { return Scene::Robot::chain.base.pose.position[0]; }),
+                     literal<Scalar>([] { return Scene::Robot::chain.base.pose.position[1]; }),
+                     literal<Scalar>([] { return Scene::Robot::chain.base.pose.position[2]; })}};
   }
   /// Pose of the tool in the last link's frame.
   static constexpr const FixedPose& tool_pose() { return Scene::Robot::chain.tool.pose; }
 
  private:
-  // A constant of the robot: a type where it is 0 or +-1, else a literal.
-  template <class Get>
-  static constexpr auto constant(Get get) {
-    constexpr double value = get();
-    if constexpr (value == 0.0) return Zero{};
-    else if constexpr (value == 1.0) return One{};
-    else if constexpr (value == -1.0) return MinusOne{};
-    else return NumberTraits<Scalar>::constant(value);
-  }
   template <int K>
   static constexpr auto base_row() {
-    return Vec3{constant([] { return Scene::Robot::chain.base.pose.rotation[3 * K]; }),
-                constant([] { return Scene::Robot::chain.base.pose.rotation[3 * K + 1]; }),
-                constant([] { return Scene::Robot::chain.base.pose.rotation[3 * K + 2]; })};
+    return Vec3{literal<Scalar>([] { return Scene::Robot::chain.base.pose.rotation[3 * K]; }),
+                literal<Scalar>([] { return Scene::Robot::chain.base.pose.rotation[3 * K + 1]; }),
+                literal<Scalar>([] { return Scene::Robot::chain.base.pose.rotation[3 * K + 2]; })};
   }
 };
 

@@ -84,4 +84,15 @@ constexpr auto operator-(Int<N> n, const T& x) {
   else return T(n) - x;
 }
 
+/// A compile-time value as a number T: a type where it is 0, 1 or -1, else a constant of T.
+/// `literal<float>([] { return Robot::chain.links[0].a; })`.
+template <class T, class Get>
+constexpr auto literal(Get get) {
+  constexpr double value = get();
+  if constexpr (value == 0.0) return Zero{};
+  else if constexpr (value == 1.0) return One{};
+  else if constexpr (value == -1.0) return MinusOne{};
+  else return NumberTraits<T>::constant(value);
+}
+
 }  // namespace axial

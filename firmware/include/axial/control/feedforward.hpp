@@ -1,0 +1,68 @@
+// Feed-forward torque: what a control loop embeds.
+#pragma once
+
+#include <axial/control/limits.hpp>
+#include <axial/dynamics/inverse_dynamics.hpp>
+
+namespace axial {
+
+/// Memory of a feed-forward, owned by the caller; start with `{}`: the first safe output is no effort.
+template <class S, class T>
+struct FeedforwardState {
+  Efforts<robot_of<S>, T> last_safe{};
+};
+
+/// Efforts to apply, and whether the request was met.
+template <class S, class T>
+struct FeedforwardResult {
+  Efforts<robot_of<S>, T> tau{};
+  Status status{};
+};
+
+namespace detail {
+
+// Keeps efforts inside the declared ones; names the first joint that was clamped.
+template <class S, class T>
+constexpr Status clamp_efforts(Efforts<robot_of<S>, T>& tau) {
+  constexpr auto limits = declared_limits<robot_of<S>, T>();
+  Status status;
+  for (int i = joint_count<S>; i-- > 0;) {
+    const T most = limits.joints[i].effort;
+    const T clamped = tau[i] > most ? most : tau[i] < -most ? -most : tau[i];
+    if (clamped < tau[i] || clamped > tau[i]) status = {Status::Code::effort_limit, i};
+    tau[i] = clamped;
+  }
+  return status;
+}
+
+template <class S, class T>
+constexpr bool all_finite(const Efforts<robot_of<S>, T>& tau) {
+  for (int i = 0; i < joint_count<S>; ++i)
+    if (!is_finite(tau[i])) return false;
+  return true;
+}
+
+}  // namespace detail
+
+/// Feed-forward torque for a desired motion, safe against bad requests.
+/// In: desired q (rad or m), qd, qdd; `in` carries payload and tip wrench where the scene names them; friction is added
+/// where it names Friction. Out: efforts (N m or N) inside the declared effort limits.
+/// A request that is not finite or outside the declared limits, and run-time inputs that make the result not finite, give
+/// the last safe output and a status that names the joint; an effort beyond its limit is clamped and reported.
+template <class S, class T>
+constexpr FeedforwardResult<S, T> feedforward(FeedforwardState<S, T>& state, const Positions<robot_of<S>, T>& q,
+                                              const Velocities<robot_of<S>, T>& qd,
+                                              const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
+  FeedforwardResult<S, T> result{state.last_safe, check_request<S>(q, qd, qdd)};
+  if (!result.status.ok()) return result;
+  auto tau = inverse_dynamics<S>(q, qd, qdd, in);
+  if (!detail::all_finite<S>(tau)) {
+    result.status = {Status::Code::not_finite, -1};
+    return result;
+  }
+  result.status = detail::clamp_efforts<S>(tau);
+  result.tau = state.last_safe = tau;
+  return result;
+}
+
+}  // namespace axial
