@@ -1,5 +1,5 @@
 #pragma once
-/// Joins the link's messages to the dynamics: the only file of this app that knows both.
+/// Joins the link's messages to the control layer: the only file of this app that knows both.
 
 #include <axial/axial.hpp>
 
@@ -7,30 +7,62 @@
 
 namespace axial::apps {
 
-template <class Robot>
+constexpr hal::link::TorqueStatus link_status(Status::Code code) {
+  using hal::link::TorqueStatus;
+  switch (code) {
+    case Status::Code::ok:
+      return TorqueStatus::ok;
+    case Status::Code::effort_limit:
+      return TorqueStatus::effort_limited;
+    case Status::Code::not_finite:
+      return TorqueStatus::not_finite;
+    default:
+      return TorqueStatus::outside_limits;
+  }
+}
+
+/// One torque is load, compute, store; `compute` alone is what a user embeds, and what is measured.
+template <class Scene>
 class Controller {
  public:
-  static constexpr std::size_t joints = static_cast<std::size_t>(joint_count<Robot>);
-  static constexpr const char* name = Robot::name;
+  static constexpr std::size_t joints = static_cast<std::size_t>(joint_count<Scene>);
+  static constexpr const char* name = robot_of<Scene>::name;
 
-  void torque(const hal::link::SetPoint& in, hal::link::Torque& out) {
-    Joints<Robot, float> q{}, qd{}, qdd{};
-    for (std::size_t i = 0; i < joints; ++i) {
-      const int joint = static_cast<int>(i);
-      q[joint] = in.q[i];
-      qd[joint] = in.qd[i];
-      qdd[joint] = in.qdd[i];
-    }
-    const auto tau = inverse_dynamics<Robot>(q, qd, qdd);
-    for (std::size_t i = 0; i < joints; ++i) safe_[i] = out.tau[i] = tau[static_cast<int>(i)];
-    out.status = static_cast<std::uint8_t>(hal::link::TorqueStatus::ok);
-    out.joint = hal::link::no_joint;
+  void load(const hal::link::SetPoint& request) {
+    copy(request.q, q_);
+    copy(request.qd, qd_);
+    copy(request.qdd, qdd_);
   }
 
-  void last_safe(hal::link::Torque& out) const { out.tau = safe_; }
+  void compute() { result_ = feedforward<Scene>(state_, q_, qd_, qdd_); }
+
+  void store(hal::link::Torque& answer) const {
+    store_efforts(result_.tau, answer);
+    answer.status = static_cast<std::uint8_t>(link_status(result_.status.code));
+    answer.joint = result_.status.joint < 0 ? hal::link::no_joint : static_cast<std::uint8_t>(result_.status.joint);
+  }
+
+  /// The torque to hold while nothing is requested.
+  void store_last_safe(hal::link::Torque& answer) const { store_efforts(state_.last_safe, answer); }
 
  private:
-  std::array<float, hal::link::max_joints> safe_{};
+  using Values = Joints<robot_of<Scene>, float>;
+  using Wire = std::array<float, hal::link::max_joints>;
+
+  static void copy(const Wire& from, Values& to) {
+    for (std::size_t i = 0; i < joints; ++i)
+      to[static_cast<int>(i)] = from[i];
+  }
+
+  static void store_efforts(const Values& tau, hal::link::Torque& answer) {
+    answer.joints = joints;
+    for (std::size_t i = 0; i < joints; ++i)
+      answer.tau[i] = tau[static_cast<int>(i)];
+  }
+
+  Values q_{}, qd_{}, qdd_{};
+  FeedforwardState<Scene, float> state_{};
+  FeedforwardResult<Scene, float> result_{};
 };
 
 }  // namespace axial::apps

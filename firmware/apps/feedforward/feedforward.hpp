@@ -21,8 +21,8 @@ namespace link = hal::link;
 constexpr std::uint32_t tick_Hz = 1000;
 constexpr std::uint32_t watchdog_ticks = 20;
 
-/// `Board`: see hal/README.md. `Controller`: `joints`, `name`, and `Verdict torque(const SetPoint&, Torque&)`, which
-/// fills in tau, status and joint of the answer.
+/// `Board`: see hal/README.md. `Controller`: see controller.hpp; `joints`, `name`, load(set-point), compute(), which is
+/// measured, store(torque) and store_last_safe(torque).
 template <class Board, class Controller>
 class Feedforward {
   static_assert(link::fits_tick(Controller::joints, Board::baud, tick_Hz),
@@ -103,25 +103,27 @@ class Feedforward {
   bool tick_is_due() const { return mode_ == link::Mode::free_running && Board::ticks() != last_tick_; }
 
   void answer() {
-    auto compute = [this] { controller_.torque(set_point_, torque_); };
-    torque_.joints = Controller::joints;
-    torque_.count = Board::count(compute);
-    tally_.add(torque_);
+    auto compute = [this] { controller_.compute(); };
+    link::Torque torque{};
+    controller_.load(set_point_);
+    const std::uint32_t count = Board::count(compute);
+    controller_.store(torque);
+    torque.count = count;
+    tally_.add(torque);
     fresh_ = false;
     age_ = 0;
-    send(torque_, sequence_.last());
+    send(torque, sequence_.last());
   }
 
   /// The torque stays; the host hears of it once every `watchdog_ticks`.
   void hold() {
     ++tally_.watchdog_holds;
     if (age_ % watchdog_ticks != 0) return;
-    link::Torque held = torque_;
+    link::Torque held{};
     held.joints = Controller::joints;
-    held.count = 0;
     held.status = static_cast<std::uint8_t>(link::TorqueStatus::watchdog);
     held.joint = link::no_joint;
-    controller_.last_safe(held);
+    controller_.store_last_safe(held);
     send(held, sequence_.last());
   }
 
@@ -170,15 +172,15 @@ class Feedforward {
     send(tally_.error_reply(), sequence_.last());
   }
 
+  /// Not inlined: one wire buffer on the stack, not one for every caller.
   template <class Message>
-  void send(const Message& message, std::uint32_t sequence) {
+  [[gnu::noinline]] void send(const Message& message, std::uint32_t sequence) {
     std::uint8_t wire[link::max_wire_size];
     Board::write(wire, link::encode_message(message, sequence, wire));
   }
 
   link::FrameDecoder decoder_{};
   link::SetPoint set_point_{};
-  link::Torque torque_{};
   Controller controller_{};
   Tally tally_{};
   Sequence sequence_{};

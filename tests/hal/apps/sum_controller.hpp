@@ -8,30 +8,35 @@
 
 namespace axial::apps {
 
-struct SumController {
+class SumController {
+ public:
   static constexpr std::size_t joints = 3;
   static constexpr const char* name = "sum";
 
-  void torque(const hal::link::SetPoint& in, hal::link::Torque& out) {
-    out.status = static_cast<std::uint8_t>(hal::link::TorqueStatus::ok);
-    out.joint = hal::link::no_joint;
+  void load(const hal::link::SetPoint& request) { request_ = request; }
+
+  void compute() {
+    result_ = {joints, safe_, 0, static_cast<std::uint8_t>(hal::link::TorqueStatus::ok), hal::link::no_joint};
     for (std::size_t i = 0; i < joints; ++i) {
-      const float tau = in.q[i] + 2.0f * in.qd[i] + 4.0f * in.qdd[i];
-      if (!std::isfinite(tau)) return refuse(i, out);
-      out.tau[i] = tau;
+      const float tau = request_.q[i] + 2.0f * request_.qd[i] + 4.0f * request_.qdd[i];
+      if (!std::isfinite(tau)) return refuse(i);
+      result_.tau[i] = tau;
     }
-    safe_ = out.tau;
+    safe_ = result_.tau;
   }
 
-  void last_safe(hal::link::Torque& out) const { out.tau = safe_; }
+  void store(hal::link::Torque& answer) const { answer = result_; }
+  void store_last_safe(hal::link::Torque& answer) const { answer.tau = safe_; }
 
  private:
-  void refuse(std::size_t joint, hal::link::Torque& out) {
-    out.tau = safe_;
-    out.status = static_cast<std::uint8_t>(hal::link::TorqueStatus::not_finite);
-    out.joint = static_cast<std::uint8_t>(joint);
+  void refuse(std::size_t joint) {
+    result_.tau = safe_;
+    result_.status = static_cast<std::uint8_t>(hal::link::TorqueStatus::not_finite);
+    result_.joint = static_cast<std::uint8_t>(joint);
   }
 
+  hal::link::SetPoint request_{};
+  hal::link::Torque result_{};
   std::array<float, hal::link::max_joints> safe_{};
 };
 
