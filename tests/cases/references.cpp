@@ -4,6 +4,7 @@
 #include <oracle/kdl_chain.hpp>
 #include <oracle/lagrange.hpp>
 #include <oracle/recursive.hpp>
+#include <tuple>
 
 namespace cases {
 namespace {
