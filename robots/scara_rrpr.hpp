@@ -30,7 +30,7 @@ struct ScaraRrpr {
       axial::prismatic().a(0.275).alpha_deg(180)
           .mass(0.95).com(0.0, 0.0, -0.060).inertia_com(0.0105, 0.0105, 0.0002)
           .rotor_inertia(5.0e-6, screw).viscous(25.0).coulomb(12.0)
-          .position_limits(0.0, 0.200).speed_limit(1.1).acceleration_limit(20.0).effort_limit(90.0),
+          .position_limits(0.0, 0.200).speed_limit(1.1).acceleration_limit(20.0).effort_limit(110.0),
       axial::revolute().a(0.0).alpha_deg(0)
           .mass(0.60).com(0.004, 0.0, 0.025).inertia_com(0.0006, 0.0006, 0.0004)
           .rotor_inertia(4.0e-6, 20.0).viscous(0.02).coulomb(0.15)
