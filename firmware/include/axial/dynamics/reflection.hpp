@@ -25,10 +25,15 @@ template <class I>
 constexpr auto axis_inertia(Prismatic, const I& i) { return i.linear.zz; }
 
 // K_s = I_ss / D, exactly 1 without a rotor: then the joint transmits its effort and nothing else.
-template <class I, class J, class R>
-constexpr auto axis_gain(const I& inertia, const J& rotor, const R& inverse) {
-  if constexpr (is_zero_v<J>) return One{};
-  else return rotor > J(Zero{}) ? inertia * inverse : J(One{});
+template <class Link, class I, class J, class R>
+constexpr auto axis_gain(const Link& link, const I& inertia, const J& rotor, const R& inverse) {
+  if constexpr (is_zero_v<J>) {
+    return One{};
+  } else {
+    const auto gain = link.sum(quantity::Gain{}, inertia * inverse);
+    if constexpr (Link::unrolled) return gain;
+    else return rotor > J(Zero{}) ? gain : J(One{});
+  }
 }
 
 // s - U K^T on the plane x, y; the joint's row and column are K_k J_rotor (zero by type without a rotor) instead of a
@@ -123,27 +128,39 @@ constexpr auto axis_force(Prismatic, const P& p) { return p.force.z; }
 
 }  // namespace detail
 
-/// Reflection of an articulated body (inertia, bias p) across its joint, driven by the effort tau.
-/// D = I_ss + rotor below 16 eps times the composite inertia `scale` is reported as singular; where not even eps^2 of
-/// it is left, 1/D is taken as 0, so that the result stays finite. Both are selected, not branched on.
+/// 1/D, and whether D is lost in the rounding of the composite inertia that it was subtracted from.
+template <class R>
+struct Resistance {
+  R inverse;
+  bool singular;
+};
+
+/// In floating point: D below 16 eps times the composite inertia `scale` is singular; where not even eps^2 of it is left,
+/// 1/D is taken as 0, so that the result stays finite. Both are selected, not branched on. Number systems that know a
+/// lower bound of D overload it.
+template <class T, class Scale>
+constexpr Resistance<T> resistance(const T& d, const Scale& scale) {
+  const T eps = NumberTraits<T>::epsilon();
+  return {d > T(eps * eps * scale) ? reciprocal(d) : T(Zero{}), !(d > T(T(Int<16>{}) * eps * scale))};
+}
+
+/// Reflection of an articulated body (inertia, bias p) across its joint, driven by the effort tau; D = I_ss + rotor.
 template <class Joint, class Link, class I, class P, class Z, class Tau, class Scale>
 constexpr auto reflection(Joint joint, const Link& link, const I& inertia, const P& p, const Z& zeta, const Tau& tau, const Scale& scale) {
   using namespace quantity;
   const auto rotor = link.rotor();
   const auto own = detail::axis_inertia(joint, inertia);
   const auto d = link.sum(JointInertia{}, own, rotor);
-  using T = std::decay_t<decltype(d)>;
-  const T eps = NumberTraits<T>::epsilon();
-  const T inverse = d > T(eps * eps * scale) ? reciprocal(d) : T(Zero{});
+  const auto [inverse, singular] = resistance(d, scale);
   const auto column = joint_column(joint, inertia);
   const MotionVector k{link.sum(Gain{}, inverse * column.angular), link.sum(Gain{}, inverse * column.linear)};
-  const auto axis = detail::axis_gain(own, rotor, inverse);
+  const auto axis = detail::axis_gain(link, own, rotor, inverse);
   const auto n = reflected(joint, link, inertia, column, k, axis, rotor);
   const auto held = detail::axis_force(joint, p);
   const auto u = link.sum(JointEffort{}, tau, -held);
   const auto passed = link.sum(JointEffort{}, (rotor * inverse) * held, axis * tau);
   return Reflection{n, passed_bias(joint, link, p, n, zeta, k, u, passed), detail::gain_vector(joint, k, axis),
-                    inverse * u, !(d > T(T(Int<16>{}) * eps * scale))};
+                    link.sum(JointAcceleration{}, inverse * u), singular};
 }
 
 /// K . a, the part of a motion that the joint's inertia answers.

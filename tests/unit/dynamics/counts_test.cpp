@@ -1,0 +1,85 @@
+// What the algorithms cost: exact operation counts of generic chains, so that a change of the kernels shows here.
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+#include "generic_robots.hpp"
+
+using namespace generic;
+
+namespace axial {
+static void PrintTo(const Operations& o, std::ostream* out) {
+  *out << o.mul << "M " << o.add << "A " << o.div << "D " << o.sincos << "T";
+}
+}  // namespace axial
+
+namespace {
+
+constexpr int general = 37;  // a twist that is no multiple of 90 degrees
+
+template <class R>
+axial::Operations id() { return operations<R>(Algorithm::inverse_dynamics); }
+template <class R>
+axial::Operations fd() { return operations<R>(Algorithm::forward_dynamics); }
+
+// McMillan and Orin 1995: [(224N - 259)M, (205N - 248)A], divisions among the multiplications.
+template <int N>
+void expect_at_most_the_paper() {
+  const auto ours = fd<Robot<N, general>>();
+  EXPECT_LE(ours.mul + ours.div, 224 * N - 259) << N;
+  EXPECT_LE(ours.add, 205 * N - 248) << N;
+}
+
+}  // namespace
+
+TEST(Counts, InverseDynamicsBySixTwists) {
+  EXPECT_EQ((id<Robot<6, 0>>()), (axial::Operations{111, 97, 0, 5}));
+  EXPECT_EQ((id<Robot<6, 90>>()), (axial::Operations{344, 329, 0, 5}));
+  EXPECT_EQ((id<Robot<6, -90>>()), (axial::Operations{344, 329, 0, 5}));
+  EXPECT_EQ((id<Robot<6, general>>()), (axial::Operations{437, 376, 0, 5}));
+}
+
+TEST(Counts, ArticulatedBodiesBySixTwists) {
+  EXPECT_EQ((fd<Robot<6, 0>>()), (axial::Operations{191, 183, 5, 5}));
+  EXPECT_EQ((fd<Robot<6, 90>>()), (axial::Operations{751, 806, 5, 5}));
+  EXPECT_EQ((fd<Robot<6, -90>>()), (axial::Operations{751, 806, 5, 5}));
+  EXPECT_EQ((fd<Robot<6, general>>()), (axial::Operations{954, 911, 5, 5}));
+}
+
+TEST(Counts, PrismaticTip) {
+  EXPECT_EQ((id<Robot<4, 0, true>>()), (axial::Operations{67, 55, 0, 2}));
+  EXPECT_EQ((id<Robot<4, general, true>>()), (axial::Operations{255, 219, 0, 2}));
+  EXPECT_EQ((fd<Robot<4, 0, true>>()), (axial::Operations{87, 74, 2, 2}));
+  EXPECT_EQ((fd<Robot<4, general, true>>()), (axial::Operations{483, 462, 3, 2}));
+}
+
+TEST(Counts, MassMatrix) {
+  EXPECT_EQ((operations<Robot<6, 0>>(Algorithm::mass_matrix)), (axial::Operations{79, 77, 0, 5}));
+  EXPECT_EQ((operations<Robot<6, general>>(Algorithm::mass_matrix)), (axial::Operations{366, 323, 0, 5}));
+}
+
+TEST(Counts, WhatIsNotAskedIsNotComputed) {
+  using R = Robot<6, general>;
+  EXPECT_EQ(operations<R>(Algorithm::gravity), (axial::Operations{164, 110, 0, 5}));
+  EXPECT_EQ((operations<Robot<6, 0>>(Algorithm::gravity)), (axial::Operations{0, 0, 0, 0}));  // gravity along the axes
+  const auto whole = operations<R>(Algorithm::inverse_dynamics), bias = operations<R>(Algorithm::bias);
+  EXPECT_LT(bias.mul + bias.add, whole.mul + whole.add);
+  const auto weightless = operations<axial::Scene<R, axial::RotorInertia>>(Algorithm::inverse_dynamics);
+  EXPECT_LT(weightless.mul + weightless.add, whole.mul + whole.add);
+}
+
+TEST(Counts, FeaturesCostOnlyWhereTheyAreNamed) {
+  using R = Robot<3, general>;  // declares neither rotor nor friction
+  const auto bare = id<axial::Scene<R, axial::Gravity>>();
+  EXPECT_EQ((id<axial::Scene<R, axial::Gravity, axial::RotorInertia>>()), bare);
+  const auto wrench = id<axial::Scene<R, axial::Gravity, axial::TipWrench>>();
+  EXPECT_EQ(wrench.add, bare.add + 6);
+  EXPECT_EQ(wrench.mul, bare.mul);
+}
+
+TEST(Counts, ArticulatedBodiesStayBelowMcMillanAndOrin) {
+  expect_at_most_the_paper<2>();
+  expect_at_most_the_paper<3>();
+  expect_at_most_the_paper<5>();
+  expect_at_most_the_paper<8>();
+}
