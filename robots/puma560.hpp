@@ -4,10 +4,10 @@
 // measured:  masses and centres of mass of links 2 to 6 and the inertias about the principal axes (the authors took an
 //            arm apart); link 1 only as its inertia about joint 1, so that it has no mass here.
 // published: rotor inertias and gear ratios (mdl_puma560akb of P. Corke's Robotics Toolbox for MATLAB, whose table
-//            this is; its Izz of link 3 is 0.066, the toolbox's standard-DH model has 0.086); friction (P. Corke,
-//            B. Armstrong-Helouvry, IEEE ICRA 1994, measured on another Puma 560, motor side; carried to the joint
-//            here); greatest torques (the 1986 paper's table of motors and drives); joint ranges (Unimation's, as in
-//            K. S. Fu, R. C. Gonzalez, C. S. G. Lee, "Robotics", 1987, which has the same joint angles).
+//            this is; its Izz of link 3 is 0.066, the toolbox's standard-DH model has 0.086); friction (the toolbox's
+//            standard-DH model, after P. Corke, B. Armstrong-Helouvry, IEEE ICRA 1994: motor side, carried to the
+//            joint here); joint ranges (the toolbox's, with the signs of these joint angles); greatest torques (quoted
+//            from the 1986 paper's table of motors and drives, not checked against a copy of it).
 // assumed:   speeds and accelerations.
 #pragma once
 
