@@ -78,7 +78,7 @@ int run_demo(const DemoOptions& options) {
   write_files(options, recording, summary);
   if (within_bound(summary)) return 0;
   std::fprintf(stderr, "demo: an error is above its bound of %s relative to the joint's largest torque\n",
-               significant(error_bound).c_str());
+               significant(error_bound(robot.joints())).c_str());
   return 1;
 }
 

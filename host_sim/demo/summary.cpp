@@ -44,8 +44,9 @@ Summary summarise(const Recording& recording, const Robot& robot, const Board& b
 }
 
 bool within_bound(const Summary& summary) {
+  const double bound = error_bound(summary.robot.joints());
   return std::all_of(summary.joints.begin(), summary.joints.end(),
-                     [](const ErrorStatistics& e) { return e.relative(e.largest()) <= error_bound; });
+                     [&](const ErrorStatistics& e) { return e.relative(e.largest()) <= bound; });
 }
 
 std::string describe(const Summary& s) {
@@ -66,7 +67,7 @@ nlohmann::json to_json(const Summary& s) {
                     {"error_max_relative", e.relative(e.largest())},
                     {"error_rms", e.rms()},
                     {"error_rms_relative", e.relative(e.rms())},
-                    {"error_bound_relative", error_bound},
+                    {"error_bound_relative", error_bound(s.robot.joints())},
                     {"instructions_min", s.instructions.min},
                     {"instructions_max", s.instructions.max},
                     {"flash_bytes", s.image.flash},

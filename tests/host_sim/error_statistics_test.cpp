@@ -1,0 +1,56 @@
+#include <host_sim/analysis/error_statistics.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using host_sim::ErrorStatistics;
+
+TEST(ErrorStatistics, LargestAndRootMeanSquare) {
+  ErrorStatistics errors;
+  errors.add(1.0, 1.5);
+  errors.add(-2.0, -1.0);
+  errors.add(0.0, 0.0);
+  EXPECT_DOUBLE_EQ(errors.largest(), 1.0);
+  EXPECT_DOUBLE_EQ(errors.rms(), std::sqrt(1.25 / 3.0));
+}
+
+TEST(ErrorStatistics, RelatesToTheReferencesLargestMagnitude) {
+  ErrorStatistics errors;
+  errors.add(3.9, -4.0);
+  errors.add(2.0, 2.0);
+  EXPECT_DOUBLE_EQ(errors.scale(), 4.0);
+  EXPECT_DOUBLE_EQ(errors.relative(0.5), 0.125);
+}
+
+TEST(ErrorStatistics, ASilentJointHasNoError) {
+  ErrorStatistics errors;
+  errors.add(0.0, 0.0);
+  EXPECT_EQ(errors.relative(errors.largest()), 0.0);
+}
+
+TEST(ErrorStatistics, AnErrorOnASilentJointIsInfinite) {
+  ErrorStatistics errors;
+  errors.add(1e-9, 0.0);
+  EXPECT_TRUE(std::isinf(errors.relative(errors.largest())));
+}
+
+TEST(ErrorStatistics, NotFiniteCanNotBeMissed) {
+  ErrorStatistics errors;
+  errors.add(1.0, 1.0);
+  errors.add(std::nan(""), 1.0);
+  EXPECT_TRUE(std::isinf(errors.largest()));
+  EXPECT_TRUE(std::isinf(errors.rms()));
+}
+
+TEST(Range, KeepsSmallestAndLargest) {
+  host_sim::Range range;
+  for (const unsigned value : {5u, 3u, 9u})
+    range.add(value);
+  EXPECT_EQ(range.min, 3u);
+  EXPECT_EQ(range.max, 9u);
+}
+
+}  // namespace

@@ -1,0 +1,174 @@
+// The conversation with the firmware, against a firmware that the test plays at the other end of a socket pair.
+#include <host_sim/link/firmware.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <stdexcept>
+#include <thread>
+
+#include <sys/socket.h>
+
+namespace {
+
+namespace link = host_sim::link;
+using host_sim::Descriptor;
+using host_sim::Firmware;
+using host_sim::SerialLine;
+
+/// Plays a board: greets, then answers every frame with what the test gives.
+class PlayedBoard {
+ public:
+  using Answer = std::function<void(PlayedBoard&, const link::FrameView&)>;
+
+  explicit PlayedBoard(Answer answer) : answer_(std::move(answer)) {
+    std::array<int, 2> ends{};
+    EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()), 0);
+    host = SerialLine(Descriptor(ends[0]));
+    board_ = SerialLine(Descriptor(ends[1]));
+    thread_ = std::thread([this] { run(); });
+  }
+  ~PlayedBoard() {
+    host = SerialLine();
+    thread_.join();
+  }
+
+  template <class Message>
+  void send(const Message& message, std::uint32_t sequence) {
+    const auto wire = link::encode_message(message, sequence);
+    board_.write(wire.bytes.data(), wire.size);
+  }
+  void send_broken_frame() {
+    auto wire = link::encode_message(link::StatsRequest{}, 1);
+    wire.bytes[3] ^= 0x40;
+    board_.write(wire.bytes.data(), wire.size);
+  }
+  [[noreturn]] void hang_up() {
+    board_ = SerialLine();
+    throw std::runtime_error("hung up");  // ends run()
+  }
+  void greet(std::uint8_t version = link::protocol_version) {
+    link::Hello hello{};
+    hello.version = version;
+    hello.joints = 2;
+    send(hello, 0);
+  }
+
+  SerialLine host;
+
+ private:
+  void run() try {
+    greet();
+    link::FrameDecoder decoder;
+    std::uint8_t byte = 0;
+    while (true) {
+      if (board_.read(&byte, 1, std::chrono::seconds(10)) == 0) continue;
+      if (decoder.feed(byte) == link::FrameEvent::frame) answer_(*this, decoder.frame());
+    }
+  } catch (const std::runtime_error&) {  // one side hung up
+  }
+
+  Answer answer_;
+  SerialLine board_;
+  std::thread thread_;
+};
+
+bool is(const link::FrameView& frame, link::MessageType type) { return frame.type == static_cast<std::uint8_t>(type); }
+
+/// A good board: greets on start, and its torque is q + 10 qd + 100 qdd.
+void answer_well(PlayedBoard& board, const link::FrameView& frame) {
+  if (is(frame, link::MessageType::start)) board.greet();
+  link::SetPoint in{};
+  if (!link::decode_message(frame, in)) return;
+  link::Torque out{};
+  out.joints = in.joints;
+  for (std::size_t i = 0; i < in.joints; ++i)
+    out.tau[i] = in.q[i] + 10.0F * in.qd[i] + 100.0F * in.qdd[i];
+  out.count = 77;
+  board.send(out, frame.sequence);
+}
+
+/// A board that starts well and answers set-points badly.
+PlayedBoard::Answer with_torque(std::function<void(PlayedBoard&, const link::FrameView&)> bad) {
+  return [bad = std::move(bad)](PlayedBoard& board, const link::FrameView& frame) {
+    if (is(frame, link::MessageType::start)) return board.greet();
+    bad(board, frame);
+  };
+}
+
+const link::SetPoint set_point = host_sim::to_message({0.0, {1.0, 2.0}, {0.5, 0.25}, {3.0, -1.0}});
+
+std::string failure(PlayedBoard::Answer answer) {
+  PlayedBoard board(std::move(answer));
+  try {
+    Firmware(board.host).torque(set_point);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Firmware, AnswersASetPointWithATorque) {
+  PlayedBoard board(answer_well);
+  Firmware firmware(board.host);
+  EXPECT_EQ(firmware.hello().joints, 2);
+  for (int i = 0; i < 100; ++i) {
+    const link::Torque torque = firmware.torque(set_point);
+    EXPECT_EQ(torque.tau[0], 306.0F);
+    EXPECT_EQ(torque.tau[1], -95.5F);
+    EXPECT_EQ(torque.count, 77u);
+  }
+}
+
+TEST(Firmware, SetPointsAreSentAsFloat) {
+  const link::SetPoint message = host_sim::to_message({0.0, {0.1}, {0.2}, {0.3}});
+  EXPECT_EQ(message.joints, 1u);
+  EXPECT_EQ(message.q[0], 0.1F);
+  EXPECT_EQ(message.qd[0], 0.2F);
+  EXPECT_EQ(message.qdd[0], 0.3F);
+}
+
+TEST(Firmware, NoticesAnotherProtocolVersion) {
+  const auto old = [](PlayedBoard& board, const link::FrameView&) { board.greet(99); };
+  EXPECT_NE(failure(old).find("protocol version 99"), std::string::npos);
+}
+
+TEST(Firmware, NoticesALostTorque) {
+  const auto skip = [](PlayedBoard& board, const link::FrameView& frame) {
+    link::Torque out{};
+    out.joints = 2;
+    board.send(out, frame.sequence + 1);
+  };
+  EXPECT_NE(failure(with_torque(skip)).find("expected torque 1, got torque 2"), std::string::npos);
+}
+
+TEST(Firmware, NoticesAWrongNumberOfJoints) {
+  const auto short_answer = [](PlayedBoard& board, const link::FrameView& frame) {
+    link::Torque out{};
+    out.joints = 1;
+    board.send(out, frame.sequence);
+  };
+  EXPECT_NE(failure(with_torque(short_answer)).find("wrong number of joints"), std::string::npos);
+}
+
+TEST(Firmware, PassesOnWhatTheFirmwareReports) {
+  const auto refuse = [](PlayedBoard& board, const link::FrameView& frame) {
+    link::ErrorReply reply{};
+    reply.fault = static_cast<std::uint8_t>(link::Fault::bad_crc);
+    board.send(reply, frame.sequence);
+  };
+  EXPECT_NE(failure(with_torque(refuse)).find("a bad CRC"), std::string::npos);
+}
+
+TEST(Firmware, NoticesABrokenFrame) {
+  const auto broken = [](PlayedBoard& board, const link::FrameView&) { board.send_broken_frame(); };
+  EXPECT_NE(failure(with_torque(broken)).find("broken frame"), std::string::npos);
+}
+
+TEST(Firmware, NoticesAClosedLine) {
+  const auto hang_up = [](PlayedBoard& board, const link::FrameView&) { board.hang_up(); };
+  EXPECT_NE(failure(with_torque(hang_up)).find("closed its serial line"), std::string::npos);
+}
+
+}  // namespace
