@@ -12,19 +12,18 @@ namespace axial::hal::cortex_m {
 
 namespace {
 
-constexpr std::uint32_t hard_fault_by_debug_event = 1u << 31;
-
+/// A breakpoint that no debugger takes escalates to a hard fault and leaves the configurable faults clear; any other
+/// fault sets one of them, and its pc need not be readable.
 bool is_unanswered_semihosting(const ExceptionFrame& frame) {
   constexpr std::uint16_t breakpoint_ab = 0xBEAB;
-  return (system_control().hard_fault & hard_fault_by_debug_event) != 0 &&
-         *reinterpret_cast<const std::uint16_t*>(frame.pc) == breakpoint_ab;
+  return system_control().configurable_fault == 0 && *reinterpret_cast<const std::uint16_t*>(frame.pc) == breakpoint_ab;
 }
 
 void step_over(ExceptionFrame& frame) {
   semihosting::unanswered = true;
   frame.r0 = ~0u;
   frame.pc += 2;
-  system_control().hard_fault = hard_fault_by_debug_event;  // written ones clear
+  system_control().hard_fault = system_control().hard_fault;  // written ones clear
 }
 
 void record(const ExceptionFrame& frame) {
@@ -56,22 +55,30 @@ void report() {
 }  // namespace
 }  // namespace axial::hal::cortex_m
 
+/// `frame` is null where the stack ran out of RAM: then nothing could be saved.
 extern "C" [[gnu::used]] void axial_fault_with_frame(axial::hal::cortex_m::ExceptionFrame* frame) {
   using namespace axial::hal::cortex_m;
-  if (is_unanswered_semihosting(*frame)) return step_over(*frame);
-  record(*frame);
+  if (frame != nullptr && is_unanswered_semihosting(*frame)) return step_over(*frame);
+  if (frame == nullptr) semihosting::write("fault: the stack overflowed\n");
+  record(frame != nullptr ? *frame : ExceptionFrame{});
   report();
   semihosting::exit(fault_exit_code);
   for (;;)
     asm volatile("wfi");
 }
 
-/// Finds the frame: bit 2 of the return code in lr tells which stack holds it.
+/// Finds the frame: bit 2 of the return code in lr tells which stack holds it. An overflown stack starts afresh.
 extern "C" [[gnu::naked]] void axial_fault() {
   asm volatile(
       "tst lr, #4\n\t"
       "ite eq\n\t"
       "mrseq r0, msp\n\t"
       "mrsne r0, psp\n\t"
+      "ldr r1, =axial_stack_bottom\n\t"
+      "cmp r0, r1\n\t"
+      "bhs axial_fault_with_frame\n\t"
+      "movs r0, #0\n\t"
+      "ldr r1, =axial_stack_top\n\t"
+      "mov sp, r1\n\t"
       "b axial_fault_with_frame");
 }

@@ -77,6 +77,7 @@ struct SerialPort {
 
 struct Stm32f100 : cortex_m::BoardBase<Stm32f100, 24'000'000> {
   static constexpr const char* name = "stm32f100";
+  static constexpr std::uint32_t flash_bytes = 128 * 1024, ram_bytes = 8 * 1024;
   /// 24 MHz / 12, oversampled by 8: exact. Without the PLL 8 MHz / 8 = 1 Mbit/s is the most that remains.
   static constexpr std::uint32_t baud = 2'000'000;
   using Serial = stm32::Usart<stm32f100::SerialPort, 256>;

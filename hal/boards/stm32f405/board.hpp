@@ -83,6 +83,7 @@ struct SerialPort {
 
 struct Stm32f405 : cortex_m::BoardBase<Stm32f405, 168'000'000> {
   static constexpr const char* name = "stm32f405";
+  static constexpr std::uint32_t flash_bytes = 1024 * 1024, ram_bytes = 128 * 1024;
   /// 84 MHz / 42; from the internal oscillator 16 MHz / 8. Both exact.
   static constexpr std::uint32_t baud = 2'000'000;
   using Serial = stm32::Usart<stm32f405::SerialPort, 1024>;

@@ -1,0 +1,36 @@
+"""The self-test images give their verdict: the instruments first, then every robot."""
+
+import emulator
+import harness
+
+
+class SelfTest(harness.BoardTest):
+    def verdict(self, image):
+        code, text = emulator.run(self.board, image)
+        self.assertEqual(code, 0, text)
+        self.assertRegex(text, r"\n[1-9]\d* checks, 0 failed\n", "the verdict is missing")
+
+    def test_1_instruments(self):
+        self.verdict("selftest")
+
+    def test_2_robots(self):
+        for robot in harness.ROBOTS:
+            with self.subTest(robot):
+                self.verdict("selftest-" + robot)
+
+    def test_a_wrong_machine_clock_is_noticed(self):
+        """Negative control: with 32 ns an instruction no block counts right, and the verdict must say so."""
+        right = emulator.board(self.board)
+        wrong = {**right, "qemu": {**right["qemu"], "arguments":
+                 ["shift=5" if a == "shift=6" else a for a in right["qemu"]["arguments"]]}}
+        original, emulator.board = emulator.board, lambda _: wrong
+        try:
+            code, text = emulator.run(self.board, "selftest")
+        finally:
+            emulator.board = original
+        self.assertEqual(code, 1, text)
+        self.assertIn("FAILED 10 instructions are counted as 10", text)
+
+
+if __name__ == "__main__":
+    harness.main()
