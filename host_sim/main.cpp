@@ -1,5 +1,6 @@
 // The host's side of ./axial demo and ./axial report.
 #include <host_sim/demo/demo.hpp>
+#include <host_sim/report/report.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -29,12 +30,23 @@ void add_demo(CLI::App& app, host_sim::DemoOptions& options, int& status) {
   verb->add_option("--json", options.json, "one more copy of the figures");
 }
 
+void add_report(CLI::App& app, host_sim::ReportOptions& options, int& status) {
+  CLI::App* verb =
+      add_verb(app, "report", "error against instructions of every kernel", options, status, host_sim::run_report);
+  verb->add_option("--robot", options.robot, "only this one");
+  verb->add_option("--board", options.board, "only this one");
+  verb->add_option("--output", options.output, "folder of CSV, JSON and picture")->capture_default_str();
+  verb->add_option("--json", options.json, "one more copy of the figures");
+}
+
 int run(int count, char** arguments) {
   int status = 0;
   host_sim::DemoOptions demo;
+  host_sim::ReportOptions report;
   CLI::App app("axial's host side: emulated boards, checked against the oracle", "host_sim");
   app.require_subcommand(1);
   add_demo(app, demo, status);
+  add_report(app, report, status);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {

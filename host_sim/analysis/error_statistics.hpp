@@ -28,8 +28,6 @@ class ErrorStatistics {
   }
   /// Largest magnitude of the reference.
   double scale() const { return scale_; }
-  /// Relative to scale(); 0 when signal and reference are 0 throughout.
-  double relative(double error) const { return error == 0.0 ? 0.0 : error / scale_; }
 
  private:
   bool finite_ = true;

@@ -1,5 +1,6 @@
 #include <host_sim/demo/summary.hpp>
 
+#include <host_sim/analysis/joint_scales.hpp>
 #include <host_sim/output/table.hpp>
 
 #include <nlohmann/json.hpp>
@@ -13,8 +14,8 @@ std::string table_of_errors(const Summary& s) {
   for (std::size_t i = 0; i < s.joints.size(); ++i) {
     const ErrorStatistics& e = s.joints[i];
     table.add({std::to_string(i + 1), s.robot.effort_unit(static_cast<int>(i)), significant(e.scale(), 4),
-               significant(e.largest()), significant(e.rms()), significant(e.relative(e.largest())),
-               significant(e.relative(e.rms()))});
+               significant(e.largest()), significant(e.rms()), significant(relative(s, i, e.largest())),
+               significant(relative(s, i, e.rms()))});
   }
   return table.text();
 }
@@ -30,12 +31,15 @@ std::string cost_lines(const Summary& s) {
 }  // namespace
 
 Summary summarise(const Recording& recording, const Robot& robot, const Board& board, const std::string& image) {
-  Summary summary{robot, board, std::vector<ErrorStatistics>(robot.limits.size()), {}, image_size(image)};
+  Summary summary{robot, board, std::vector<ErrorStatistics>(robot.limits.size()), {}, {}, image_size(image)};
   for (const Sample& sample : recording.samples) {
     for (std::size_t i = 0; i < sample.torque.size(); ++i)
       summary.joints[i].add(sample.torque[i], sample.exact[i]);
     summary.instructions.add(sample.instructions);
   }
+  for (const ErrorStatistics& joint : summary.joints)
+    summary.scales.push_back(joint.scale());
+  summary.scales = joint_scales(summary.scales);
   summary.hello = recording.hello;
   summary.stack = recording.stats.stack_bytes;
   summary.set_points = recording.samples.size();
@@ -43,10 +47,15 @@ Summary summarise(const Recording& recording, const Robot& robot, const Board& b
   return summary;
 }
 
+double relative(const Summary& summary, std::size_t joint, double error) {
+  return error == 0.0 ? 0.0 : error / summary.scales[joint];
+}
+
 bool within_bound(const Summary& summary) {
   const double bound = error_bound(summary.robot.joints());
-  return std::all_of(summary.joints.begin(), summary.joints.end(),
-                     [&](const ErrorStatistics& e) { return e.relative(e.largest()) <= bound; });
+  for (std::size_t i = 0; i < summary.joints.size(); ++i)
+    if (!(relative(summary, i, summary.joints[i].largest()) <= bound)) return false;
+  return true;
 }
 
 std::string describe(const Summary& s) {
@@ -63,10 +72,11 @@ nlohmann::json to_json(const Summary& s) {
                     {"joint", i + 1},
                     {"unit", s.robot.effort_unit(static_cast<int>(i))},
                     {"torque_max", e.scale()},
+                    {"torque_scale", s.scales[i]},
                     {"error_max", e.largest()},
-                    {"error_max_relative", e.relative(e.largest())},
+                    {"error_max_relative", relative(s, i, e.largest())},
                     {"error_rms", e.rms()},
-                    {"error_rms_relative", e.relative(e.rms())},
+                    {"error_rms_relative", relative(s, i, e.rms())},
                     {"error_bound_relative", error_bound(s.robot.joints())},
                     {"instructions_min", s.instructions.min},
                     {"instructions_max", s.instructions.max},

@@ -17,6 +17,7 @@ struct Summary {
   Robot robot;
   Board board;
   std::vector<ErrorStatistics> joints;
+  std::vector<double> scales;  ///< what each joint's errors are relative to: joint_scales() of the largest torques
   Range instructions;
   ImageSize image;
   link::Hello hello{};
@@ -31,6 +32,9 @@ struct Summary {
 constexpr double error_bound(int joints) { return joints <= 6 ? 5e-7 : 1e-6; }
 
 Summary summarise(const Recording& recording, const Robot& robot, const Board& board, const std::string& image);
+
+/// An error of a joint, relative to its scale; 0 when all torques are 0.
+double relative(const Summary& summary, std::size_t joint, double error);
 
 bool within_bound(const Summary& summary);
 

@@ -61,7 +61,7 @@ def draw_errors(axes, data, joints):
     axes.set_title("Largest error of every 10 ms against the oracle, relative to the joint's largest torque")
     for index, joint in enumerate(joints):
         time, error = largest_of_each(10, data["time"], np.abs(data[f"error{index + 1}"]))
-        relative = np.maximum(error / (joint["torque_max"] or 1.0), FLOOR)
+        relative = np.maximum(error / (joint["torque_scale"] or 1.0), FLOOR)
         axes.step(time, relative, where="post", color=style.COLOURS[index], linewidth=1.0)
     bound = joints[0]["error_bound_relative"]
     axes.axhline(bound, color=style.INK, linewidth=1.0, linestyle=(0, (2, 2)))

@@ -1,4 +1,6 @@
 #include <host_sim/analysis/error_statistics.hpp>
+#include <host_sim/analysis/joint_scales.hpp>
+#include <host_sim/analysis/pareto.hpp>
 
 #include <gtest/gtest.h>
 
@@ -17,24 +19,11 @@ TEST(ErrorStatistics, LargestAndRootMeanSquare) {
   EXPECT_DOUBLE_EQ(errors.rms(), std::sqrt(1.25 / 3.0));
 }
 
-TEST(ErrorStatistics, RelatesToTheReferencesLargestMagnitude) {
+TEST(ErrorStatistics, ScaleIsTheReferencesLargestMagnitude) {
   ErrorStatistics errors;
   errors.add(3.9, -4.0);
-  errors.add(2.0, 2.0);
+  errors.add(20.0, 2.0);
   EXPECT_DOUBLE_EQ(errors.scale(), 4.0);
-  EXPECT_DOUBLE_EQ(errors.relative(0.5), 0.125);
-}
-
-TEST(ErrorStatistics, ASilentJointHasNoError) {
-  ErrorStatistics errors;
-  errors.add(0.0, 0.0);
-  EXPECT_EQ(errors.relative(errors.largest()), 0.0);
-}
-
-TEST(ErrorStatistics, AnErrorOnASilentJointIsInfinite) {
-  ErrorStatistics errors;
-  errors.add(1e-9, 0.0);
-  EXPECT_TRUE(std::isinf(errors.relative(errors.largest())));
 }
 
 TEST(ErrorStatistics, NotFiniteCanNotBeMissed) {
@@ -51,6 +40,24 @@ TEST(Range, KeepsSmallestAndLargest) {
     range.add(value);
   EXPECT_EQ(range.min, 3u);
   EXPECT_EQ(range.max, 9u);
+}
+
+TEST(JointScales, EveryLoadedJointHasItsOwn) {
+  EXPECT_EQ(host_sim::joint_scales({40.0, 1e-3, 7.0}), (std::vector<double>{40.0, 1e-3, 7.0}));
+}
+
+TEST(JointScales, AnIdleJointTakesTheMostLoadedOnes) {
+  EXPECT_EQ(host_sim::joint_scales({0.0, 40.0, 1e-20}), (std::vector<double>{40.0, 40.0, 40.0}));
+}
+
+TEST(Pareto, KeepsWhatNothingElseBeats) {
+  const std::vector<host_sim::ErrorAndWork> choices = {
+      {1e-7, 300}, {1e-16, 9000}, {2e-7, 301}, {1e-7, 299}, {5e-8, 800}};
+  EXPECT_EQ(host_sim::pareto_front(choices), (std::vector<bool>{false, true, false, true, true}));
+}
+
+TEST(Pareto, KeepsEquals) {
+  EXPECT_EQ(host_sim::pareto_front({{1.0, 1.0}, {1.0, 1.0}}), (std::vector<bool>{true, true}));
 }
 
 }  // namespace

@@ -21,14 +21,6 @@ TEST(Table, TextAlignsWordsLeftAndNumbersRight) {
             "longer      7\n");
 }
 
-TEST(Table, MarkdownMarksNumericColumns) {
-  EXPECT_EQ(table().markdown(),
-            "| name | count |\n"
-            "|---|---:|\n"
-            "| a | 1 024 |\n"
-            "| longer | 7 |\n");
-}
-
 TEST(Table, GroupsOfThree) {
   EXPECT_EQ(host_sim::grouped(0), "0");
   EXPECT_EQ(host_sim::grouped(999), "999");
