@@ -8,6 +8,7 @@ class SelfTest(harness.BoardTest):
     def verdict(self, image):
         code, text = emulator.run(self.board, image)
         self.assertEqual(code, 0, text)
+        self.assertNotIn("left out", text)
         self.assertRegex(text, r"\n[1-9]\d* checks, 0 failed\n", "the verdict is missing")
 
     def test_1_instruments(self):
