@@ -28,6 +28,18 @@ Wrench<To> convert(const Wrench<From>& w) {
   return {convert<To>(w.force), convert<To>(w.moment)};
 }
 template <class To, class From>
+Load<To> convert(const Load<From>& load) {
+  return {load.friction, convert<To>(load.tip)};
+}
+template <class To, class From>
+Matrix<To> convert(const Matrix<From>& A) {
+  Matrix<To> result(A.rows(), A.columns());
+  for (int i = 0; i < A.rows(); ++i)
+    for (int j = 0; j < A.columns(); ++j)
+      result(i, j) = static_cast<To>(A(i, j));
+  return result;
+}
+template <class To, class From>
 Vector<To> convert(const Vector<From>& v) {
   Vector<To> result;
   for (const From& x : v)

@@ -1,6 +1,6 @@
+#include <gtest/gtest.h>
 #include <axial/axial.hpp>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <robots/robots.hpp>
 
 using namespace axial;
@@ -14,7 +14,8 @@ using J = Joints<R, float>;
 const J rest{}, bent{0.1F, -0.5F, 0.3F, 0.2F, -0.4F, 0.5F};
 
 void expect_equal(const J& a, const J& b) {
-  for (int i = 0; i < J::size; ++i) EXPECT_EQ(a[i], b[i]) << i;
+  for (int i = 0; i < J::size; ++i)
+    EXPECT_EQ(a[i], b[i]) << i;
 }
 void expect_status(const Status& status, Code code, int joint) {
   EXPECT_EQ(status.code, code);
@@ -57,7 +58,8 @@ TEST(Feedforward, HoldsTheLastSafeOutputOnBadRequests) {
     for (int i = 0; i < J::size; ++i) {
       auto q = bent, qd = rest, qdd = rest;
       q[i] = qd[i] = qdd[i] = b.value;
-      const FeedforwardResult<R, float> results[] = {feedforward<R>(state, q, rest, rest), feedforward<R>(state, bent, qd, rest),
+      const FeedforwardResult<R, float> results[] = {feedforward<R>(state, q, rest, rest),
+                                                     feedforward<R>(state, bent, qd, rest),
                                                      feedforward<R>(state, bent, rest, qdd)};
       const Code codes[] = {b.position, b.speed, b.acceleration};
       for (int k = 0; k < 3; ++k) {
@@ -70,7 +72,8 @@ TEST(Feedforward, HoldsTheLastSafeOutputOnBadRequests) {
 TEST(Feedforward, TheLimitsThemselvesAreInside) {
   FeedforwardState<R, double> state;
   Joints<R, double> low{}, high{};
-  for (int i = 0; i < J::size; ++i) low[i] = R::chain.links[i].position_min, high[i] = R::chain.links[i].position_max;
+  for (int i = 0; i < J::size; ++i)
+    low[i] = R::chain.links[i].position_min, high[i] = R::chain.links[i].position_max;
   const Joints<R, double> still{};
   EXPECT_NE(feedforward<R>(state, low, still, still).status.code, Code::position_limit);
   EXPECT_NE(feedforward<R>(state, high, still, still).status.code, Code::position_limit);
@@ -95,9 +98,17 @@ TEST(Feedforward, CarriesPayloadFrictionAndTipWrench) {
   in.tip_wrench = {{0.1, 0.2, 0.3}, {1.0, 2.0, 3.0}};
   const auto result = feedforward<S>(state, q, qd, qdd, in);
   EXPECT_TRUE(result.status.ok());
-  expect_status(feedforward<S>(state, q, qd, qdd, [&] { auto x = in; x.payload.mass = NAN; return x; }()).status, Code::not_finite, -1);
+  expect_status(feedforward<S>(state, q, qd, qdd,
+                               [&] {
+                                 auto x = in;
+                                 x.payload.mass = NAN;
+                                 return x;
+                               }())
+                    .status,
+                Code::not_finite, -1);
   const auto bare = inverse_dynamics<R>(q, qd, qdd);
-  for (int i = 0; i < 6; ++i) EXPECT_NE(result.tau[i], bare[i]) << i;
+  for (int i = 0; i < 6; ++i)
+    EXPECT_NE(result.tau[i], bare[i]) << i;
 }
 
 TEST(Finite, LooksAtTheBits) {

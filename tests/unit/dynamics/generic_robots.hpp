@@ -10,7 +10,10 @@ namespace generic {
 constexpr axial::Link link(axial::Link l, int i, bool first) {
   const double k = 1.0 + 0.01 * i;
   const double x = 0.1 * k, y = 0.07 * k, z = 0.13 * k;
-  return l.a(first ? 0.0 : 0.31 * k).d(first ? 0.0 : 0.23 * k).mass(2.0 * k + 0.013).com(x, y, z)
+  return l.a(first ? 0.0 : 0.31 * k)
+      .d(first ? 0.0 : 0.23 * k)
+      .mass(2.0 * k + 0.013)
+      .com(x, y, z)
       .inertia_com(0.31 * k, 0.27 * k, 0.23 * k, 0.011 * k, 0.017 * k, 0.019 * k);
 }
 
@@ -42,19 +45,30 @@ axial::Operations operations(Algorithm algorithm) {
   using R = axial::robot_of<S>;
   axial::Joints<R, axial::Counting> q{}, qd{}, qdd{}, out{};
   for (auto* values : {&q, &qd, &qdd})
-    for (auto& x : values->values) x = axial::Counting(trace);
+    for (auto& x : values->values)
+      x = axial::Counting(trace);
   switch (algorithm) {
-    case Algorithm::inverse_dynamics: out = axial::inverse_dynamics<S>(q, qd, qdd); break;
-    case Algorithm::gravity: out = axial::gravity_torque<S>(q); break;
-    case Algorithm::bias: out = axial::bias_torque<S>(q, qd); break;
-    case Algorithm::forward_dynamics: out = axial::forward_dynamics<S>(q, qd, qdd); break;
+    case Algorithm::inverse_dynamics:
+      out = axial::inverse_dynamics<S>(q, qd, qdd);
+      break;
+    case Algorithm::gravity:
+      out = axial::gravity_torque<S>(q);
+      break;
+    case Algorithm::bias:
+      out = axial::bias_torque<S>(q, qd);
+      break;
+    case Algorithm::forward_dynamics:
+      out = axial::forward_dynamics<S>(q, qd, qdd);
+      break;
     case Algorithm::mass_matrix: {
       const auto m = axial::mass_matrix<S>(q);
-      for (const auto& x : m.values) x.need();
+      for (const auto& x : m.values)
+        x.need();
     }
   }
   if (algorithm != Algorithm::mass_matrix)
-    for (const auto& x : out.values) x.need();
+    for (const auto& x : out.values)
+      x.need();
   return trace.operations();
 }
 

@@ -1,5 +1,5 @@
-#include <axial/axial.hpp>
 #include <gtest/gtest.h>
+#include <axial/axial.hpp>
 #include <robots/planar2r.hpp>
 #include <robots/robots.hpp>
 
@@ -8,11 +8,13 @@ using namespace axial;
 namespace {
 
 struct Mounted {
-  static constexpr auto chain = axial::chain(base({{0, -1, 0, 1, 0, 0, 0, 0, 1}, {1.0, 2.0, 3.0}}), revolute().mass(1), tool(0.5, 0.0, 0.25));
+  static constexpr auto chain =
+      axial::chain(base({{0, -1, 0, 1, 0, 0, 0, 0, 1}, {1.0, 2.0, 3.0}}), revolute().mass(1), tool(0.5, 0.0, 0.25));
 };
 
 struct Branched {  // the tool is on link 2, whose path leads past link 1
-  static constexpr auto chain = axial::chain(revolute().mass(1), revolute().a(0.3).mass(1), revolute().a(0.5).mass(1).parent(0), tool(0.2, 0, 0));
+  static constexpr auto chain =
+      axial::chain(revolute().mass(1), revolute().a(0.3).mass(1), revolute().a(0.5).mass(1).parent(0), tool(0.2, 0, 0));
 };
 
 struct Bare {

@@ -1,7 +1,7 @@
 // The shape of the number systems: whole steps of RNEA and ABA over a fixed-point type whose quantities have unequal
 // exponents. The kernels are the ones that float runs; only the link view differs.
-#include <axial/axial.hpp>
 #include <gtest/gtest.h>
+#include <axial/axial.hpp>
 
 #include "../scalar/prototype_fixed.hpp"
 
@@ -31,11 +31,17 @@ constexpr int length_exponent = -30;
 // sum<Q>(terms...): every term into 12 bits below the result's format, one rounding at the end.
 struct FixedRounding {
   template <int E, int F>
-  static constexpr std::int64_t align(Fx<F> x) { return prototype::shifted(x.raw, E - F); }
+  static constexpr std::int64_t align(Fx<F> x) {
+    return prototype::shifted(x.raw, E - F);
+  }
   template <int E, int F>
-  static constexpr std::int64_t align(Acc<F> x) { return prototype::shifted(x.raw, E - F); }
+  static constexpr std::int64_t align(Acc<F> x) {
+    return prototype::shifted(x.raw, E - F);
+  }
   template <int E>
-  static constexpr std::int64_t align(Zero) { return 0; }
+  static constexpr std::int64_t align(Zero) {
+    return 0;
+  }
 
   template <class Q, class... X>
   static constexpr auto sum(Q quantity, const X&... terms) {
@@ -47,11 +53,12 @@ struct FixedRounding {
   }
   template <int E, class... X>
   static constexpr auto round(const X&... terms) {
-    if constexpr ((is_zero_v<X> && ...)) return Zero{};
-    else return Fx<E>{static_cast<std::int32_t>(prototype::shifted((align<E - 12>(terms) + ...), 12))};
+    if constexpr ((is_zero_v<X> && ...))
+      return Zero{};
+    else
+      return Fx<E>{static_cast<std::int32_t>(prototype::shifted((align<E - 12>(terms) + ...), 12))};
   }
 };
-
 
 // The same general link over doubles and over fixed point.
 template <class Numbers>
@@ -61,7 +68,8 @@ struct TestLink : Numbers::Rounding {
   auto x() const { return x_screw(N::unit(std::cos(0.7)), N::unit(std::sin(0.7)), N::length(0.35)); }
   static auto body() {
     return RigidInertia{N::mass(2.5), Vec3{N::moment(0.2), N::moment(-0.1), N::moment(0.15)},
-                        Sym3{N::inertia(0.11), N::inertia(0.13), N::inertia(0.09), N::inertia(0.01), N::inertia(-0.02), N::inertia(0.005)}};
+                        Sym3{N::inertia(0.11), N::inertia(0.13), N::inertia(0.09), N::inertia(0.01), N::inertia(-0.02),
+                             N::inertia(0.005)}};
   }
   static auto differences() { return Vec3{N::inertia(0.09 - 0.13), N::inertia(0.11 - 0.09), N::inertia(0.13 - 0.11)}; }
   static Zero rotor() { return {}; }
@@ -112,8 +120,10 @@ auto rnea_step(Joint joint) {
   const TestLink<N> link;
   const auto screw = z_screw(N::unit(std::cos(-0.4)), N::unit(std::sin(-0.4)), N::length(0.25));
   const auto motion = [&] {
-    if constexpr (std::is_same_v<Joint, Revolute>) return rnea::move(joint, link, screw, parent_motion<N>(), N::speed(1.2), N::spin(-2.5));
-    else return rnea::move(joint, link, screw, parent_motion<N>(), N::speed(1.2), N::acceleration(-2.5));
+    if constexpr (std::is_same_v<Joint, Revolute>)
+      return rnea::move(joint, link, screw, parent_motion<N>(), N::speed(1.2), N::spin(-2.5));
+    else
+      return rnea::move(joint, link, screw, parent_motion<N>(), N::speed(1.2), N::acceleration(-2.5));
   }();
   const auto force = rnea::newton_euler(link, link.body(), link.differences(), motion);
   return to_parent(link.x(), to_parent(screw, force, link), link);
@@ -125,8 +135,10 @@ auto aba_step(Joint joint) {
   const TestLink<N> link;
   const auto screw = z_screw(N::unit(std::cos(-0.4)), N::unit(std::sin(-0.4)), N::length(0.25));
   const auto inertia = articulated(link.body());
-  const ForceVector bias{Vec3{N::couple(1.0), N::couple(-2.0), N::couple(0.5)}, Vec3{N::force(3.0), N::force(1.0), N::force(-4.0)}};
-  const MotionVector zeta{Vec3{N::spin(0.5), N::spin(-0.7), Zero{}}, Vec3{N::acceleration(0.3), N::acceleration(1.1), N::acceleration(-0.2)}};
+  const ForceVector bias{Vec3{N::couple(1.0), N::couple(-2.0), N::couple(0.5)},
+                         Vec3{N::force(3.0), N::force(1.0), N::force(-4.0)}};
+  const MotionVector zeta{Vec3{N::spin(0.5), N::spin(-0.7), Zero{}},
+                          Vec3{N::acceleration(0.3), N::acceleration(1.1), N::acceleration(-0.2)}};
   const auto r = reflection(joint, link, inertia, bias, zeta, N::effort(6.0), N::mass(3.0));
   const auto n = to_parent(link.x(), to_parent(screw, r.inertia, link), link);
   return std::make_tuple(n, to_parent(link.x(), to_parent(screw, r.bias, link), link), r.free);
@@ -134,13 +146,17 @@ auto aba_step(Joint joint) {
 
 double value(double x) { return x; }
 template <int E>
-double value(Fx<E> x) { return x.value(); }
+double value(Fx<E> x) {
+  return x.value();
+}
 
 // Every stored quantity is rounded to 2^-20 of its unit or finer; a handful of roundings meet in a result.
 constexpr double tolerance = 3e-5;
 
 template <class A, class B>
-void expect_near(const A& fixed, const B& reference) { EXPECT_NEAR(value(fixed), value(reference), tolerance); }
+void expect_near(const A& fixed, const B& reference) {
+  EXPECT_NEAR(value(fixed), value(reference), tolerance);
+}
 template <class A, class B, class C, class D, class E, class F>
 void expect_near(const Vec3<A, B, C>& u, const Vec3<D, E, F>& v) {
   expect_near(u.x, v.x), expect_near(u.y, v.y), expect_near(u.z, v.z);
@@ -152,10 +168,13 @@ void expect_near(const ForceVector<A, B>& u, const ForceVector<C, D>& v) {
 template <class I, class J>
 void expect_inertia_near(const I& a, const J& b) {
   for (auto pair : {std::make_pair(&a.angular, &b.angular)}) {
-    expect_near(Vec3{pair.first->xx, pair.first->yy, pair.first->zz}, Vec3{pair.second->xx, pair.second->yy, pair.second->zz});
-    expect_near(Vec3{pair.first->xy, pair.first->xz, pair.first->yz}, Vec3{pair.second->xy, pair.second->xz, pair.second->yz});
+    expect_near(Vec3{pair.first->xx, pair.first->yy, pair.first->zz},
+                Vec3{pair.second->xx, pair.second->yy, pair.second->zz});
+    expect_near(Vec3{pair.first->xy, pair.first->xz, pair.first->yz},
+                Vec3{pair.second->xy, pair.second->xz, pair.second->yz});
   }
-  expect_near(a.coupling.x, b.coupling.x), expect_near(a.coupling.y, b.coupling.y), expect_near(a.coupling.z, b.coupling.z);
+  expect_near(a.coupling.x, b.coupling.x), expect_near(a.coupling.y, b.coupling.y),
+      expect_near(a.coupling.z, b.coupling.z);
   expect_near(Vec3{a.linear.xx, a.linear.yy, a.linear.zz}, Vec3{b.linear.xx, b.linear.yy, b.linear.zz});
   expect_near(Vec3{a.linear.xy, a.linear.xz, a.linear.yz}, Vec3{b.linear.xy, b.linear.xz, b.linear.yz});
 }

@@ -1,6 +1,6 @@
+#include <gtest/gtest.h>
 #include <axial/dynamics/passes.hpp>
 #include <axial/model/model.hpp>
-#include <gtest/gtest.h>
 #include <robots/puma560.hpp>
 
 using namespace axial;
@@ -9,13 +9,16 @@ namespace {
 
 // Base -> 0 -> 1 -> 2, and 3 branches off 0.
 struct Fork {
-  static constexpr auto chain = axial::chain(revolute().mass(1), revolute().mass(1), revolute().mass(1), revolute().mass(1).parent(0));
+  static constexpr auto chain =
+      axial::chain(revolute().mass(1), revolute().mass(1), revolute().mass(1), revolute().mass(1).parent(0));
 };
 
 struct Sum {
   double value = 0.0;
   template <class T>
-  constexpr Sum dense() const { return *this; }
+  constexpr Sum dense() const {
+    return *this;
+  }
 };
 constexpr Sum operator+(Sum a, Sum b) { return {a.value + b.value}; }
 struct Sent {
@@ -26,7 +29,11 @@ struct Sent {
 template <class Links>
 void expect_walks_the_fork(const Links& links) {
   const auto depth = outward(links, Sum{0.0}, [](auto, const Sum& parent) { return Sum{parent.value + 1.0}; });
-  const auto size = inward(links, [](auto) { return Sum{1.0}; }, [](auto, const Sum& total) { return Sent{total, total}; });
+  const auto size = inward(
+      links, [](auto) { return Sum{1.0}; },
+      [](auto, const Sum& total) {
+        return Sent{total, total};
+      });
   const double depths[] = {1, 2, 3, 2}, sizes[] = {4, 2, 1, 1};
   for_each_link(links, [&](auto i) {
     EXPECT_EQ(depth[i].value, depths[i]) << i;

@@ -1,6 +1,6 @@
+#include <gtest/gtest.h>
 #include <axial/dynamics/reflection.hpp>
 #include <axial/scalar/counting.hpp>
-#include <gtest/gtest.h>
 
 using namespace axial;
 
@@ -68,7 +68,8 @@ TEST(Reflection, EqualsTheTextbookWithARotor) {
 
 TEST(Reflection, RowOfTheJointIsZeroByTypeWithoutARotor) {
   const auto r = reflection(Revolute{}, TestLink<Zero>{}, inertia, bias, zeta, 1.7, 100.0);
-  static_assert(is_zero_v<std::decay_t<decltype(r.inertia.angular.zz)>> && is_zero_v<std::decay_t<decltype(r.inertia.angular.xz)>>);
+  static_assert(is_zero_v<std::decay_t<decltype(r.inertia.angular.zz)>> &&
+                is_zero_v<std::decay_t<decltype(r.inertia.angular.xz)>>);
   EXPECT_EQ(r.bias.moment.z, 1.7) << "the joint passes its effort on, exactly";
 }
 
@@ -100,9 +101,11 @@ TEST(Reflection, CostsWhatThePaperSays) {
   const ForceVector p{vec(), vec()};
   const MotionVector still{ZeroVec3{}, ZeroVec3{}};
   const auto r = reflection(Revolute{}, TestLink<Zero>{}, i, p, still, v(), v());
-  for (const auto& x : {r.inertia.angular.xx, r.inertia.angular.yy, r.inertia.angular.xy, r.inertia.linear.xx, r.inertia.linear.yy,
-                        r.inertia.linear.zz, r.inertia.linear.xy, r.inertia.linear.xz, r.inertia.linear.yz})
+  for (const auto& x :
+       {r.inertia.angular.xx, r.inertia.angular.yy, r.inertia.angular.xy, r.inertia.linear.xx, r.inertia.linear.yy,
+        r.inertia.linear.zz, r.inertia.linear.xy, r.inertia.linear.xz, r.inertia.linear.yz})
     x.need();
-  for (const auto& row : {r.inertia.coupling.x, r.inertia.coupling.y}) row.x.need(), row.y.need(), row.z.need();
+  for (const auto& row : {r.inertia.coupling.x, r.inertia.coupling.y})
+    row.x.need(), row.y.need(), row.z.need();
   EXPECT_EQ(trace.operations(), (Operations{20, 15, 1, 0}));
 }

@@ -1,25 +1,42 @@
+#include <gtest/gtest.h>
 #include <axial/axial.hpp>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <robots/robots.hpp>
 
 using namespace axial;
 
 namespace {
 
-constexpr auto everything =
-    axial::chain(axial::gravity(1, 2, 3), revolute().a(0.1).alpha_deg(-90).d(0.2).theta_deg(180).mass(2).com(0.1, 0.2, 0.3)
-                     .inertia_com(3, 2, 1, 0.1, 0.2, 0.3).rotor_inertia(1e-4, 50).viscous(0.5).coulomb(0.3, -0.2)
-                     .position_limits(-1, 1).speed_limit(2).acceleration_limit(3).effort_limit(4),
-                 prismatic().theta(0.5));
+constexpr auto everything = axial::chain(axial::gravity(1, 2, 3),
+                                         revolute()
+                                             .a(0.1)
+                                             .alpha_deg(-90)
+                                             .d(0.2)
+                                             .theta_deg(180)
+                                             .mass(2)
+                                             .com(0.1, 0.2, 0.3)
+                                             .inertia_com(3, 2, 1, 0.1, 0.2, 0.3)
+                                             .rotor_inertia(1e-4, 50)
+                                             .viscous(0.5)
+                                             .coulomb(0.3, -0.2)
+                                             .position_limits(-1, 1)
+                                             .speed_limit(2)
+                                             .acceleration_limit(3)
+                                             .effort_limit(4),
+                                         prismatic().theta(0.5));
 
 template <class T, class = decltype(std::declval<T>().payload)>
-constexpr bool names_payload(int) { return true; }
+constexpr bool names_payload(int) {
+  return true;
+}
 template <class T>
-constexpr bool names_payload(...) { return false; }
+constexpr bool names_payload(...) {
+  return false;
+}
 
 struct Impossible {  // 0.5 > 0.1 + 0.1: no mass is distributed so
-  static constexpr auto chain = axial::chain(revolute().mass(1).inertia_com(0.2, 0.2, 0.3), revolute().mass(1).inertia_com(0.1, 0.5, 0.1));
+  static constexpr auto chain =
+      axial::chain(revolute().mass(1).inertia_com(0.2, 0.2, 0.3), revolute().mass(1).inertia_com(0.1, 0.5, 0.1));
 };
 
 }  // namespace
@@ -30,7 +47,8 @@ TEST(Chain, HoldsWhatWasWritten) {
   static_assert(l.a == 0.1 && l.alpha.sin == -1.0 && l.alpha.cos == 0.0 && l.theta.cos == -1.0 && l.theta.sin == 0.0);
   static_assert(l.com[2] == 0.3 && l.inertia_com[3] == 0.1 && l.gear == 50 && l.coulomb_backward == -0.2);
   static_assert(l.position_min == -1 && l.speed_limit == 2 && l.acceleration_limit == 3 && l.effort_limit == 4);
-  static_assert(everything.links[1].type == JointType::prismatic && everything.parent(1) == 0 && everything.parent(0) == -1);
+  static_assert(everything.links[1].type == JointType::prismatic && everything.parent(1) == 0 &&
+                everything.parent(0) == -1);
 }
 
 TEST(Chain, OneCoulombValueHoldsInBothDirections) {
@@ -51,9 +69,14 @@ TEST(Angle, QuarterTurnsAreExactInEitherDirection) {
 TEST(Inertia, AboutOriginAndAboutCentreOfMassAgree) {
   constexpr auto com = revolute().mass(2).com(0.1, -0.2, 0.3).inertia_com(0.5, 0.6, 0.7, 0.01, 0.02, 0.03).parameters();
   constexpr auto derived = link_constants(com, -1);
-  constexpr auto origin = revolute().mass(2).com(0.1, -0.2, 0.3)
-                              .inertia_origin(derived.jxx, derived.jyy, derived.jzz, derived.jxy, derived.jxz, derived.jyz).parameters();
-  for (int i = 0; i < 6; ++i) EXPECT_NEAR(origin.inertia_com[i], com.inertia_com[i], 4e-16) << i;
+  constexpr auto origin =
+      revolute()
+          .mass(2)
+          .com(0.1, -0.2, 0.3)
+          .inertia_origin(derived.jxx, derived.jyy, derived.jzz, derived.jxy, derived.jxz, derived.jyz)
+          .parameters();
+  for (int i = 0; i < 6; ++i)
+    EXPECT_NEAR(origin.inertia_com[i], com.inertia_com[i], 4e-16) << i;
   EXPECT_NEAR(derived.jxx, 0.5 + 2 * (0.04 + 0.09), 4e-16);
   EXPECT_NEAR(derived.jxy, 0.01 + 2 * 0.1 * 0.2, 4e-16);
 }

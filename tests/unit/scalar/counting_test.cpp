@@ -1,5 +1,5 @@
-#include <axial/scalar/counting.hpp>
 #include <gtest/gtest.h>
+#include <axial/scalar/counting.hpp>
 
 using namespace axial;
 
@@ -29,7 +29,8 @@ TEST(Counting, EqualExpressionsCountOnce) {
 }
 
 TEST(Counting, DifferentConstantsAreDifferent) {
-  const auto total = cost([](Counting x, Counting, Counting k) { (x * k).need(), (x * Counting::constant(0.7)).need(); });
+  const auto total =
+      cost([](Counting x, Counting, Counting k) { (x * k).need(), (x * Counting::constant(0.7)).need(); });
   EXPECT_EQ(total.mul, 2);
 }
 

@@ -19,19 +19,37 @@ struct Acc {
 };
 
 template <int E, int F>
-constexpr Acc<E + F> operator*(Fx<E> a, Fx<F> b) { return {std::int64_t{a.raw} * b.raw}; }
+constexpr Acc<E + F> operator*(Fx<E> a, Fx<F> b) {
+  return {std::int64_t{a.raw} * b.raw};
+}
 template <int E>
-constexpr Fx<E> operator+(Fx<E> a, Fx<E> b) { return {a.raw + b.raw}; }
+constexpr Fx<E> operator+(Fx<E> a, Fx<E> b) {
+  return {a.raw + b.raw};
+}
 template <int E>
-constexpr Fx<E> operator-(Fx<E> a, Fx<E> b) { return {a.raw - b.raw}; }
+constexpr Fx<E> operator-(Fx<E> a, Fx<E> b) {
+  return {a.raw - b.raw};
+}
 template <int E>
-constexpr Fx<E> operator-(Fx<E> a) { return {-a.raw}; }
+constexpr Fx<E> operator-(Fx<E> a) {
+  return {-a.raw};
+}
 template <int E>
-constexpr Acc<E> operator+(Acc<E> a, Acc<E> b) { return {a.raw + b.raw}; }
+constexpr bool operator>(Fx<E> a, Fx<E> b) {
+  return a.raw > b.raw;
+}
 template <int E>
-constexpr Acc<E> operator-(Acc<E> a, Acc<E> b) { return {a.raw - b.raw}; }
+constexpr Acc<E> operator+(Acc<E> a, Acc<E> b) {
+  return {a.raw + b.raw};
+}
 template <int E>
-constexpr Acc<E> operator-(Acc<E> a) { return {-a.raw}; }
+constexpr Acc<E> operator-(Acc<E> a, Acc<E> b) {
+  return {a.raw - b.raw};
+}
+template <int E>
+constexpr Acc<E> operator-(Acc<E> a) {
+  return {-a.raw};
+}
 
 /// raw / 2^shift, to nearest; to the left where shift is negative.
 constexpr std::int64_t shifted(std::int64_t raw, int shift) {
@@ -43,10 +61,14 @@ constexpr std::int64_t shifted(std::int64_t raw, int shift) {
 using Unit = Fx<-30>;
 /// A turned quantity keeps the exponent of what was turned.
 template <int E>
-constexpr Fx<E + 30> turned(const Acc<E>& x) { return {static_cast<std::int32_t>(shifted(x.raw, 30))}; }
+constexpr Fx<E + 30> turned(const Acc<E>& x) {
+  return {static_cast<std::int32_t>(shifted(x.raw, 30))};
+}
 
 template <int E>
-Fx<E> from(double value) { return {static_cast<std::int32_t>(std::lround(std::ldexp(value, -E)))}; }
+Fx<E> from(double value) {
+  return {static_cast<std::int32_t>(std::lround(std::ldexp(value, -E)))};
+}
 
 /// 1/D with 20 fractional bits, for D > 2^-11.
 template <int E>
@@ -61,7 +83,8 @@ template <int E>
 struct NumberTraits<prototype::Fx<E>> {
   static constexpr bool is_number = true;
   static constexpr prototype::Fx<E> constant(double value) {
-    for (int i = E; i < 0; ++i) value *= 2.0;
+    for (int i = E; i < 0; ++i)
+      value *= 2.0;
     return {static_cast<std::int32_t>(value)};
   }
 };

@@ -1,8 +1,8 @@
+#include <gtest/gtest.h>
+#include <quadmath.h>
 #include <axial/scalar/math.hpp>
 #include <axial/scalar/sincos.hpp>
 #include <cmath>
-#include <gtest/gtest.h>
-#include <quadmath.h>
 #include <random>
 
 using namespace axial;
@@ -73,7 +73,8 @@ TEST(SinCos, IsConstexpr) {
 
 TEST(SquareRoot, IsWithinOneUlp) {
   double worst = 0.0;
-  for (double x = 1e-300; x < 1e300; x *= 1.37) worst = std::fmax(worst, std::fabs(square_root(x) - std::sqrt(x)) / last_bit(std::sqrt(x)));
+  for (double x = 1e-300; x < 1e300; x *= 1.37)
+    worst = std::fmax(worst, std::fabs(square_root(x) - std::sqrt(x)) / last_bit(std::sqrt(x)));
   EXPECT_LE(worst, 1.0);
   static_assert(square_root(4.0) == 2.0 && square_root(0.0) == 0.0 && square_root(2.0F) > 1.41421F);
   EXPECT_TRUE(std::isnan(square_root(-1.0)));

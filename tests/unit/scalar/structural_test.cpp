@@ -1,12 +1,14 @@
+#include <gtest/gtest.h>
 #include <axial/scalar/counting.hpp>
 #include <axial/scalar/structural.hpp>
-#include <gtest/gtest.h>
 
 using namespace axial;
 
 namespace {
 template <class Expected, class T>
-constexpr bool has_type(const T&) { return std::is_same_v<Expected, T>; }
+constexpr bool has_type(const T&) {
+  return std::is_same_v<Expected, T>;
+}
 }  // namespace
 
 TEST(Structural, ZeroAbsorbsAndDisappears) {
@@ -30,7 +32,9 @@ TEST(Structural, IntegersBeyondOneBecomeConstants) {
 }
 
 TEST(Structural, LiteralsFindTheirType) {
-  static_assert(has_type<Zero>(literal<float>([] { return 0.0; })) && has_type<Zero>(literal<float>([] { return -0.0; })));
-  static_assert(has_type<One>(literal<float>([] { return 1.0; })) && has_type<MinusOne>(literal<float>([] { return -1.0; })));
+  static_assert(has_type<Zero>(literal<float>([] { return 0.0; })) &&
+                has_type<Zero>(literal<float>([] { return -0.0; })));
+  static_assert(has_type<One>(literal<float>([] { return 1.0; })) &&
+                has_type<MinusOne>(literal<float>([] { return -1.0; })));
   static_assert(has_type<float>(literal<float>([] { return 0.5; })));
 }

@@ -1,9 +1,9 @@
 // The screw operators against dense 6x6 matrices, and their costs against Table II of McMillan and Orin 1995.
+#include <gtest/gtest.h>
+#include <array>
 #include <axial/scalar/counting.hpp>
 #include <axial/spatial/congruence.hpp>
-#include <array>
 #include <cmath>
-#include <gtest/gtest.h>
 
 using namespace axial;
 
@@ -27,7 +27,8 @@ Matrix6 motion_transform(const double (&R)[3][3], const double (&p)[3]) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       X[i][j] = X[i + 3][j + 3] = R[j][i];
-      for (int k = 0; k < 3; ++k) X[i + 3][j] -= R[k][i] * P[k][j];
+      for (int k = 0; k < 3; ++k)
+        X[i + 3][j] -= R[k][i] * P[k][j];
     }
   return X;
 }
@@ -43,7 +44,8 @@ Matrix6 x_transform(double angle, double a) {
 Vector6 times(const Matrix6& A, const Vector6& x, bool transposed = false) {
   Vector6 y{};
   for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) y[i] += (transposed ? A[j][i] : A[i][j]) * x[j];
+    for (int j = 0; j < 6; ++j)
+      y[i] += (transposed ? A[j][i] : A[i][j]) * x[j];
   return y;
 }
 Matrix6 congruence(const Matrix6& X, const Matrix6& N) {
@@ -51,7 +53,8 @@ Matrix6 congruence(const Matrix6& X, const Matrix6& N) {
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)
       for (int k = 0; k < 6; ++k)
-        for (int l = 0; l < 6; ++l) result[i][j] += X[k][i] * N[k][l] * X[l][j];
+        for (int l = 0; l < 6; ++l)
+          result[i][j] += X[k][i] * N[k][l] * X[l][j];
   return result;
 }
 
@@ -69,11 +72,13 @@ Matrix6 matrix(const ArticulatedInertia<A, B, C>& inertia) {
 }
 
 void expect_equal(const Vector6& a, const Vector6& b) {
-  for (int i = 0; i < 6; ++i) EXPECT_NEAR(a[i], b[i], tolerance) << i;
+  for (int i = 0; i < 6; ++i)
+    EXPECT_NEAR(a[i], b[i], tolerance) << i;
 }
 void expect_equal(const Matrix6& a, const Matrix6& b) {
   for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) EXPECT_NEAR(a[i][j], b[i][j], tolerance) << i << ' ' << j;
+    for (int j = 0; j < 6; ++j)
+      EXPECT_NEAR(a[i][j], b[i][j], tolerance) << i << ' ' << j;
 }
 
 // Each claim for both screws: f(screw, its dense transform).
@@ -121,7 +126,8 @@ TEST(Congruence, OfReflectedInertiasEqualsTheDenseOne) {
   const Zero o{};
   const Vec3<Zero> none{};
   const ArticulatedInertia revolute{Sym3{0.9, 1.4, o, 0.2, o, o}, Mat3{m.x, m.y, none}, t};
-  const ArticulatedInertia prismatic{s, Mat3{Vec3{0.1, 0.2, o}, Vec3{0.3, -0.4, o}, Vec3{0.5, 0.6, o}}, Sym3{2.0, 3.0, o, 0.5, o, o}};
+  const ArticulatedInertia prismatic{s, Mat3{Vec3{0.1, 0.2, o}, Vec3{0.3, -0.4, o}, Vec3{0.5, 0.6, o}},
+                                     Sym3{2.0, 3.0, o, 0.5, o, o}};
   for_both_screws([&](auto screw, const Matrix6& X) {
     expect_equal(matrix(to_parent(screw, revolute)), congruence(X, matrix(revolute)));
     expect_equal(matrix(to_parent(screw, prismatic)), congruence(X, matrix(prismatic)));
@@ -147,10 +153,26 @@ TEST(Congruence, OfThreeByThreeMatricesIsARotation) {
   });
 }
 
+// A rotor of 2^-40 kg m^2 that is reflected beside inertias of 1 must come through a quarter turn unharmed.
+TEST(Congruence, KeepsSmallElementsThroughAQuarterTurn) {
+  const double small = std::ldexp(1.0, -40);
+  const ArticulatedInertia n{Sym{small, 1.4, 1.1, 0.0, 0.0, 0.0},
+                             Mat{{small, 0.0, 0.0}, {0.0, 0.7, 0.0}, {0.0, 0.0, 0.3}}, t};
+  for (const double cos : {0.0, 1e-9}) {
+    const auto turned_by_value = to_parent(z_screw(cos, 1.0, 0.0), n);
+    EXPECT_NEAR(turned_by_value.angular.yy / small, 1.0, 1e-5) << cos;
+    EXPECT_NEAR(turned_by_value.coupling.y.y / small, 1.0, 1e-5) << cos;
+  }
+  const auto turned_by_type =
+      to_parent(x_screw(Zero{}, MinusOne{}, Zero{}), ArticulatedInertia{Sym{1.0, small, 1.4, 0, 0, 0}, m, t});
+  EXPECT_EQ(turned_by_type.angular.zz, small);
+}
+
 TEST(Screw, IdentityCostsNothingAndChangesNothing) {
   const auto identity = x_screw(One{}, Zero{}, Zero{});
   static_assert(decltype(identity)::is_identity);
-  static_assert(std::is_same_v<decltype(to_parent(identity, ArticulatedInertia{s, m, t})), ArticulatedInertia<Sym, Mat, Sym>>);
+  static_assert(
+      std::is_same_v<decltype(to_parent(identity, ArticulatedInertia{s, m, t})), ArticulatedInertia<Sym, Mat, Sym>>);
   EXPECT_EQ(to_parent(identity, u).y, u.y);
 }
 
@@ -165,8 +187,9 @@ class Costs {
   Sym3<Counting> sym() { return {run(), run(), run(), run(), run(), run()}; }
   Mat3<Vec3<Counting>> mat() { return {vec(), vec(), vec()}; }
   auto revolute() { return z_screw(run(), run(), constant()); }
-  auto prismatic() { return z_screw(constant(), constant(), run()); }
-  auto twist() { return x_screw(constant(), constant(), constant()); }
+  // Constant turns are known to be below or beyond 45 degrees.
+  auto prismatic() { return z_screw(constant(), constant(), run()).with_turn(std::false_type{}); }
+  auto twist() { return x_screw(constant(), constant(), constant()).with_turn(std::true_type{}); }
 
   Trace trace;
 
@@ -176,17 +199,29 @@ class Costs {
 
 void need(const Counting& x) { x.need(); }
 template <class A, class B, class C>
-void need(const Vec3<A, B, C>& x) { need(x.x), need(x.y), need(x.z); }
+void need(const Vec3<A, B, C>& x) {
+  need(x.x), need(x.y), need(x.z);
+}
 template <class A, class B, class C>
-void need(const Mat3<A, B, C>& x) { need(x.x), need(x.y), need(x.z); }
+void need(const Mat3<A, B, C>& x) {
+  need(x.x), need(x.y), need(x.z);
+}
 template <class A, class B, class C, class D, class E, class F>
-void need(const Sym3<A, B, C, D, E, F>& x) { need(Vec3{x.xx, x.yy, x.zz}), need(Vec3{x.xy, x.xz, x.yz}); }
+void need(const Sym3<A, B, C, D, E, F>& x) {
+  need(Vec3{x.xx, x.yy, x.zz}), need(Vec3{x.xy, x.xz, x.yz});
+}
 template <class A, class B>
-void need(const ForceVector<A, B>& x) { need(x.moment), need(x.force); }
+void need(const ForceVector<A, B>& x) {
+  need(x.moment), need(x.force);
+}
 template <class A, class B, class C>
-void need(const ArticulatedInertia<A, B, C>& x) { need(x.angular), need(x.coupling), need(x.linear); }
+void need(const ArticulatedInertia<A, B, C>& x) {
+  need(x.angular), need(x.coupling), need(x.linear);
+}
 template <class A, class B, class C>
-void need(const RigidInertia<A, B, C>& x) { need(x.first_moment), need(x.inertia); }
+void need(const RigidInertia<A, B, C>& x) {
+  need(x.first_moment), need(x.inertia);
+}
 
 template <class Make>
 Operations cost(const Make& make) {
@@ -208,15 +243,21 @@ auto through_revolute(Operand operand) {
 
 }  // namespace
 
-TEST(TableII, CartesianVector) { expect_at_most(cost(through_revolute([](Costs& c) { return c.vec(); })), 8, 4); }
+TEST(TableII, CartesianVector) {
+  expect_at_most(cost(through_revolute([](Costs& c) { return c.vec(); })), 8, 4);
+}
 TEST(TableII, SpatialVector) {
   expect_at_most(cost(through_revolute([](Costs& c) { return ForceVector{c.vec(), c.vec()}; })), 20, 12);
 }
-TEST(TableII, GeneralMatrix) { expect_at_most(cost(through_revolute([](Costs& c) { return c.mat(); })), 26, 24); }
-TEST(TableII, SymmetricMatrix) { expect_at_most(cost(through_revolute([](Costs& c) { return c.sym(); })), 18, 17); }
+TEST(TableII, GeneralMatrix) {
+  expect_at_most(cost(through_revolute([](Costs& c) { return c.mat(); })), 26, 24);
+}
+TEST(TableII, SymmetricMatrix) {
+  expect_at_most(cost(through_revolute([](Costs& c) { return c.sym(); })), 18, 17);
+}
 TEST(TableII, SymmetricSixBySix) {
   const auto ours = cost(through_revolute([](Costs& c) { return ArticulatedInertia{c.sym(), c.mat(), c.sym()}; }));
-  EXPECT_EQ(ours, (Operations{78, 83, 0, 0}));  // the paper: 86M 89A
+  EXPECT_EQ(ours, (Operations{79, 83, 0, 0}));  // the paper: 86M 89A
 }
 TEST(TableII, RigidBody) {
   const auto ours = cost(through_revolute([](Costs& c) { return RigidInertia{c.constant(), c.vec(), c.sym()}; }));
@@ -227,7 +268,7 @@ TEST(TableII, ReflectedInertiaOfARevoluteJoint) {
     const Zero o{};
     return ArticulatedInertia{Sym3{c.run(), c.run(), o, c.run(), o, o}, Mat3{c.vec(), c.vec(), ZeroVec3{}}, c.sym()};
   }));
-  EXPECT_EQ(ours, (Operations{62, 65, 0, 0}));  // the paper: 70M 71A
+  EXPECT_EQ(ours, (Operations{63, 65, 0, 0}));  // the paper: 70M 71A
 }
 TEST(TableII, ReflectedInertiaOfAPrismaticJoint) {
   const auto ours = cost([](Costs& c) {

@@ -14,10 +14,10 @@ struct ScaraConstants {
   double shoulder = 0.0;  ///< part of A11 that does not depend on theta2, kg m^2
   double elbow = 0.0;     ///< A22 without its rotor, kg m^2
   double elbow_rotor = 0.0;
-  double swing = 0.0;     ///< k a1 a2 of the paper: A12 = elbow + swing cos(theta2), kg m^2
-  double lift = 0.0;      ///< A33, kg
-  double weight = 0.0;    ///< G3, N
-  double sense = 1.0;     ///< +1: axis 2 along axis 1, -1: against it
+  double swing = 0.0;   ///< k a1 a2 of the paper: A12 = elbow + swing cos(theta2), kg m^2
+  double lift = 0.0;    ///< A33, kg
+  double weight = 0.0;  ///< G3, N
+  double sense = 1.0;   ///< +1: axis 2 along axis 1, -1: against it
 };
 
 template <class Robot>
@@ -25,16 +25,20 @@ constexpr void check_scara() {
   constexpr auto& c = Robot::chain;
   static_assert(c.size == 3, "axial: closed_form::scara needs three joints: revolute, revolute, prismatic (RRP)");
   if constexpr (c.size == 3) {
-    static_assert(c.links[0].type == JointType::revolute && c.links[1].type == JointType::revolute && c.links[2].type == JointType::prismatic,
+    static_assert(c.links[0].type == JointType::revolute && c.links[1].type == JointType::revolute &&
+                      c.links[2].type == JointType::prismatic,
                   "axial: closed_form::scara needs three joints: revolute, revolute, prismatic (RRP)");
     static_assert(c.parent(0) == -1 && c.parent(1) == 0 && c.parent(2) == 1,
                   "axial: closed_form::scara needs a serial chain; remove parent()");
     static_assert(c.links[0].alpha.sin == 0.0 && c.links[1].alpha.sin == 0.0 && c.links[2].alpha.sin == 0.0,
-                  "axial: closed_form::scara needs parallel axes: alpha_deg(0) or alpha_deg(180); otherwise use inverse_dynamics");
+                  "axial: closed_form::scara needs parallel axes: alpha_deg(0) or alpha_deg(180); otherwise use "
+                  "inverse_dynamics");
     static_assert(c.links[0].com[1] == 0.0 && c.links[1].com[1] == 0.0 && c.links[2].com[1] == 0.0,
-                  "axial: closed_form::scara needs centres of mass on the links' x axes: com(x, 0, z); otherwise use inverse_dynamics");
+                  "axial: closed_form::scara needs centres of mass on the links' x axes: com(x, 0, z); otherwise use "
+                  "inverse_dynamics");
     static_assert(c.links[2].theta.sin == 0.0,
-                  "axial: closed_form::scara needs theta_deg(0) or theta_deg(180) in the prismatic link; otherwise use inverse_dynamics");
+                  "axial: closed_form::scara needs theta_deg(0) or theta_deg(180) in the prismatic link; otherwise use "
+                  "inverse_dynamics");
     static_assert(c.gravity.x == 0.0 && c.gravity.y == 0.0,
                   "axial: closed_form::scara needs gravity along the axes; otherwise use inverse_dynamics");
   }
@@ -45,7 +49,8 @@ template <class S>
 constexpr ScaraConstants scara_constants() {
   using Scene = scene_of<S>;
   constexpr auto& c = Scene::Robot::chain;
-  const auto l1 = link_constants(c.links[0], -1), l2 = link_constants(c.links[1], 0), l3 = link_constants(c.links[2], 1);
+  const auto l1 = link_constants(c.links[0], -1), l2 = link_constants(c.links[1], 0),
+             l3 = link_constants(c.links[2], 1);
   constexpr bool rotors = Scene::template has<RotorInertia>, falls = Scene::template has<Gravity>;
   const double a1 = l2.a, arm3 = l3.a + l3.cos_theta * c.links[2].com[0];
   ScaraConstants k;
@@ -82,9 +87,9 @@ struct ScaraTerms {
 
 }  // namespace detail
 
-/// Separated dynamics of a SCARA: RRP with parallel axes and centres of mass on the links' x axes, the slender rods of the
-/// paper among them. Source: Djuric et al. 2016, eqs. (82) to (92), with its misprints mended (doc/scara_errata.md).
-/// In: q (rad, rad, m). Out: A, B, C, G. For another robot it does not compile and says why.
+/// Separated dynamics of a SCARA: RRP with parallel axes and centres of mass on the links' x axes, the slender rods of
+/// the paper among them. Source: Djuric et al. 2016, eqs. (82) to (92), with its misprints mended
+/// (doc/scara_errata.md). In: q (rad, rad, m). Out: A, B, C, G. For another robot it does not compile and says why.
 template <class S, class T>
 constexpr Separated<robot_of<S>, T> scara(const Positions<robot_of<S>, T>& q) {
   using K = detail::ScaraTerms<S, T>;
@@ -112,8 +117,7 @@ constexpr Efforts<robot_of<S>, T> scara_torque(const Positions<robot_of<S>, T>& 
   const auto a12 = K::sense * (K::elbow + swing.cos);
   const auto velocity = qd[1] * (qd[0] + qd[0] + K::sense * qd[1]);
   return {a11 * qdd[0] + a12 * qdd[1] - swing.sin * velocity,
-          a12 * qdd[0] + K::elbow_alone * qdd[1] + swing.sin * (qd[0] * qd[0]),
-          K::lift * qdd[2] + K::weight};
+          a12 * qdd[0] + K::elbow_alone * qdd[1] + swing.sin * (qd[0] * qd[0]), K::lift * qdd[2] + K::weight};
 }
 
 }  // namespace closed_form

@@ -47,8 +47,8 @@ constexpr bool all_finite(const Efforts<robot_of<S>, T>& tau) {
 /// Feed-forward torque for a desired motion, safe against bad requests.
 /// In: desired q (rad or m), qd, qdd; `in` carries payload and tip wrench where the scene names them; friction is added
 /// where it names Friction. Out: efforts (N m or N) inside the declared effort limits.
-/// A request that is not finite or outside the declared limits, and run-time inputs that make the result not finite, give
-/// the last safe output and a status that names the joint; an effort beyond its limit is clamped and reported.
+/// A request that is not finite or outside the declared limits, and run-time inputs that make the result not finite,
+/// give the last safe output and a status that names the joint; an effort beyond its limit is clamped and reported.
 template <class S, class T>
 constexpr FeedforwardResult<S, T> feedforward(FeedforwardState<S, T>& state, const Positions<robot_of<S>, T>& q,
                                               const Velocities<robot_of<S>, T>& qd,

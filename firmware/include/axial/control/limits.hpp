@@ -10,8 +10,10 @@ namespace axial {
 template <class T>
 constexpr bool is_finite(const T& x) {
   static_assert(std::numeric_limits<T>::is_iec559 && (sizeof(T) == 4 || sizeof(T) == 8));
-  if constexpr (sizeof(T) == 4) return (__builtin_bit_cast(std::uint32_t, x) & 0x7F800000u) != 0x7F800000u;
-  else return (__builtin_bit_cast(std::uint64_t, x) & 0x7FF0000000000000u) != 0x7FF0000000000000u;
+  if constexpr (sizeof(T) == 4)
+    return (__builtin_bit_cast(std::uint32_t, x) & 0x7F800000u) != 0x7F800000u;
+  else
+    return (__builtin_bit_cast(std::uint64_t, x) & 0x7FF0000000000000u) != 0x7FF0000000000000u;
 }
 
 /// The largest number T not beyond a declared limit, so that the limit itself is inside.

@@ -27,7 +27,9 @@ struct Velocity {
   U u{};
   Z zeta{};
   template <class T>
-  constexpr Velocity<Vec3<T>, Vec3<T>, Mat3<Vec3<T>>, MotionVector<Vec3<T>, Vec3<T>>> dense() const { return {w, p, u, zeta}; }
+  constexpr Velocity<Vec3<T>, Vec3<T>, Mat3<Vec3<T>>, MotionVector<Vec3<T>, Vec3<T>>> dense() const {
+    return {w, p, u, zeta};
+  }
 };
 template <class W, class P, class U, class Z>
 Velocity(W, P, U, Z) -> Velocity<W, P, U, Z>;
@@ -46,7 +48,8 @@ constexpr auto move(Revolute, const Link& link, const Screw& screw, const Parent
   const auto angular = cross_z(turning, qd);
   // d lies on the axis, which turns with the parent: w_parent x (w_parent x d) in terms of this link's products.
   const auto on_axis = screw.shift * Vec3{p.y + angular.y, p.x - angular.x, u.z.z};
-  const auto linear = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, parent.u * Vec3{x.shift, Zero{}, Zero{}})), on_axis);
+  const auto linear =
+      link.sum(LinearAcceleration{}, to_child(screw, to_child(x, parent.u * Vec3{x.shift, Zero{}, Zero{}})), on_axis);
   return Velocity{w, p, u, MotionVector{angular, linear}};
 }
 template <class Link, class Screw, class Parent, class V>
@@ -57,8 +60,9 @@ constexpr auto move(Prismatic, const Link& link, const Screw& screw, const Paren
   const auto w = to_child(screw, to_child(x, parent.w));
   const auto p = products(w, link);
   const auto u = rotation_acceleration(w, still, p, link);
-  const auto linear = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, parent.u * Vec3{x.shift, Zero{}, Zero{}})),
-                               u * along_z(screw.shift), cross_z(w, qd + qd));
+  const auto linear =
+      link.sum(LinearAcceleration{}, to_child(screw, to_child(x, parent.u * Vec3{x.shift, Zero{}, Zero{}})),
+               u * along_z(screw.shift), cross_z(w, qd + qd));
   return Velocity{w, p, u, MotionVector{still, linear}};
 }
 
@@ -70,8 +74,9 @@ struct Subtree {
   R reach{};
   template <class T>
   constexpr auto dense() const {
-    return Subtree<decltype(inertia.template dense<T>()), decltype(bias.template dense<T>()), decltype(reach.template dense<T>())>{
-        inertia.template dense<T>(), bias.template dense<T>(), reach.template dense<T>()};
+    return Subtree<decltype(inertia.template dense<T>()), decltype(bias.template dense<T>()),
+                   decltype(reach.template dense<T>())>{inertia.template dense<T>(), bias.template dense<T>(),
+                                                        reach.template dense<T>()};
   }
 };
 template <class I, class P, class R>
@@ -86,7 +91,8 @@ constexpr auto operator+(const Subtree<A, B, C>& a, const Subtree<D, E, F>& b) {
 template <class Link, class Body, class D, class Vel, class F>
 constexpr auto alone(const Link& link, const Body& body, const D& differences, const Vel& velocity, const F& external) {
   constexpr ZeroVec3 still;
-  const auto moment = link.sum(quantity::Moment{}, rotational_moment(body.inertia, differences, still, velocity.p, velocity.u));
+  const auto moment =
+      link.sum(quantity::Moment{}, rotational_moment(body.inertia, differences, still, velocity.p, velocity.u));
   const auto force = link.sum(quantity::Force{}, velocity.u * body.first_moment);
   return Subtree{articulated(body), ForceVector{moment, force} - external, reach(body)};
 }
@@ -94,8 +100,8 @@ constexpr auto alone(const Link& link, const Body& body, const D& differences, c
 /// What the outward pass needs of a joint, and what the parent gets.
 template <class G, class U, class Z, class S>
 struct Left {
-  G gain{};        ///< K = U / D
-  U free{};        ///< u / D: the acceleration of the joint if its parent did not accelerate
+  G gain{};  ///< K = U / D
+  U free{};  ///< u / D: the acceleration of the joint if its parent did not accelerate
   Z zeta{};
   bool singular = false;
   S sent{};
@@ -105,15 +111,18 @@ Left(G, U, Z, bool, S) -> Left<G, U, Z, S>;
 
 template <class Link, class G, class U, class Z, class S>
 constexpr auto shaped(const Link& link, const Left<G, U, Z, S>& left) {
-  return Left{link.shape(left.gain), link.shape(left.free), link.shape(left.zeta), left.singular, link.shape(left.sent)};
+  return Left{link.shape(left.gain), link.shape(left.free), link.shape(left.zeta), left.singular,
+              link.shape(left.sent)};
 }
 
 /// Inward step of a joint: reflects the subtree across it and brings the result to the parent's frame.
 template <class Kind, class Link, class Screw, class Tree, class Vel, class Tau, class V>
-constexpr auto reflect(Kind joint, const Link& link, const Screw& screw, const Tree& tree, const Vel& velocity, const Tau& tau, const V& qd) {
+constexpr auto reflect(Kind joint, const Link& link, const Screw& screw, const Tree& tree, const Vel& velocity,
+                       const Tau& tau, const V& qd) {
   const auto x = link.x();
   const auto effort = link.sum(quantity::JointEffort{}, tau, -friction_effort(link, qd));
-  const auto r = reflection(joint, link, tree.inertia, tree.bias, velocity.zeta, effort, singularity_scale(joint, tree.reach));
+  const auto r =
+      reflection(joint, link, tree.inertia, tree.bias, velocity.zeta, effort, singularity_scale(joint, tree.reach));
   const Subtree sent{to_parent(x, to_parent(screw, r.inertia, link), link),
                      to_parent(x, to_parent(screw, r.bias, link), link),
                      seen_from(tree.reach, detail::absolute(x.shift) + detail::absolute(screw.shift))};
@@ -128,7 +137,8 @@ constexpr Status run(const Links& links, const Input& in, const Q& q, const V& q
   const auto screws = map_links(links, [&](auto i) AXIAL_INLINE { return links.link(i).z(q[i]); });
   const auto velocities = outward(links, base_velocity, [&](auto i, const auto& parent) AXIAL_INLINE {
     const auto link = links.link(i);
-    return link.on_joint([&](auto joint) AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i])); });
+    return link.on_joint([&](auto joint)
+                             AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i])); });
   });
   const auto own = [&](auto i) AXIAL_INLINE {
     const auto link = links.link(i);

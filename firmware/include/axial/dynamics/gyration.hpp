@@ -9,8 +9,10 @@ namespace axial {
 /// k (a - b), without the subtraction where k is zero by type.
 template <class K, class A, class B>
 constexpr auto times_difference(const K& k, const A& a, const B& b) {
-  if constexpr (is_zero_v<K>) return Zero{};
-  else return k * (a - b);
+  if constexpr (is_zero_v<K>)
+    return Zero{};
+  else
+    return k * (a - b);
 }
 
 /// (wy wz, wx wz, wx wy), rad^2/s^2.
@@ -37,10 +39,9 @@ constexpr auto rotation_acceleration(const W& w, const DW& dw, const P& p, const
 /// `differences` are (Jzz - Jyy, Jxx - Jzz, Jyy - Jxx).
 template <class J, class D, class DW, class P, class U>
 constexpr auto rotational_moment(const J& j, const D& differences, const DW& dw, const P& p, const U& u) {
-  return Vec3{
-      j.xx * dw.x + differences.x * p.x - j.xy * u.z.x + j.xz * u.y.x + times_difference(j.yz, u.y.y, u.z.z),
-      j.yy * dw.y + differences.y * p.y + j.xy * u.z.y - j.yz * u.x.y + times_difference(j.xz, u.z.z, u.x.x),
-      j.zz * dw.z + differences.z * p.z - j.xz * u.y.z + j.yz * u.x.z + times_difference(j.xy, u.x.x, u.y.y)};
+  return Vec3{j.xx * dw.x + differences.x * p.x - j.xy * u.z.x + j.xz * u.y.x + times_difference(j.yz, u.y.y, u.z.z),
+              j.yy * dw.y + differences.y * p.y + j.xy * u.z.y - j.yz * u.x.y + times_difference(j.xz, u.z.z, u.x.x),
+              j.zz * dw.z + differences.z * p.z - j.xz * u.y.z + j.yz * u.x.z + times_difference(j.xy, u.x.x, u.y.y)};
 }
 
 }  // namespace axial

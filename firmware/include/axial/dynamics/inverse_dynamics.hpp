@@ -42,7 +42,8 @@ constexpr auto move(Revolute, const Link& link, const Screw& screw, const Parent
   const auto at_axis = link.sum(LinearAcceleration{}, parent.a, parent.u * Vec3{x.shift, Zero{}, Zero{}});
   const auto turning = to_child(screw, to_child(x, parent.w));
   const auto w = link.sum(AngularVelocity{}, turning, along_z(qd));
-  const auto dw = link.sum(AngularAcceleration{}, to_child(screw, to_child(x, parent.dw)), cross_z(turning, qd), along_z(qdd));
+  const auto dw =
+      link.sum(AngularAcceleration{}, to_child(screw, to_child(x, parent.dw)), cross_z(turning, qd), along_z(qdd));
   const auto p = products(w, link);
   const auto u = rotation_acceleration(w, dw, p, link);
   const auto a = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, at_axis)), u * along_z(screw.shift));
@@ -77,9 +78,13 @@ constexpr auto newton_euler(const Link& link, const Body& body, const D& differe
 
 /// Component of a force along the joint.
 template <class F>
-constexpr auto along_joint(Revolute, const F& f) { return f.moment.z; }
+constexpr auto along_joint(Revolute, const F& f) {
+  return f.moment.z;
+}
 template <class F>
-constexpr auto along_joint(Prismatic, const F& f) { return f.force.z; }
+constexpr auto along_joint(Prismatic, const F& f) {
+  return f.force.z;
+}
 
 template <class F>
 struct Left {
@@ -93,10 +98,12 @@ template <class Links, class Input, class Q, class V, class A, class Tau>
 constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Tau& tau) {
   const TipLoads<typename Links::Scene, Input> loads(in);
   const auto screws = map_links(links, [&](auto i) AXIAL_INLINE { return links.link(i).z(q[i]); });
-  const auto motions = outward(links, base_motion(links.base_acceleration()), [&](auto i, const auto& parent) AXIAL_INLINE {
-    const auto link = links.link(i);
-    return link.on_joint([&](auto joint) AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i], qdd[i])); });
-  });
+  const auto motions =
+      outward(links, base_motion(links.base_acceleration()), [&](auto i, const auto& parent) AXIAL_INLINE {
+        const auto link = links.link(i);
+        return link.on_joint(
+            [&](auto joint) AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i], qdd[i])); });
+      });
   const auto own = [&](auto i) AXIAL_INLINE {
     const auto link = links.link(i);
     const auto body = loads.body(link);
@@ -122,8 +129,10 @@ constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd,
 /// Gravity as the chain declares it: a link that must be held up has a positive effort along +g's opposite.
 /// NaN and infinities propagate to the result; use control/feedforward.hpp where inputs are not trusted.
 template <class S, class T>
-constexpr Efforts<robot_of<S>, T> inverse_dynamics(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
-                                                   const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
+constexpr Efforts<robot_of<S>, T> inverse_dynamics(const Positions<robot_of<S>, T>& q,
+                                                   const Velocities<robot_of<S>, T>& qd,
+                                                   const Accelerations<robot_of<S>, T>& qdd,
+                                                   const Inputs<S, T>& in = {}) {
   Efforts<robot_of<S>, T> tau{};
   rnea::run(links_of<S, T>(), in, q, qd, qdd, tau);
   return tau;
@@ -148,14 +157,16 @@ constexpr Efforts<robot_of<S>, T> bias_torque(const Positions<robot_of<S>, T>& q
 
 /// The same three for a run-time model, in the looped form.
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr Efforts<M, T> inverse_dynamics(const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd,
-                                         const Accelerations<M, T>& qdd, const Inputs<M, T>& in = {}) {
+constexpr Efforts<M, T> inverse_dynamics(const Model<N, F...>& model, const Positions<M, T>& q,
+                                         const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,
+                                         const Inputs<M, T>& in = {}) {
   Efforts<M, T> tau{};
   rnea::run(model.template links<T>(), in, q, qd, qdd, tau);
   return tau;
 }
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr Efforts<M, T> gravity_torque(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {}) {
+constexpr Efforts<M, T> gravity_torque(const Model<N, F...>& model, const Positions<M, T>& q,
+                                       const Inputs<M, T>& in = {}) {
   Efforts<M, T> tau{};
   rnea::run(model.template links<T>(), in, q, NoMotion{}, NoMotion{}, tau);
   return tau;

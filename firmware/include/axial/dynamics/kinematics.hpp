@@ -61,13 +61,13 @@ constexpr MotionVector<Vec3<T>, Vec3<T>> column(Prismatic, const Vec3<T>& axis, 
 template <class Links, class Poses, class Result>
 constexpr void columns(const Links& links, const Poses& poses, Result& jacobian) {
   bool carries_tool[Links::capacity] = {};
-  for (int i = links.size() - 1; i >= 0; i = links.parent_index(i)) carries_tool[i] = true;
+  for (int i = links.size() - 1; i >= 0; i = links.parent_index(i))
+    carries_tool[i] = true;
   for_each_link(links, [&](auto i) AXIAL_INLINE {
     if (!carries_tool[i]) return;
     const auto axis = z_column(poses.frames[i].rotation);
-    jacobian[i] = links.link(i).on_joint([&](auto joint) AXIAL_INLINE {
-      return column(joint, axis, poses.tool.position - poses.frames[i].position);
-    });
+    jacobian[i] = links.link(i).on_joint(
+        [&](auto joint) AXIAL_INLINE { return column(joint, axis, poses.tool.position - poses.frames[i].position); });
   });
 }
 

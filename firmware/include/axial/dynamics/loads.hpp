@@ -25,8 +25,10 @@ class TipLoads {
   /// Inertia of a link with its payload.
   template <class Link>
   constexpr auto body(const Link& link) const {
-    if constexpr (!Scene::template has<Payload>) return link.body();
-    else return with_payload(link);
+    if constexpr (!Scene::template has<Payload>)
+      return link.body();
+    else
+      return with_payload(link);
   }
   /// Force that the environment exerts on a link; zero by type where the scene has no tip wrench.
   template <class Link>
@@ -35,8 +37,10 @@ class TipLoads {
     if constexpr (!Scene::template has<TipWrench>) {
       return none;
     } else if constexpr (Link::unrolled) {
-      if constexpr (Link::is_last) return in_.tip_wrench;
-      else return none;
+      if constexpr (Link::is_last)
+        return in_.tip_wrench;
+      else
+        return none;
     } else {
       auto wrench = in_.tip_wrench;
       if (!link.is_last) wrench = link.shape(none);
@@ -48,8 +52,10 @@ class TipLoads {
   template <class Link>
   constexpr auto with_payload(const Link& link) const {
     if constexpr (Link::unrolled) {
-      if constexpr (Link::is_last) return link.body() + payload_inertia(in_.payload);
-      else return link.body();
+      if constexpr (Link::is_last)
+        return link.body() + payload_inertia(in_.payload);
+      else
+        return link.body();
     } else {
       auto body = link.shape(link.body());
       if (link.is_last) body = body + payload_inertia(in_.payload);
@@ -64,11 +70,14 @@ class TipLoads {
 template <class Scene, class Link, class Body>
 constexpr auto loaded_differences(const Link& link, const Body& body) {
   const auto& j = body.inertia;
-  if constexpr (!Scene::template has<Payload>) return link.inertia_differences();
-  else return Vec3{j.zz - j.yy, j.xx - j.zz, j.yy - j.xx};
+  if constexpr (!Scene::template has<Payload>)
+    return link.inertia_differences();
+  else
+    return Vec3{j.zz - j.yy, j.xx - j.zz, j.yy - j.xx};
 }
 
-/// Friction effort of a joint at speed qd: viscous qd + Coulomb, 0 at rest; both directions are read, none is branched on.
+/// Friction effort of a joint at speed qd: viscous qd + Coulomb, 0 at rest; both directions are read, none is branched
+/// on.
 template <class Link, class V>
 constexpr auto friction_effort(const Link& link, const V& qd) {
   if constexpr (!Link::Scene::template has<Friction> || is_zero_v<V>) {

@@ -50,8 +50,10 @@ constexpr void climb(const Links& links, const Screws& screws, const F& force, i
     if constexpr (parent >= 0) {
       const auto link = links.link(j);
       const auto at_parent = to_parent(link.x(), to_parent(screws[j], force, link), link);
-      m(i, parent) = static_cast<typename Links::Scalar>(
-          links.link(Index<parent>{}).on_joint([&](auto joint) AXIAL_INLINE { return rnea::along_joint(joint, at_parent); }));
+      m(i, parent) =
+          static_cast<typename Links::Scalar>(links.link(Index<parent>{}).on_joint([&](auto joint) AXIAL_INLINE {
+            return rnea::along_joint(joint, at_parent);
+          }));
       climb(links, screws, at_parent, i, Index<parent>{}, m);
     }
   } else {
@@ -78,7 +80,8 @@ constexpr void run(const Links& links, const Input& in, const Q& q, Matrix& m) {
   });
   for_each_link(links, [&](auto i) AXIAL_INLINE {
     const auto link = links.link(i);
-    const auto force = link.on_joint([&](auto joint) AXIAL_INLINE { return link.shape(unit_force(joint, bodies[i].composite)); });
+    const auto force =
+        link.on_joint([&](auto joint) AXIAL_INLINE { return link.shape(unit_force(joint, bodies[i].composite)); });
     m(i, i) = link.on_joint([&](auto joint) AXIAL_INLINE {
       return static_cast<T>(link.sum(quantity::JointInertia{}, rnea::along_joint(joint, force), link.rotor()));
     });
@@ -98,7 +101,8 @@ constexpr MassMatrix<robot_of<S>, T> mass_matrix(const Positions<robot_of<S>, T>
   return m;
 }
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr MassMatrix<M, T> mass_matrix(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {}) {
+constexpr MassMatrix<M, T> mass_matrix(const Model<N, F...>& model, const Positions<M, T>& q,
+                                       const Inputs<M, T>& in = {}) {
   MassMatrix<M, T> m{};
   crba::run(model.template links<T>(), in, q, m);
   return m;

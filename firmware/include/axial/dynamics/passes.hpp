@@ -12,18 +12,26 @@ struct Slot {
   V value{};
 };
 template <int I, class V>
-constexpr V& pick(Slot<I, V>& slot) { return slot.value; }
+constexpr V& pick(Slot<I, V>& slot) {
+  return slot.value;
+}
 template <int I, class V>
-constexpr const V& pick(const Slot<I, V>& slot) { return slot.value; }
+constexpr const V& pick(const Slot<I, V>& slot) {
+  return slot.value;
+}
 
 template <class Indices, class... V>
 struct SlotsOf;
 template <int... I, class... V>
 struct SlotsOf<std::integer_sequence<int, I...>, V...> : Slot<I, V>... {
   template <int K>
-  constexpr auto& operator[](Index<K>) { return pick<K>(*this); }
+  constexpr auto& operator[](Index<K>) {
+    return pick<K>(*this);
+  }
   template <int K>
-  constexpr const auto& operator[](Index<K>) const { return pick<K>(*this); }
+  constexpr const auto& operator[](Index<K>) const {
+    return pick<K>(*this);
+  }
 };
 
 }  // namespace detail
@@ -53,12 +61,14 @@ template <class Links, class Root, class Step, class Found, int I>
 struct Outward {
   template <int P>
   static const auto& parent(Index<P> p, const Root& root, const Found& found) {
-    if constexpr (P < 0) return root;
-    else return found[p];
+    if constexpr (P < 0)
+      return root;
+    else
+      return found[p];
   }
   using Parent = decltype(parent(Index<Links::template parent_of<I>>{}, std::declval<Root>(), std::declval<Found>()));
-  using type = typename Outward<Links, Root, Step,
-                                typename Found::template Append<StepResult<Step, I, Parent>>, I + 1>::type;
+  using type =
+      typename Outward<Links, Root, Step, typename Found::template Append<StepResult<Step, I, Parent>>, I + 1>::type;
 };
 template <class Links, class Root, class Step, class Found>
 struct Outward<Links, Root, Step, Found, Links::capacity> {
@@ -67,8 +77,10 @@ struct Outward<Links, Root, Step, Found, Links::capacity> {
 
 template <int P, class Root, class Values>
 constexpr const auto& value_or_root(Index<P> parent, const Root& root, const Values& values) {
-  if constexpr (P < 0) return root;
-  else return values[parent];
+  if constexpr (P < 0)
+    return root;
+  else
+    return values[parent];
 }
 
 template <class Links, class Root, class Step, int... I>
@@ -96,7 +108,8 @@ constexpr void for_each_link(const Links& links, const F& f) {
   if constexpr (Links::unrolled) {
     detail::each_unrolled<Links>(f, typename Links::Indices{});
   } else {
-    for (int i = 0; i < links.size(); ++i) f(i);
+    for (int i = 0; i < links.size(); ++i)
+      f(i);
   }
 }
 
@@ -107,7 +120,8 @@ constexpr auto map_links(const Links& links, const F& f) {
     return detail::map_unrolled<Links>(f, typename Links::Indices{});
   } else {
     Row<std::decay_t<decltype(f(0))>, Links::capacity> values;
-    for (int i = 0; i < links.size(); ++i) values[i] = f(i);
+    for (int i = 0; i < links.size(); ++i)
+      values[i] = f(i);
     return values;
   }
 }
@@ -133,12 +147,18 @@ namespace detail {
 struct NoLoad {};
 
 template <class V>
-constexpr auto loaded(const V& own, NoLoad) { return own; }
+constexpr auto loaded(const V& own, NoLoad) {
+  return own;
+}
 template <class V, class W>
-constexpr auto loaded(const V& own, const W& load) { return own + load; }
+constexpr auto loaded(const V& own, const W& load) {
+  return own + load;
+}
 constexpr NoLoad loaded(NoLoad, NoLoad) { return {}; }
 template <class W>
-constexpr auto loaded(NoLoad, const W& load) { return load; }
+constexpr auto loaded(NoLoad, const W& load) {
+  return load;
+}
 
 // The pass over a tree of types: what the children of link I, from child C on, send to it.
 template <class Links, class Own, class Joint>
@@ -151,10 +171,12 @@ struct Inward {
 
   template <int I, int C>
   constexpr auto loads_type() const {
-    if constexpr (C >= Links::capacity) return NoLoad{};
+    if constexpr (C >= Links::capacity)
+      return NoLoad{};
     else if constexpr (Links::template parent_of<C> == I)
       return loaded(loads_type<I, C + 1>(), leave_type<C>().sent);
-    else return loads_type<I, C + 1>();
+    else
+      return loads_type<I, C + 1>();
   }
   template <int I>
   constexpr auto leave_type() const {
@@ -163,17 +185,21 @@ struct Inward {
 
   template <int I, int C, class Values>
   constexpr auto loads(const Values& values) const {
-    if constexpr (C >= Links::capacity) return NoLoad{};
+    if constexpr (C >= Links::capacity)
+      return NoLoad{};
     else if constexpr (Links::template parent_of<C> == I)
       return loaded(loads<I, C + 1>(values), values[Index<C>{}].sent);
-    else return loads<I, C + 1>(values);
+    else
+      return loads<I, C + 1>(values);
   }
 
   template <int... I>
   constexpr auto run(std::integer_sequence<int, I...>) const {
     constexpr int last = Links::capacity - 1;
     Slots<Left<I>...> values{};
-    ((values[Index<last - I>{}] = joint(Index<last - I>{}, loaded(own(Index<last - I>{}), loads<last - I, last - I + 1>(values)))), ...);
+    ((values[Index<last - I>{}] =
+          joint(Index<last - I>{}, loaded(own(Index<last - I>{}), loads<last - I, last - I + 1>(values)))),
+     ...);
     return values;
   }
 };
@@ -189,7 +215,8 @@ constexpr auto inward(const Links& links, const Own& own, const Joint& joint) {
   } else {
     Row<std::decay_t<decltype(own(0))>, Links::capacity> total;
     Row<std::decay_t<decltype(joint(0, own(0)))>, Links::capacity> left;
-    for (int i = 0; i < links.size(); ++i) total[i] = own(i);
+    for (int i = 0; i < links.size(); ++i)
+      total[i] = own(i);
     for (int i = links.size(); i-- > 0;) {
       left[i] = joint(i, total[i]);
       if (const int parent = links.parent_index(i); parent >= 0) total[parent] = total[parent] + left[i].sent;

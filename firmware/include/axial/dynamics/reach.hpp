@@ -14,7 +14,9 @@ struct Reach {
   H moment{};
   P polar{};
   template <class T>
-  constexpr Reach<T, T, T> dense() const { return {mass, moment, polar}; }
+  constexpr Reach<T, T, T> dense() const {
+    return {mass, moment, polar};
+  }
 };
 template <class M, class H, class P>
 Reach(M, H, P) -> Reach<M, H, P>;
@@ -27,8 +29,10 @@ constexpr auto operator+(const Reach<A, B, C>& a, const Reach<D, E, F>& b) {
 namespace detail {
 template <class X>
 constexpr auto absolute(const X& x) {
-  if constexpr (is_structural_v<X>) return Int<(X::value < 0 ? -X::value : X::value)>{};
-  else return magnitude(x);
+  if constexpr (is_structural_v<X>)
+    return Int<(X::value < 0 ? -X::value : X::value)>{};
+  else
+    return magnitude(x);
 }
 }  // namespace detail
 
@@ -63,7 +67,8 @@ constexpr bool every_joint_is_resisted() {
     const bool along_axis = c.prismatic ? c.mass > 0.0 : c.jzz > 0.0;
     const bool payload = Scene::template has<Payload> && i + 1 == n;
     if (!(moves_something[i] || rotor || along_axis || payload)) return false;
-    if (c.parent >= 0 && (moves_something[i] || c.mass > 0.0 || c.jxx + c.jyy + c.jzz > 0.0)) moves_something[c.parent] = true;
+    if (c.parent >= 0 && (moves_something[i] || c.mass > 0.0 || c.jxx + c.jyy + c.jzz > 0.0))
+      moves_something[c.parent] = true;
   }
   return true;
 }

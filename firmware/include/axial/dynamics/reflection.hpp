@@ -14,15 +14,20 @@ constexpr auto joint_column(Revolute, const I& i) {
 }
 template <class I>
 constexpr auto joint_column(Prismatic, const I& i) {
-  return MotionVector{Vec3{i.coupling.x.z, i.coupling.y.z, i.coupling.z.z}, Vec3{i.linear.xz, i.linear.yz, i.linear.zz}};
+  return MotionVector{Vec3{i.coupling.x.z, i.coupling.y.z, i.coupling.z.z},
+                      Vec3{i.linear.xz, i.linear.yz, i.linear.zz}};
 }
 
 namespace detail {
 
 template <class I>
-constexpr auto axis_inertia(Revolute, const I& i) { return i.angular.zz; }
+constexpr auto axis_inertia(Revolute, const I& i) {
+  return i.angular.zz;
+}
 template <class I>
-constexpr auto axis_inertia(Prismatic, const I& i) { return i.linear.zz; }
+constexpr auto axis_inertia(Prismatic, const I& i) {
+  return i.linear.zz;
+}
 
 // K_s = I_ss / D, exactly 1 without a rotor: then the joint transmits its effort and nothing else.
 template <class Link, class I, class J, class R>
@@ -31,8 +36,10 @@ constexpr auto axis_gain(const Link& link, const I& inertia, const J& rotor, con
     return One{};
   } else {
     const auto gain = link.sum(quantity::Gain{}, inertia * inverse);
-    if constexpr (Link::unrolled) return gain;
-    else return rotor > J(Zero{}) ? gain : J(One{});
+    if constexpr (Link::unrolled)
+      return gain;
+    else
+      return rotor > J(Zero{}) ? gain : J(One{});
   }
 }
 
@@ -40,8 +47,12 @@ constexpr auto axis_gain(const Link& link, const I& inertia, const J& rotor, con
 // difference that cancels.
 template <class S, class U, class K, class KS, class J, class Round, class Q>
 constexpr auto reduced(Round round, Q q, const S& s, const U& u, const K& k, const KS& axis, const J& rotor) {
-  return Sym3{round.sum(q, s.xx, -(u.x * k.x)), round.sum(q, s.yy, -(u.y * k.y)), axis * rotor,
-              round.sum(q, s.xy, -(u.x * k.y)), k.x * rotor, k.y * rotor};
+  return Sym3{round.sum(q, s.xx, -(u.x * k.x)),
+              round.sum(q, s.yy, -(u.y * k.y)),
+              axis * rotor,
+              round.sum(q, s.xy, -(u.x * k.y)),
+              k.x * rotor,
+              k.y * rotor};
 }
 template <class S, class U, class K, class Round, class Q>
 constexpr auto reduced(Round round, Q q, const S& s, const U& u, const K& k) {
@@ -54,19 +65,21 @@ constexpr auto reduced(Round round, Q q, const S& s, const U& u, const K& k) {
 /// Reflected inertia N_jk = I_jk - U_j K_k, McMillan and Orin 1995, eqs. (4)-(6): 20M 15A for one joint without a rotor
 /// (K takes 5M of them, given 1/D). `gain` is K, `axis_gain` its component along the joint.
 template <class Link, class I, class U, class K, class KS, class J>
-constexpr auto reflected(Revolute, const Link& link, const I& i, const U& u, const K& k, const KS& axis, const J& rotor) {
+constexpr auto reflected(Revolute, const Link& link, const I& i, const U& u, const K& k, const KS& axis,
+                         const J& rotor) {
   using namespace quantity;
   const auto row = [&](const auto& c, const auto& uj) { return link.sum(FirstMoment{}, c, -(uj * k.linear)); };
-  return ArticulatedInertia{
-      detail::reduced(link, RotationalInertia{}, i.angular, u.angular, k.angular, axis, rotor),
-      Mat3{row(i.coupling.x, u.angular.x), row(i.coupling.y, u.angular.y), rotor * k.linear},
-      detail::reduced(link, Mass{}, i.linear, u.linear, k.linear)};
+  return ArticulatedInertia{detail::reduced(link, RotationalInertia{}, i.angular, u.angular, k.angular, axis, rotor),
+                            Mat3{row(i.coupling.x, u.angular.x), row(i.coupling.y, u.angular.y), rotor * k.linear},
+                            detail::reduced(link, Mass{}, i.linear, u.linear, k.linear)};
 }
 template <class Link, class I, class U, class K, class KS, class J>
-constexpr auto reflected(Prismatic, const Link& link, const I& i, const U& u, const K& k, const KS& axis, const J& rotor) {
+constexpr auto reflected(Prismatic, const Link& link, const I& i, const U& u, const K& k, const KS& axis,
+                         const J& rotor) {
   using namespace quantity;
   const auto row = [&](const auto& c, const auto& uj, const auto& kj) {
-    return Vec3{link.sum(FirstMoment{}, c.x, -(uj * k.linear.x)), link.sum(FirstMoment{}, c.y, -(uj * k.linear.y)), kj * rotor};
+    return Vec3{link.sum(FirstMoment{}, c.x, -(uj * k.linear.x)), link.sum(FirstMoment{}, c.y, -(uj * k.linear.y)),
+                kj * rotor};
   };
   return ArticulatedInertia{
       detail::reduced(link, RotationalInertia{}, i.angular, u.angular, k.angular),
@@ -77,20 +90,24 @@ constexpr auto reflected(Prismatic, const Link& link, const I& i, const U& u, co
 
 /// Bias that passes a joint: p + N zeta + K u; along the joint it is p J/D + K_s tau, which is tau without a rotor.
 template <class Link, class P, class N, class Z, class K, class U, class S>
-constexpr auto passed_bias(Revolute, const Link& link, const P& p, const N& n, const Z& zeta, const K& k, const U& u, const S& axis) {
+constexpr auto passed_bias(Revolute, const Link& link, const P& p, const N& n, const Z& zeta, const K& k, const U& u,
+                           const S& axis) {
   using namespace quantity;
   const Vec3 carried{p.moment.x, p.moment.y, axis};
   const Vec3 gained{k.angular.x * u, k.angular.y * u, Zero{}};
-  return ForceVector{link.sum(Moment{}, carried, n.angular * zeta.angular, n.coupling * zeta.linear, gained),
-                     link.sum(Force{}, p.force, transpose_times(n.coupling, zeta.angular), n.linear * zeta.linear, u * k.linear)};
+  return ForceVector{
+      link.sum(Moment{}, carried, n.angular * zeta.angular, n.coupling * zeta.linear, gained),
+      link.sum(Force{}, p.force, transpose_times(n.coupling, zeta.angular), n.linear * zeta.linear, u * k.linear)};
 }
 template <class Link, class P, class N, class Z, class K, class U, class S>
-constexpr auto passed_bias(Prismatic, const Link& link, const P& p, const N& n, const Z& zeta, const K& k, const U& u, const S& axis) {
+constexpr auto passed_bias(Prismatic, const Link& link, const P& p, const N& n, const Z& zeta, const K& k, const U& u,
+                           const S& axis) {
   using namespace quantity;
   const Vec3 carried{p.force.x, p.force.y, axis};
   const Vec3 gained{k.linear.x * u, k.linear.y * u, Zero{}};
-  return ForceVector{link.sum(Moment{}, p.moment, n.angular * zeta.angular, n.coupling * zeta.linear, u * k.angular),
-                     link.sum(Force{}, carried, transpose_times(n.coupling, zeta.angular), n.linear * zeta.linear, gained)};
+  return ForceVector{
+      link.sum(Moment{}, p.moment, n.angular * zeta.angular, n.coupling * zeta.linear, u * k.angular),
+      link.sum(Force{}, carried, transpose_times(n.coupling, zeta.angular), n.linear * zeta.linear, gained)};
 }
 
 /// Everything that a joint's reflection yields.
@@ -107,9 +124,13 @@ Reflection(I, P, K, U, bool) -> Reflection<I, P, K, U>;
 
 /// Composite inertia that a joint's D is compared with: about the axis (bounded by the polar moment), or the mass.
 template <class R>
-constexpr auto singularity_scale(Revolute, const R& reach) { return reach.polar; }
+constexpr auto singularity_scale(Revolute, const R& reach) {
+  return reach.polar;
+}
 template <class R>
-constexpr auto singularity_scale(Prismatic, const R& reach) { return reach.mass; }
+constexpr auto singularity_scale(Prismatic, const R& reach) {
+  return reach.mass;
+}
 
 namespace detail {
 
@@ -122,9 +143,13 @@ constexpr auto gain_vector(Prismatic, const K& k, const KS& axis) {
   return MotionVector{k.angular, Vec3{k.linear.x, k.linear.y, axis}};
 }
 template <class P>
-constexpr auto axis_force(Revolute, const P& p) { return p.moment.z; }
+constexpr auto axis_force(Revolute, const P& p) {
+  return p.moment.z;
+}
 template <class P>
-constexpr auto axis_force(Prismatic, const P& p) { return p.force.z; }
+constexpr auto axis_force(Prismatic, const P& p) {
+  return p.force.z;
+}
 
 }  // namespace detail
 
@@ -135,9 +160,9 @@ struct Resistance {
   bool singular;
 };
 
-/// In floating point: D below 16 eps times the composite inertia `scale` is singular; where not even eps^2 of it is left,
-/// 1/D is taken as 0, so that the result stays finite. Both are selected, not branched on. Number systems that know a
-/// lower bound of D overload it.
+/// In floating point: D below 16 eps times the composite inertia `scale` is singular; where not even eps^2 of it is
+/// left, 1/D is taken as 0, so that the result stays finite. Both are selected, not branched on. Number systems that
+/// know a lower bound of D overload it.
 template <class T, class Scale>
 constexpr Resistance<T> resistance(const T& d, const Scale& scale) {
   const T eps = NumberTraits<T>::epsilon();
@@ -146,7 +171,8 @@ constexpr Resistance<T> resistance(const T& d, const Scale& scale) {
 
 /// Reflection of an articulated body (inertia, bias p) across its joint, driven by the effort tau; D = I_ss + rotor.
 template <class Joint, class Link, class I, class P, class Z, class Tau, class Scale>
-constexpr auto reflection(Joint joint, const Link& link, const I& inertia, const P& p, const Z& zeta, const Tau& tau, const Scale& scale) {
+constexpr auto reflection(Joint joint, const Link& link, const I& inertia, const P& p, const Z& zeta, const Tau& tau,
+                          const Scale& scale) {
   using namespace quantity;
   const auto rotor = link.rotor();
   const auto own = detail::axis_inertia(joint, inertia);
@@ -171,8 +197,12 @@ constexpr auto gain_times(const K& k, const M& motion) {
 
 /// A joint acceleration as a motion of its link.
 template <class A>
-constexpr auto along_axis(Revolute, const A& qdd) { return MotionVector{along_z(qdd), ZeroVec3{}}; }
+constexpr auto along_axis(Revolute, const A& qdd) {
+  return MotionVector{along_z(qdd), ZeroVec3{}};
+}
 template <class A>
-constexpr auto along_axis(Prismatic, const A& qdd) { return MotionVector{ZeroVec3{}, along_z(qdd)}; }
+constexpr auto along_axis(Prismatic, const A& qdd) {
+  return MotionVector{ZeroVec3{}, along_z(qdd)};
+}
 
 }  // namespace axial

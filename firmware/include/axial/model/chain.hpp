@@ -18,9 +18,13 @@ struct FixedPose {
 };
 
 /// Pose of frame 0 in the user's world frame. Only poses and Jacobians see it.
-struct Base { FixedPose pose; };
+struct Base {
+  FixedPose pose;
+};
 /// Pose of the tool in the last link's frame. Only poses and Jacobians see it.
-struct Tool { FixedPose pose; };
+struct Tool {
+  FixedPose pose;
+};
 
 constexpr Base base(double x, double y, double z) { return {{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}}}; }
 constexpr Base base(const FixedPose& pose) { return {pose}; }
@@ -37,9 +41,7 @@ struct Chain {
   Tool tool{};
 
   /// Index of the link that carries joint i, or LinkParameters::base.
-  constexpr int parent(int i) const {
-    return links[i].parent == LinkParameters::previous ? i - 1 : links[i].parent;
-  }
+  constexpr int parent(int i) const { return links[i].parent == LinkParameters::previous ? i - 1 : links[i].parent; }
 };
 
 namespace detail {
@@ -58,25 +60,38 @@ constexpr bool finite(const double* values, int count) {
 
 constexpr void check_geometry(const LinkParameters& p, int index) {
   if (!finite(p.a) || !finite(p.d)) malformed_robot("axial: a or d of a link is not finite; give it in metres");
-  if (!finite(p.alpha.radians) || !finite(p.theta.radians)) malformed_robot("axial: alpha or theta of a link is not finite; give radians, or degrees with alpha_deg and theta_deg");
-  if (p.parent != LinkParameters::previous && (p.parent < LinkParameters::base || p.parent >= index)) malformed_robot("axial: parent() of a link must name an earlier link or LinkParameters::base; list links from the base outwards");
+  if (!finite(p.alpha.radians) || !finite(p.theta.radians))
+    malformed_robot(
+        "axial: alpha or theta of a link is not finite; give radians, or degrees with alpha_deg and theta_deg");
+  if (p.parent != LinkParameters::previous && (p.parent < LinkParameters::base || p.parent >= index))
+    malformed_robot(
+        "axial: parent() of a link must name an earlier link or LinkParameters::base; list links from the base "
+        "outwards");
 }
 
 constexpr void check_inertia(const LinkParameters& p) {
-  if (!finite(p.mass) || !finite(p.com, 3) || !finite(p.inertia_com, 6)) malformed_robot("axial: mass, com or inertia of a link is not finite; give kg, m and kg m^2");
-  if (p.mass < 0.0) malformed_robot("axial: the mass of a link is negative; give kg >= 0, a massless link has mass(0.0)");
-  if (!finite(p.rotor_inertia) || !finite(p.gear)) malformed_robot("axial: rotor_inertia of a link is not finite; give kg m^2 on the motor side and the gear ratio");
-  if (p.rotor_inertia < 0.0) malformed_robot("axial: rotor_inertia of a link is negative; give kg m^2 >= 0 on the motor side");
+  if (!finite(p.mass) || !finite(p.com, 3) || !finite(p.inertia_com, 6))
+    malformed_robot("axial: mass, com or inertia of a link is not finite; give kg, m and kg m^2");
+  if (p.mass < 0.0)
+    malformed_robot("axial: the mass of a link is negative; give kg >= 0, a massless link has mass(0.0)");
+  if (!finite(p.rotor_inertia) || !finite(p.gear))
+    malformed_robot("axial: rotor_inertia of a link is not finite; give kg m^2 on the motor side and the gear ratio");
+  if (p.rotor_inertia < 0.0)
+    malformed_robot("axial: rotor_inertia of a link is negative; give kg m^2 >= 0 on the motor side");
 }
 
 constexpr void check_friction(const LinkParameters& p) {
-  if (!finite(p.viscous) || !finite(p.coulomb_forward) || !finite(p.coulomb_backward)) malformed_robot("axial: friction of a link is not finite; give viscous() and coulomb() on the joint side");
-  if (p.viscous < 0.0) malformed_robot("axial: viscous friction of a link is negative and would feed energy in; give a value >= 0");
-  if (p.coulomb_forward < 0.0 || p.coulomb_backward > 0.0) malformed_robot("axial: coulomb friction of a link feeds energy in; give coulomb(forward >= 0, backward <= 0)");
+  if (!finite(p.viscous) || !finite(p.coulomb_forward) || !finite(p.coulomb_backward))
+    malformed_robot("axial: friction of a link is not finite; give viscous() and coulomb() on the joint side");
+  if (p.viscous < 0.0)
+    malformed_robot("axial: viscous friction of a link is negative and would feed energy in; give a value >= 0");
+  if (p.coulomb_forward < 0.0 || p.coulomb_backward > 0.0)
+    malformed_robot("axial: coulomb friction of a link feeds energy in; give coulomb(forward >= 0, backward <= 0)");
 }
 
 constexpr void check_limits(const LinkParameters& p) {
-  if (!(p.position_min < p.position_max)) malformed_robot("axial: position_limits of a link are upside down; give position_limits(min, max) with min < max");
+  if (!(p.position_min < p.position_max))
+    malformed_robot("axial: position_limits of a link are upside down; give position_limits(min, max) with min < max");
   if (!(p.speed_limit > 0.0)) malformed_robot("axial: speed_limit of a link must be > 0");
   if (!(p.acceleration_limit > 0.0)) malformed_robot("axial: acceleration_limit of a link must be > 0");
   if (!(p.effort_limit > 0.0)) malformed_robot("axial: effort_limit of a link must be > 0");
@@ -90,12 +105,15 @@ constexpr void check_link(const LinkParameters& p, int index) {
 }
 
 constexpr void check_pose(const FixedPose& pose) {
-  if (!finite(pose.rotation, 9) || !finite(pose.position, 3)) malformed_robot("axial: base or tool pose is not finite; give metres and a rotation matrix");
+  if (!finite(pose.rotation, 9) || !finite(pose.position, 3))
+    malformed_robot("axial: base or tool pose is not finite; give metres and a rotation matrix");
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j) {
       double dot = i == j ? -1.0 : 0.0;
-      for (int k = 0; k < 3; ++k) dot += pose.rotation[3 * i + k] * pose.rotation[3 * j + k];
-      if (dot > 1e-6 || dot < -1e-6) malformed_robot("axial: base or tool rotation is not orthonormal; give a rotation matrix, row major");
+      for (int k = 0; k < 3; ++k)
+        dot += pose.rotation[3 * i + k] * pose.rotation[3 * j + k];
+      if (dot > 1e-6 || dot < -1e-6)
+        malformed_robot("axial: base or tool rotation is not orthonormal; give a rotation matrix, row major");
     }
 }
 
@@ -112,7 +130,8 @@ struct ChainBuilder {
     chain.links[next++] = link.parameters();
   }
   constexpr void add(const GravityVector& g) {
-    if (!finite(g.x) || !finite(g.y) || !finite(g.z)) malformed_robot("axial: gravity is not finite; give gravity(x, y, z) in m/s^2");
+    if (!finite(g.x) || !finite(g.y) || !finite(g.z))
+      malformed_robot("axial: gravity is not finite; give gravity(x, y, z) in m/s^2");
     chain.gravity = g;
   }
   constexpr void add(const Base& base) {

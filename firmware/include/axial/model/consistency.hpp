@@ -16,7 +16,8 @@ constexpr bool physically_consistent(const double (&j)[6], double mass, double t
   const double xy = -j[3], xz = -j[4], yz = -j[5];
   const double minor_xy = xx * yy - xy * xy, minor_xz = xx * zz - xz * xz, minor_yz = yy * zz - yz * yz;
   const double determinant = xx * minor_yz - xy * (xy * zz - xz * yz) + xz * (xy * yz - xz * yy);
-  return xx >= 0.0 && yy >= 0.0 && zz >= 0.0 && minor_xy >= 0.0 && minor_xz >= 0.0 && minor_yz >= 0.0 && determinant >= 0.0;
+  return xx >= 0.0 && yy >= 0.0 && zz >= 0.0 && minor_xy >= 0.0 && minor_xz >= 0.0 && minor_yz >= 0.0 &&
+         determinant >= 0.0;
 }
 
 /// Index of the first link of a robot that no distribution of mass >= 0 has, or -1.

@@ -16,25 +16,26 @@ struct LinkParameters {
   static constexpr int base = -1;      ///< parent: the fixed base
 
   JointType type = JointType::revolute;
-  int parent = previous;                                ///< index of the link that carries this joint, or base
-  double a = 0.0;                                       ///< m, along x of frame i-1
-  Angle alpha;                                          ///< rad, about x of frame i-1
-  double d = 0.0;                                       ///< m, along z of frame i; a prismatic joint's offset
-  Angle theta;                                          ///< rad, about z of frame i; a revolute joint's offset
-  double mass = 0.0;                                    ///< kg
-  double com[3] = {0.0, 0.0, 0.0};                      ///< m, centre of mass in frame i
-  double inertia_com[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};  ///< kg m^2: xx yy zz xy xz yz about the centre of mass,
-                                                        ///< tensor entries (products with their sign), axes of frame i
-  double rotor_inertia = 0.0;                           ///< kg m^2, on the motor side
-  double gear = 1.0;                                    ///< motor turns per joint turn
-  double viscous = 0.0;                                 ///< N m s/rad or N s/m, on the joint side
-  double coulomb_forward = 0.0;                         ///< N m or N, friction while moving forward (>= 0)
-  double coulomb_backward = 0.0;                        ///< N m or N, friction while moving backward (<= 0)
-  double position_min = -unlimited;                     ///< rad or m
-  double position_max = unlimited;                      ///< rad or m
-  double speed_limit = unlimited;                       ///< rad/s or m/s
-  double acceleration_limit = unlimited;                ///< rad/s^2 or m/s^2
-  double effort_limit = unlimited;                      ///< N m or N
+  int parent = previous;            ///< index of the link that carries this joint, or base
+  double a = 0.0;                   ///< m, along x of frame i-1
+  Angle alpha;                      ///< rad, about x of frame i-1
+  double d = 0.0;                   ///< m, along z of frame i; a prismatic joint's offset
+  Angle theta;                      ///< rad, about z of frame i; a revolute joint's offset
+  double mass = 0.0;                ///< kg
+  double com[3] = {0.0, 0.0, 0.0};  ///< m, centre of mass in frame i
+  double inertia_com[6] = {
+      0.0, 0.0, 0.0, 0.0, 0.0, 0.0};      ///< kg m^2: xx yy zz xy xz yz about the centre of mass,
+                                          ///< tensor entries (products with their sign), axes of frame i
+  double rotor_inertia = 0.0;             ///< kg m^2, on the motor side
+  double gear = 1.0;                      ///< motor turns per joint turn
+  double viscous = 0.0;                   ///< N m s/rad or N s/m, on the joint side
+  double coulomb_forward = 0.0;           ///< N m or N, friction while moving forward (>= 0)
+  double coulomb_backward = 0.0;          ///< N m or N, friction while moving backward (<= 0)
+  double position_min = -unlimited;       ///< rad or m
+  double position_max = unlimited;        ///< rad or m
+  double speed_limit = unlimited;         ///< rad/s or m/s
+  double acceleration_limit = unlimited;  ///< rad/s^2 or m/s^2
+  double effort_limit = unlimited;        ///< N m or N
 };
 
 /// Fluent builder of LinkParameters; every call returns a changed copy. Start with revolute() or prismatic().
@@ -45,25 +46,40 @@ class Link {
   constexpr const LinkParameters& parameters() const { return p_; }
 
   /// Link length in m: distance from frame i-1 to the joint axis, along x of frame i-1.
-  constexpr Link a(double metres) const { return with([&](auto& p) { p.a = metres; }); }
+  constexpr Link a(double metres) const {
+    return with([&](auto& p) { p.a = metres; });
+  }
   /// Link twist in radians, about x of frame i-1. Use alpha_deg for right angles.
-  constexpr Link alpha(double radians) const { return with([&](auto& p) { p.alpha = Angle::from_radians(radians); }); }
+  constexpr Link alpha(double radians) const {
+    return with([&](auto& p) { p.alpha = Angle::from_radians(radians); });
+  }
   /// Link twist in degrees; 0, 90, 180, -90 are exact and cost nothing.
-  constexpr Link alpha_deg(double degrees) const { return with([&](auto& p) { p.alpha = Angle::from_degrees(degrees); }); }
+  constexpr Link alpha_deg(double degrees) const {
+    return with([&](auto& p) { p.alpha = Angle::from_degrees(degrees); });
+  }
   /// Joint offset in m along z of frame i; for a prismatic joint the offset added to its position.
-  constexpr Link d(double metres) const { return with([&](auto& p) { p.d = metres; }); }
+  constexpr Link d(double metres) const {
+    return with([&](auto& p) { p.d = metres; });
+  }
   /// Angle in radians about z of frame i; for a revolute joint the offset added to its position.
-  constexpr Link theta(double radians) const { return with([&](auto& p) { p.theta = Angle::from_radians(radians); }); }
+  constexpr Link theta(double radians) const {
+    return with([&](auto& p) { p.theta = Angle::from_radians(radians); });
+  }
   /// The same in degrees, exact for multiples of 90.
-  constexpr Link theta_deg(double degrees) const { return with([&](auto& p) { p.theta = Angle::from_degrees(degrees); }); }
+  constexpr Link theta_deg(double degrees) const {
+    return with([&](auto& p) { p.theta = Angle::from_degrees(degrees); });
+  }
 
   /// Mass in kg; 0 is legitimate.
-  constexpr Link mass(double kg) const { return with([&](auto& p) { p.mass = kg; }); }
+  constexpr Link mass(double kg) const {
+    return with([&](auto& p) { p.mass = kg; });
+  }
   /// Centre of mass in m, in frame i.
   constexpr Link com(double x, double y, double z) const {
     return with([&](auto& p) { p.com[0] = x, p.com[1] = y, p.com[2] = z; });
   }
-  /// Inertia tensor in kg m^2 about the centre of mass, axes of frame i; products are tensor entries (-integral x y dm).
+  /// Inertia tensor in kg m^2 about the centre of mass, axes of frame i; products are tensor entries (-integral x y
+  /// dm).
   constexpr Link inertia_com(double xx, double yy, double zz, double xy = 0.0, double xz = 0.0, double yz = 0.0) const {
     return with([&](auto& p) {
       p.inertia_com[0] = xx, p.inertia_com[1] = yy, p.inertia_com[2] = zz;
@@ -71,10 +87,11 @@ class Link {
     });
   }
   /// Inertia tensor in kg m^2 about the origin of frame i; give mass and com before it.
-  constexpr Link inertia_origin(double xx, double yy, double zz, double xy = 0.0, double xz = 0.0, double yz = 0.0) const {
+  constexpr Link inertia_origin(double xx, double yy, double zz, double xy = 0.0, double xz = 0.0,
+                                double yz = 0.0) const {
     const double m = p_.mass, x = p_.com[0], y = p_.com[1], z = p_.com[2];
-    return inertia_com(xx - m * (y * y + z * z), yy - m * (x * x + z * z), zz - m * (x * x + y * y),
-                       xy + m * x * y, xz + m * x * z, yz + m * y * z);
+    return inertia_com(xx - m * (y * y + z * z), yy - m * (x * x + z * z), zz - m * (x * x + y * y), xy + m * x * y,
+                       xz + m * x * z, yz + m * y * z);
   }
 
   /// Rotor inertia in kg m^2 on the motor side and gear ratio (motor turns a joint turn): adds gear^2 J to the joint.
@@ -82,7 +99,9 @@ class Link {
     return with([&](auto& p) { p.rotor_inertia = kg_m2, p.gear = gear; });
   }
   /// Viscous friction on the joint side, N m s/rad or N s/m.
-  constexpr Link viscous(double coefficient) const { return with([&](auto& p) { p.viscous = coefficient; }); }
+  constexpr Link viscous(double coefficient) const {
+    return with([&](auto& p) { p.viscous = coefficient; });
+  }
   /// Coulomb friction on the joint side, N m or N, the same in both directions; 0 at rest.
   constexpr Link coulomb(double magnitude) const { return coulomb(magnitude, -magnitude); }
   /// Coulomb friction torque while moving forward (>= 0) and while moving backward (<= 0).
@@ -95,14 +114,22 @@ class Link {
     return with([&](auto& p) { p.position_min = min, p.position_max = max; });
   }
   /// Largest speed, rad/s or m/s.
-  constexpr Link speed_limit(double max) const { return with([&](auto& p) { p.speed_limit = max; }); }
+  constexpr Link speed_limit(double max) const {
+    return with([&](auto& p) { p.speed_limit = max; });
+  }
   /// Largest acceleration, rad/s^2 or m/s^2.
-  constexpr Link acceleration_limit(double max) const { return with([&](auto& p) { p.acceleration_limit = max; }); }
+  constexpr Link acceleration_limit(double max) const {
+    return with([&](auto& p) { p.acceleration_limit = max; });
+  }
   /// Largest effort, N m or N.
-  constexpr Link effort_limit(double max) const { return with([&](auto& p) { p.effort_limit = max; }); }
+  constexpr Link effort_limit(double max) const {
+    return with([&](auto& p) { p.effort_limit = max; });
+  }
 
   /// Index of the link that carries this joint (0 is the first), or LinkParameters::base. Default: the link before.
-  constexpr Link parent(int index) const { return with([&](auto& p) { p.parent = index; }); }
+  constexpr Link parent(int index) const {
+    return with([&](auto& p) { p.parent = index; });
+  }
 
  private:
   template <class Change>

@@ -10,12 +10,12 @@ template <class T>
 struct LinkConstants {
   bool prismatic = false;
   int parent = -1;
-  T cos_alpha{}, sin_alpha{}, a{};          ///< x-screw
-  T cos_theta{}, sin_theta{}, theta{}, d{};  ///< constant part of the z-screw
-  T mass{}, hx{}, hy{}, hz{};               ///< kg, first moment in kg m
+  T cos_alpha{}, sin_alpha{}, a{};             ///< x-screw
+  T cos_theta{}, sin_theta{}, theta{}, d{};    ///< constant part of the z-screw
+  T mass{}, hx{}, hy{}, hz{};                  ///< kg, first moment in kg m
   T jxx{}, jyy{}, jzz{}, jxy{}, jxz{}, jyz{};  ///< inertia about the frame's origin, kg m^2
-  T jzz_jyy{}, jxx_jzz{}, jyy_jxx{};        ///< its differences, which the gyroscopic moments use
-  T rotor{};                                ///< gear^2 J on the joint, kg m^2 or kg
+  T jzz_jyy{}, jxx_jzz{}, jyy_jxx{};           ///< its differences, which the gyroscopic moments use
+  T rotor{};                                   ///< gear^2 J on the joint, kg m^2 or kg
   T viscous{}, coulomb_forward{}, coulomb_backward{};
 };
 
@@ -44,14 +44,32 @@ constexpr LinkConstants<double> link_constants(const LinkParameters& p, int pare
 template <class T>
 constexpr LinkConstants<T> converted(const LinkConstants<double>& c) {
   using N = NumberTraits<T>;
-  return {c.prismatic, c.parent,
-          N::constant(c.cos_alpha), N::constant(c.sin_alpha), N::constant(c.a),
-          N::constant(c.cos_theta), N::constant(c.sin_theta), N::constant(c.theta), N::constant(c.d),
-          N::constant(c.mass), N::constant(c.hx), N::constant(c.hy), N::constant(c.hz),
-          N::constant(c.jxx), N::constant(c.jyy), N::constant(c.jzz),
-          N::constant(c.jxy), N::constant(c.jxz), N::constant(c.jyz),
-          N::constant(c.jzz_jyy), N::constant(c.jxx_jzz), N::constant(c.jyy_jxx),
-          N::constant(c.rotor), N::constant(c.viscous), N::constant(c.coulomb_forward), N::constant(c.coulomb_backward)};
+  return {c.prismatic,
+          c.parent,
+          N::constant(c.cos_alpha),
+          N::constant(c.sin_alpha),
+          N::constant(c.a),
+          N::constant(c.cos_theta),
+          N::constant(c.sin_theta),
+          N::constant(c.theta),
+          N::constant(c.d),
+          N::constant(c.mass),
+          N::constant(c.hx),
+          N::constant(c.hy),
+          N::constant(c.hz),
+          N::constant(c.jxx),
+          N::constant(c.jyy),
+          N::constant(c.jzz),
+          N::constant(c.jxy),
+          N::constant(c.jxz),
+          N::constant(c.jyz),
+          N::constant(c.jzz_jyy),
+          N::constant(c.jxx_jzz),
+          N::constant(c.jyy_jxx),
+          N::constant(c.rotor),
+          N::constant(c.viscous),
+          N::constant(c.coulomb_forward),
+          N::constant(c.coulomb_backward)};
 }
 
 }  // namespace axial

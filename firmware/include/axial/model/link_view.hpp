@@ -46,7 +46,9 @@ class LinkAccess {
 
  public:
   constexpr auto x() const {
-    return x_screw(self().template get<&C::cos_alpha>(), self().template get<&C::sin_alpha>(), self().template get<&C::a>());
+    return x_screw(self().template get<&C::cos_alpha>(), self().template get<&C::sin_alpha>(),
+                   self().template get<&C::a>())
+        .with_turn(self().template beyond_45_degrees<&C::sin_alpha>());
   }
   constexpr auto mass() const { return self().template get<&C::mass>(); }
   constexpr auto first_moment() const {
@@ -59,11 +61,14 @@ class LinkAccess {
   constexpr auto body() const { return RigidInertia{mass(), first_moment(), inertia()}; }
   /// (Jzz - Jyy, Jxx - Jzz, Jyy - Jxx).
   constexpr auto inertia_differences() const {
-    return Vec3{self().template get<&C::jzz_jyy>(), self().template get<&C::jxx_jzz>(), self().template get<&C::jyy_jxx>()};
+    return Vec3{self().template get<&C::jzz_jyy>(), self().template get<&C::jxx_jzz>(),
+                self().template get<&C::jyy_jxx>()};
   }
   constexpr auto rotor() const {
-    if constexpr (View::Scene::template has<RotorInertia>) return self().template get<&C::rotor>();
-    else return Zero{};
+    if constexpr (View::Scene::template has<RotorInertia>)
+      return self().template get<&C::rotor>();
+    else
+      return Zero{};
   }
   constexpr auto viscous() const { return self().template get<&C::viscous>(); }
   constexpr auto coulomb_forward() const { return self().template get<&C::coulomb_forward>(); }
@@ -92,7 +97,8 @@ class LinkAccess {
   template <class Q>
   constexpr auto joint_screw(Prismatic, const Q& q) const {
     return z_screw(self().template get<&C::cos_theta>(), self().template get<&C::sin_theta>(),
-                   self().template get<&C::d>() + q);
+                   self().template get<&C::d>() + q)
+        .with_turn(self().template beyond_45_degrees<&C::sin_theta>());
   }
 };
 
@@ -110,15 +116,25 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T>, double
   static constexpr auto get() {
     return literal<T>([] { return detail::robot_constants<typename Scene::Robot>.links[I].*M; });
   }
+  /// Whether a constant turn is nearer to a quarter turn than to none, as a type.
+  template <detail::Member<double> Sine>
+  static constexpr auto beyond_45_degrees() {
+    constexpr double sine = detail::robot_constants<typename Scene::Robot>.links[I].*Sine;
+    return std::bool_constant<(sine * sine > 0.5)>{};
+  }
   /// Calls f with the kind of this joint.
   template <class F>
   static constexpr auto on_joint(const F& f) {
-    if constexpr (detail::robot_constants<typename Scene::Robot>.links[I].prismatic) return f(Prismatic{});
-    else return f(Revolute{});
+    if constexpr (detail::robot_constants<typename Scene::Robot>.links[I].prismatic)
+      return f(Prismatic{});
+    else
+      return f(Revolute{});
   }
   /// The form in which this view keeps a result: with its structural zeros.
   template <class V>
-  static constexpr const V& shape(const V& v) { return v; }
+  static constexpr const V& shape(const V& v) {
+    return v;
+  }
 };
 
 /// Row of a table of links: plain numbers. One step serves all links, so results are kept as plain numbers too.
@@ -134,8 +150,14 @@ class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source>, Sou
 
   template <detail::Member<Source> M>
   constexpr T get() const {
-    if constexpr (std::is_same_v<T, Source>) return row.*M;
-    else return NumberTraits<T>::constant(row.*M);
+    if constexpr (std::is_same_v<T, Source>)
+      return row.*M;
+    else
+      return NumberTraits<T>::constant(row.*M);
+  }
+  template <detail::Member<Source>>
+  static constexpr AnyTurn beyond_45_degrees() {
+    return {};
   }
   template <class F>
   constexpr auto on_joint(const F& f) const {
@@ -144,8 +166,10 @@ class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source>, Sou
   }
   template <class V>
   static constexpr auto shape(const V& v) {
-    if constexpr (is_scalar_v<V>) return T(v);
-    else return v.template dense<T>();
+    if constexpr (is_scalar_v<V>)
+      return T(v);
+    else
+      return v.template dense<T>();
   }
 };
 

@@ -17,14 +17,17 @@ struct StaticLinks {
 
   static constexpr int size() { return capacity; }
   template <int I>
-  static constexpr auto link(Index<I>) { return StaticLink<Scene, I, Scalar>{}; }
+  static constexpr auto link(Index<I>) {
+    return StaticLink<Scene, I, Scalar>{};
+  }
   template <int I>
   static constexpr int parent_of = Scene::Robot::chain.parent(I);
   static constexpr int parent_index(int i) { return Scene::Robot::chain.parent(i); }
   /// Acceleration of the base that stands for gravity, -g in frame 0.
   static constexpr auto base_acceleration() {
     if constexpr (Scene::template has<Gravity>) {
-      return Vec3{literal<Scalar>([] { return -Scene::Robot::chain.gravity.x; }), literal<Scalar>([] { return -Scene::Robot::chain.gravity.y; }),
+      return Vec3{literal<Scalar>([] { return -Scene::Robot::chain.gravity.x; }),
+                  literal<Scalar>([] { return -Scene::Robot::chain.gravity.y; }),
                   literal<Scalar>([] { return -Scene::Robot::chain.gravity.z; })};
     } else {
       return ZeroVec3{};
@@ -85,8 +88,10 @@ class TableLinks {
   constexpr Vec3<Scalar> base_acceleration() const {
     using N = NumberTraits<Scalar>;
     const auto& g = mounting_.gravity;
-    if constexpr (Scene::template has<Gravity>) return {N::constant(-g.x), N::constant(-g.y), N::constant(-g.z)};
-    else return ZeroVec3{};
+    if constexpr (Scene::template has<Gravity>)
+      return {N::constant(-g.x), N::constant(-g.y), N::constant(-g.z)};
+    else
+      return ZeroVec3{};
   }
   constexpr auto base_pose() const { return pose_of<Scalar>(mounting_.base); }
   constexpr const FixedPose& tool_pose() const { return mounting_.tool; }
@@ -120,7 +125,7 @@ constexpr auto links_of() {
   using Robot = typename Scene::Robot;
   if constexpr (Scene::template has<Looped>) {
     return TableLinks<Scene, T, T, Robot::chain.size>(detail::robot_table<Robot, T>.links, Robot::chain.size,
-                                                     detail::robot_mounting<Robot>);
+                                                      detail::robot_mounting<Robot>);
   } else {
     return StaticLinks<Scene, T>{};
   }

@@ -6,8 +6,9 @@
 namespace axial {
 
 /// Up to N links, filled at run time; the algorithms run over it in their looped form. Stands where a robot or scene
-/// stands: `inverse_dynamics(model, q, qd, qdd)` with `Joints<Model<N>, T>`. Features as for Scene; without any, gravity
-/// and rotor inertia. No allocation; add() says false where a link is refused (full, or its parent is not before it).
+/// stands: `inverse_dynamics(model, q, qd, qdd)` with `Joints<Model<N>, T>`. Features as for Scene; without any,
+/// gravity and rotor inertia. No allocation; add() says false where a link is refused (full, or its parent is not
+/// before it).
 template <int N, class... Features>
 class Model {
  public:

@@ -10,7 +10,7 @@ namespace axial {
 template <class S, class T>
 struct Separated {
   static constexpr int size = joint_count<S>;
-  static constexpr int pairs = size > 1 ? size * (size - 1) / 2 : 1;
+  static constexpr int pairs = size > 1 ? size*(size - 1) / 2 : 1;
   T A[size][size];   ///< mass matrix, kg m^2 (kg m, kg)
   T B[size][pairs];  ///< Coriolis
   T C[size][size];   ///< centrifugal

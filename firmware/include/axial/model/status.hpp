@@ -7,12 +7,12 @@ namespace axial {
 struct Status {
   enum class Code : unsigned char {
     ok = 0,
-    near_singular = 1,       ///< forward dynamics: the joint's inertia is lost in rounding
-    not_finite = 2,          ///< an input is NaN or infinite
-    position_limit = 3,      ///< outside the declared limits
+    near_singular = 1,   ///< forward dynamics: the joint's inertia is lost in rounding
+    not_finite = 2,      ///< an input is NaN or infinite
+    position_limit = 3,  ///< outside the declared limits
     speed_limit = 4,
     acceleration_limit = 5,
-    effort_limit = 6,        ///< the result was clamped to the declared effort
+    effort_limit = 6,  ///< the result was clamped to the declared effort
   };
   Code code = Code::ok;
   int joint = -1;

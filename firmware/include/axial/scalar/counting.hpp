@@ -36,7 +36,8 @@ class Trace {
   /// Number of operations that the needed values depend on.
   constexpr Operations operations() const {
     bool live[capacity] = {};
-    for (int i = 0; i < size_; ++i) live[i] = live_[i];
+    for (int i = 0; i < size_; ++i)
+      live[i] = live_[i];
     Operations total;
     for (int i = size_; i-- > 0;) {
       if (!live[i]) continue;
@@ -52,8 +53,8 @@ class Trace {
   static constexpr int capacity = 12288;
 
   static constexpr bool same(const Node& a, const Node& b) {
-    return a.kind != Kind::input && a.kind == b.kind && a.left == b.left && a.right == b.right && !(a.value < b.value) &&
-           !(b.value < a.value);
+    return a.kind != Kind::input && a.kind == b.kind && a.left == b.left && a.right == b.right &&
+           !(a.value < b.value) && !(b.value < a.value);
   }
   constexpr int push(const Node& node) {
     if (size_ < capacity) nodes_[size_++] = node;
@@ -61,13 +62,24 @@ class Trace {
   }
   constexpr void tally(Operations& total, int i, const bool (&live)[capacity]) const {
     switch (nodes_[i].kind) {
-      case Kind::mul: ++total.mul; break;
+      case Kind::mul:
+        ++total.mul;
+        break;
       case Kind::add:
-      case Kind::sub: ++total.add; break;
-      case Kind::div: ++total.div; break;
-      case Kind::cosine: ++total.sincos; break;
-      case Kind::sine: total.sincos += pair_is_needed(i, live) ? 0 : 1; break;
-      default: break;
+      case Kind::sub:
+        ++total.add;
+        break;
+      case Kind::div:
+        ++total.div;
+        break;
+      case Kind::cosine:
+        ++total.sincos;
+        break;
+      case Kind::sine:
+        total.sincos += pair_is_needed(i, live) ? 0 : 1;
+        break;
+      default:
+        break;
     }
   }
   // A sine whose cosine is needed too costs nothing more.
@@ -108,15 +120,22 @@ class Counting {
   friend constexpr Counting operator+(Counting a, Counting b) { return combine(Kind::add, a, b, a.value_ + b.value_); }
   friend constexpr Counting operator-(Counting a, Counting b) { return combine(Kind::sub, a, b, a.value_ - b.value_); }
   constexpr Counting operator-() const { return apply(Kind::neg, -value_); }
-  // Comparisons are not arithmetic; they say what a healthy state says.
-  friend constexpr bool operator<(Counting, Counting) { return false; }
-  friend constexpr bool operator>(Counting, Counting) { return true; }
+  // Comparisons are not arithmetic. Between constants they are true; else they say what a healthy state says.
+  friend constexpr bool operator<(Counting a, Counting b) {
+    return a.is_constant() && b.is_constant() && a.value_ < b.value_;
+  }
+  friend constexpr bool operator>(Counting a, Counting b) {
+    return !(a.is_constant() && b.is_constant()) || a.value_ > b.value_;
+  }
 
-  friend constexpr SinCos<Counting> sincos(Counting x) { return {x.apply(Kind::sine, 0.0), x.apply(Kind::cosine, 0.0)}; }
+  friend constexpr SinCos<Counting> sincos(Counting x) {
+    return {x.apply(Kind::sine, 0.0), x.apply(Kind::cosine, 0.0)};
+  }
 
  private:
   constexpr Counting(Trace& trace, const Trace::Node& node) : trace_(&trace), node_(trace.record(node)) {}
 
+  constexpr bool is_constant() const { return trace_ == nullptr; }
   constexpr int node_in(Trace& trace) const {
     return trace_ != nullptr ? node_ : trace.record({Kind::constant, -1, -1, value_});
   }

@@ -25,8 +25,10 @@ struct TrigonometricConstants<float> {
   static constexpr float two_over_pi = 0.63661977F;
   static constexpr float pieces[3] = {0x1.92p+0F, 0x1.fb4p-12F, 0x1.4442d2p-24F};
   static constexpr float rounder = 0x1.8p+23F;
-  static constexpr float sine[] = {-0.166666548733002685F, 0.00833217353549626166F, -0.000195166550433800746F};  // 3.6e-9
-  static constexpr float cosine[] = {0.0416666467473967017F, -0.00138873614349370836F, 0.0000244377286253442746F};  // 1e-10
+  static constexpr float sine[] = {-0.166666548733002685F, 0.00833217353549626166F,
+                                   -0.000195166550433800746F};  // 3.6e-9
+  static constexpr float cosine[] = {0.0416666467473967017F, -0.00138873614349370836F,
+                                     0.0000244377286253442746F};  // 1e-10
 };
 
 template <>
@@ -35,16 +37,19 @@ struct TrigonometricConstants<double> {
   static constexpr double two_over_pi = 0.63661977236758134308;
   static constexpr double pieces[3] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2e037073p-69};
   static constexpr double rounder = 0x1.8p+52;
-  static constexpr double sine[] = {-0.166666666666666316,   0.00833333333332231317,  -0.000198412698297235503,
-                                    2.75573136615068856e-6, -2.50507531838161692e-8, 1.58965005931046379e-10};  // 3.5e-18
-  static constexpr double cosine[] = {0.0416666666666665987,   -0.00138888888888739883, 0.0000248015872893938844,
-                                      -2.75573143258295247e-7, 2.08757195410711982e-9,  -1.13594481519286497e-11};  // 5e-20
+  static constexpr double sine[] = {-0.166666666666666316,    0.00833333333332231317,
+                                    -0.000198412698297235503, 2.75573136615068856e-6,
+                                    -2.50507531838161692e-8,  1.58965005931046379e-10};  // 3.5e-18
+  static constexpr double cosine[] = {0.0416666666666665987,    -0.00138888888888739883,
+                                      0.0000248015872893938844, -2.75573143258295247e-7,
+                                      2.08757195410711982e-9,   -1.13594481519286497e-11};  // 5e-20
 };
 
 template <class T, std::size_t N>
 constexpr T horner(const T (&coefficients)[N], T t) {
   T sum = coefficients[N - 1];
-  for (std::size_t i = N - 1; i-- > 0;) sum = sum * t + coefficients[i];
+  for (std::size_t i = N - 1; i-- > 0;)
+    sum = sum * t + coefficients[i];
   return sum;
 }
 

@@ -44,44 +44,67 @@ using if_number = std::enable_if_t<is_number_v<T>, int>;
 }
 
 template <int N>
-constexpr Int<-N> operator-(Int<N>) { return {}; }
+constexpr Int<-N> operator-(Int<N>) {
+  return {};
+}
 template <int N, int M>
-constexpr Int<N + M> operator+(Int<N>, Int<M>) { return {}; }
+constexpr Int<N + M> operator+(Int<N>, Int<M>) {
+  return {};
+}
 template <int N, int M>
-constexpr Int<N - M> operator-(Int<N>, Int<M>) { return {}; }
+constexpr Int<N - M> operator-(Int<N>, Int<M>) {
+  return {};
+}
 template <int N, int M>
-constexpr Int<N * M> operator*(Int<N>, Int<M>) { return {}; }
+constexpr Int<N * M> operator*(Int<N>, Int<M>) {
+  return {};
+}
 
 template <int N, class T, detail::if_number<T> = 0>
 constexpr auto operator*(Int<N>, const T& x) {
-  if constexpr (N == 0) return Zero{};
-  else if constexpr (N == 1) return x;
-  else if constexpr (N == -1) return -x;
-  else if constexpr (N == 2) return x + x;
-  else return T(Int<N>{}) * x;
+  if constexpr (N == 0)
+    return Zero{};
+  else if constexpr (N == 1)
+    return x;
+  else if constexpr (N == -1)
+    return -x;
+  else if constexpr (N == 2)
+    return x + x;
+  else
+    return T(Int<N>{}) * x;
 }
 template <int N, class T, detail::if_number<T> = 0>
-constexpr auto operator*(const T& x, Int<N> n) { return n * x; }
+constexpr auto operator*(const T& x, Int<N> n) {
+  return n * x;
+}
 
 template <int N, class T, detail::if_number<T> = 0>
 constexpr auto operator+(Int<N> n, const T& x) {
-  if constexpr (N == 0) return x;
-  else return T(n) + x;
+  if constexpr (N == 0)
+    return x;
+  else
+    return T(n) + x;
 }
 template <int N, class T, detail::if_number<T> = 0>
 constexpr auto operator+(const T& x, Int<N> n) {
-  if constexpr (N == 0) return x;
-  else return x + T(n);
+  if constexpr (N == 0)
+    return x;
+  else
+    return x + T(n);
 }
 template <int N, class T, detail::if_number<T> = 0>
 constexpr auto operator-(const T& x, Int<N> n) {
-  if constexpr (N == 0) return x;
-  else return x - T(n);
+  if constexpr (N == 0)
+    return x;
+  else
+    return x - T(n);
 }
 template <int N, class T, detail::if_number<T> = 0>
 constexpr auto operator-(Int<N> n, const T& x) {
-  if constexpr (N == 0) return -x;
-  else return T(n) - x;
+  if constexpr (N == 0)
+    return -x;
+  else
+    return T(n) - x;
 }
 
 /// A compile-time value as a number T: a type where it is 0, 1 or -1, else a constant of T.
@@ -89,10 +112,14 @@ constexpr auto operator-(Int<N> n, const T& x) {
 template <class T, class Get>
 constexpr auto literal(Get get) {
   constexpr double value = get();
-  if constexpr (value == 0.0) return Zero{};
-  else if constexpr (value == 1.0) return One{};
-  else if constexpr (value == -1.0) return MinusOne{};
-  else return NumberTraits<T>::constant(value);
+  if constexpr (value == 0.0)
+    return Zero{};
+  else if constexpr (value == 1.0)
+    return One{};
+  else if constexpr (value == -1.0)
+    return MinusOne{};
+  else
+    return NumberTraits<T>::constant(value);
 }
 
 }  // namespace axial

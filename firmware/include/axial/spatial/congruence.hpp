@@ -6,22 +6,69 @@
 
 namespace axial {
 
-/// The trigonometric products of step A: s^2, c^2 - s^2, s c, 2 s c; 2M 3A, off-line for a constant turn.
-template <class S2, class C2, class SC, class SC2>
+/// What the turns of one screw share (step A): s^2, c^2 - s^2, s c, 2 s c; 2M 3A, off-line for a constant turn.
+/// Beyond 45 degrees a turn is an exchange of the axes and a small remainder; with `exchange` (a bool, or a type where
+/// the turn is constant) `small` is -c^2 instead of s^2. So an element does not become the difference of large ones: a
+/// rotor's reflected inertia of 1e-6 survives a quarter turn beside inertias of 1.
+template <class X, class W, class C2, class SC, class SC2>
 struct DoubleAngle {
-  S2 ss{};
+  X exchange{};
+  W small{};
   C2 cc_ss{};
   SC sc{};
   SC2 two_sc{};
 };
-template <class A, class B, class C, class D>
-DoubleAngle(A, B, C, D) -> DoubleAngle<A, B, C, D>;
+template <class X, class W, class A, class B, class C>
+DoubleAngle(X, W, A, B, C) -> DoubleAngle<X, W, A, B, C>;
 
-template <class Axis, class C, class S, class L>
-constexpr auto double_angle(const AxialScrew<Axis, C, S, L>& x) {
+namespace detail {
+
+template <class A, class B>
+constexpr auto pick(std::true_type, const A& yes, const B&) {
+  return yes;
+}
+template <class A, class B>
+constexpr auto pick(std::false_type, const A&, const B& no) {
+  return no;
+}
+template <class A, class B>
+constexpr auto pick(bool condition, const A& yes, const B& no) {
+  if constexpr (std::is_same_v<A, B>)
+    return condition ? yes : no;
+  else if constexpr (is_structural_v<A>)
+    return condition ? B(yes) : no;
+  else
+    return condition ? yes : A(no);
+}
+
+template <class Axis, class C, class S, class L, class Turn, class SS>
+constexpr auto beyond_45_degrees(const AxialScrew<Axis, C, S, L, Turn>&, const SS& ss) {
+  if constexpr (!std::is_same_v<Turn, AnyTurn>)
+    return Turn{};
+  else if constexpr (is_zero_v<C>)
+    return std::true_type{};
+  else if constexpr (is_zero_v<S>)
+    return std::false_type{};
+  else
+    return ss > NumberTraits<SS>::constant(0.5);
+}
+
+}  // namespace detail
+
+/// Of a screw; plain, without the exchange: for composite bodies, whose elements do not span magnitudes.
+template <class Axis, class C, class S, class L, class Turn>
+constexpr auto double_angle(const AxialScrew<Axis, C, S, L, Turn>& x) {
   const auto ss = turned(x.sin * x.sin);
   const auto sc = turned(x.sin * x.cos);
-  return DoubleAngle{ss, One{} - ss - ss, sc, sc + sc};
+  return DoubleAngle{std::false_type{}, ss, One{} - ss - ss, sc, sc + sc};
+}
+/// With the exchange: for articulated bodies; 1M more for a turn that is not constant.
+template <class Axis, class C, class S, class L, class Turn>
+constexpr auto exact_double_angle(const AxialScrew<Axis, C, S, L, Turn>& x) {
+  const auto ss = turned(x.sin * x.sin);
+  const auto sc = turned(x.sin * x.cos);
+  const auto exchange = detail::beyond_45_degrees(x, ss);
+  return DoubleAngle{exchange, detail::pick(exchange, -turned(x.cos * x.cos), ss), One{} - ss - ss, sc, sc + sc};
 }
 
 namespace detail {
@@ -30,22 +77,24 @@ namespace detail {
 template <class A, class Screw, class XX, class YY, class ZZ, class XY, class XZ, class YZ>
 constexpr auto turn(const A& twice, const Screw& x, const Sym3<XX, YY, ZZ, XY, XZ, YZ>& s) {
   const auto difference = s.xx - s.yy;
-  const auto k1 = turned(difference * twice.ss + s.xy * twice.two_sc);
+  const auto k1 = turned(difference * twice.small + s.xy * twice.two_sc);
   const auto k2 = turned(difference * twice.sc + s.xy * twice.cc_ss);
   const auto column = to_parent(z_screw(x.cos, x.sin, Zero{}), Vec3{s.xz, s.yz, Zero{}});
-  return Sym3{s.xx - k1, s.yy + k1, s.zz, k2, column.x, column.y};
+  return Sym3{
+      pick(twice.exchange, s.yy, s.xx) - k1, pick(twice.exchange, s.xx, s.yy) + k1, s.zz, k2, column.x, column.y};
 }
 
 // R M R^T about z for a general M, step D of Table I: 12M 14A, 8M 10A with a zero row.
 template <class A, class Screw, class R1, class R2, class R3>
 constexpr auto turn(const A& twice, const Screw& x, const Mat3<R1, R2, R3>& m) {
   const auto difference = m.x.x - m.y.y, sum = m.x.y + m.y.x;
-  const auto k1 = turned(difference * twice.ss + sum * twice.sc);
-  const auto k2 = turned(difference * twice.sc - sum * twice.ss);
+  const auto k1 = turned(difference * twice.small + sum * twice.sc);
+  const auto k2 = turned(difference * twice.sc - sum * twice.small);
   const auto plane = z_screw(x.cos, x.sin, Zero{});
   const auto column = to_parent(plane, Vec3{m.x.z, m.y.z, Zero{}});
   const auto row = to_parent(plane, Vec3{m.z.x, m.z.y, m.z.z});
-  return Mat3{Vec3{m.x.x - k1, m.x.y + k2, column.x}, Vec3{m.y.x + k2, m.y.y + k1, column.y}, row};
+  return Mat3{Vec3{pick(twice.exchange, m.y.y, m.x.x) - k1, pick(twice.exchange, -m.y.x, m.x.y) + k2, column.x},
+              Vec3{pick(twice.exchange, -m.x.y, m.y.x) + k2, pick(twice.exchange, m.x.x, m.y.y) + k1, column.y}, row};
 }
 
 // p~ M for p along z, step E: 5M for a symmetric M.
@@ -58,29 +107,29 @@ constexpr auto shift_rows(const L& p, const Sym3<XX, YY, ZZ, XY, XZ, YZ>& m) {
 }  // namespace detail
 
 /// Symmetric 3x3, R S R^T (Table II: 18M 17A for both screws with step A).
-template <class Axis, class C, class S, class L, class A, class B, class D, class E, class F, class G>
-constexpr auto to_parent(const AxialScrew<Axis, C, S, L>& x, const Sym3<A, B, D, E, F, G>& tensor) {
+template <class Axis, class C, class S, class L, class Turn, class A, class B, class D, class E, class F, class G>
+constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Sym3<A, B, D, E, F, G>& tensor) {
   return Axis::out(detail::turn(double_angle(x), x, Axis::in(tensor)));
 }
 
 /// General 3x3, R M R^T (Table II: 26M 24A for both screws with step A).
-template <class Axis, class C, class S, class L, class A, class B, class D>
-constexpr auto to_parent(const AxialScrew<Axis, C, S, L>& x, const Mat3<A, B, D>& matrix) {
-  const DoubleAngle twice{turned(x.sin * x.sin), Zero{}, turned(x.sin * x.cos), Zero{}};
+template <class Axis, class C, class S, class L, class Turn, class A, class B, class D>
+constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Mat3<A, B, D>& matrix) {
+  const DoubleAngle twice{std::false_type{}, turned(x.sin * x.sin), Zero{}, turned(x.sin * x.cos), Zero{}};
   return Axis::out(detail::turn(twice, x, Axis::in(matrix)));
 }
 
 /// Articulated, reflected or any symmetric 6x6 inertia: X^T N X by one axial screw, McMillan and Orin 1995, Table I.
 /// The blocks are turned first and then shifted (p along the axis): with D = R N12 R^T and I = D + p~ N22', the
 /// angular block is B + I p~^T + (D p~^T)^T, which needs 4M 3A less a screw than the paper's steps F, G and H.
-template <class Axis, class C, class S, class L, class A11, class A12, class A22, class Rounding = Plain>
-constexpr auto to_parent(const AxialScrew<Axis, C, S, L>& x, const ArticulatedInertia<A11, A12, A22>& n,
+template <class Axis, class C, class S, class L, class Turn, class A11, class A12, class A22, class Rounding = Plain>
+constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const ArticulatedInertia<A11, A12, A22>& n,
                          const Rounding& round = {}) {
   using namespace quantity;
-  if constexpr (AxialScrew<Axis, C, S, L>::is_identity) {
+  if constexpr (AxialScrew<Axis, C, S, L, Turn>::is_identity) {
     return n;
   } else {
-    const auto twice = double_angle(x);
+    const auto twice = exact_double_angle(x);
     const auto b = detail::turn(twice, x, Axis::in(n.angular));
     const auto d = detail::turn(twice, x, Axis::in(n.coupling));
     const auto linear = detail::turn(twice, x, Axis::in(n.linear));
@@ -98,11 +147,11 @@ constexpr auto to_parent(const AxialScrew<Axis, C, S, L>& x, const ArticulatedIn
 
 /// Rigid or composite body: at most 16M 15A with step A off-line, one multiplication less where m p is a constant.
 /// McMillan and Orin 1995, Table II (spatial inertia); parallel-axis shift of first moment and inertia.
-template <class Axis, class C, class S, class L, class M, class H, class J, class Rounding = Plain>
-constexpr auto to_parent(const AxialScrew<Axis, C, S, L>& x, const RigidInertia<M, H, J>& body,
+template <class Axis, class C, class S, class L, class Turn, class M, class H, class J, class Rounding = Plain>
+constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const RigidInertia<M, H, J>& body,
                          const Rounding& round = {}) {
   using namespace quantity;
-  if constexpr (AxialScrew<Axis, C, S, L>::is_identity) {
+  if constexpr (AxialScrew<Axis, C, S, L, Turn>::is_identity) {
     return body;
   } else {
     const auto j = detail::turn(double_angle(x), x, Axis::in(body.inertia));

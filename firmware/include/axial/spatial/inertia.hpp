@@ -14,9 +14,13 @@ struct RigidInertia {
   J inertia{};
 
   template <class A, class B, class C>
-  constexpr operator RigidInertia<A, B, C>() const { return {mass, first_moment, inertia}; }  // NOLINT(google-explicit-constructor)
+  constexpr operator RigidInertia<A, B, C>() const {
+    return {mass, first_moment, inertia};
+  }  // NOLINT(google-explicit-constructor)
   template <class T>
-  constexpr RigidInertia<T, Vec3<T>, Sym3<T>> dense() const { return *this; }
+  constexpr RigidInertia<T, Vec3<T>, Sym3<T>> dense() const {
+    return *this;
+  }
 };
 template <class M, class H, class J>
 RigidInertia(M, H, J) -> RigidInertia<M, H, J>;
@@ -35,9 +39,13 @@ struct ArticulatedInertia {
   A22 linear{};
 
   template <class A, class B, class C>
-  constexpr operator ArticulatedInertia<A, B, C>() const { return {angular, coupling, linear}; }  // NOLINT(google-explicit-constructor)
+  constexpr operator ArticulatedInertia<A, B, C>() const {
+    return {angular, coupling, linear};
+  }  // NOLINT(google-explicit-constructor)
   template <class T>
-  constexpr ArticulatedInertia<Sym3<T>, Mat3<Vec3<T>>, Sym3<T>> dense() const { return *this; }
+  constexpr ArticulatedInertia<Sym3<T>, Mat3<Vec3<T>>, Sym3<T>> dense() const {
+    return *this;
+  }
 };
 template <class A11, class A12, class A22>
 ArticulatedInertia(A11, A12, A22) -> ArticulatedInertia<A11, A12, A22>;
@@ -52,10 +60,8 @@ template <class M, class H, class J>
 constexpr auto articulated(const RigidInertia<M, H, J>& body) {
   const auto& h = body.first_moment;
   const Zero o{};
-  return ArticulatedInertia{
-      body.inertia,
-      Mat3{Vec3{o, -h.z, h.y}, Vec3{h.z, o, -h.x}, Vec3{-h.y, h.x, o}},
-      Sym3{body.mass, body.mass, body.mass, o, o, o}};
+  return ArticulatedInertia{body.inertia, Mat3{Vec3{o, -h.z, h.y}, Vec3{h.z, o, -h.x}, Vec3{-h.y, h.x, o}},
+                            Sym3{body.mass, body.mass, body.mass, o, o, o}};
 }
 
 }  // namespace axial

@@ -13,9 +13,13 @@ struct Mat3 {
   R3 z{};
 
   template <class A, class B, class C>
-  constexpr operator Mat3<A, B, C>() const { return {x, y, z}; }  // NOLINT(google-explicit-constructor)
+  constexpr operator Mat3<A, B, C>() const {
+    return {x, y, z};
+  }  // NOLINT(google-explicit-constructor)
   template <class T>
-  constexpr Mat3<Vec3<T>> dense() const { return *this; }
+  constexpr Mat3<Vec3<T>> dense() const {
+    return *this;
+  }
 };
 template <class R1, class R2, class R3>
 Mat3(R1, R2, R3) -> Mat3<R1, R2, R3>;
@@ -31,9 +35,13 @@ struct Sym3 {
   YZ yz{};
 
   template <class A, class B, class C, class D, class E, class F>
-  constexpr operator Sym3<A, B, C, D, E, F>() const { return {xx, yy, zz, xy, xz, yz}; }  // NOLINT(google-explicit-constructor)
+  constexpr operator Sym3<A, B, C, D, E, F>() const {
+    return {xx, yy, zz, xy, xz, yz};
+  }  // NOLINT(google-explicit-constructor)
   template <class T>
-  constexpr Sym3<T> dense() const { return *this; }
+  constexpr Sym3<T> dense() const {
+    return *this;
+  }
 };
 template <class A, class B, class C, class D, class E, class F>
 Sym3(A, B, C, D, E, F) -> Sym3<A, B, C, D, E, F>;
@@ -43,7 +51,9 @@ constexpr auto operator*(const Mat3<A, B, C>& m, const V& v) -> decltype(Vec3{do
   return Vec3{dot(m.x, v), dot(m.y, v), dot(m.z, v)};
 }
 template <class A, class B, class C, class D, class E, class F>
-constexpr auto operator+(const Mat3<A, B, C>& m, const Mat3<D, E, F>& n) { return Mat3{m.x + n.x, m.y + n.y, m.z + n.z}; }
+constexpr auto operator+(const Mat3<A, B, C>& m, const Mat3<D, E, F>& n) {
+  return Mat3{m.x + n.x, m.y + n.y, m.z + n.z};
+}
 
 template <class A, class B, class C, class D, class E, class F, class X, class Y, class Z>
 constexpr auto operator*(const Sym3<A, B, C, D, E, F>& s, const Vec3<X, Y, Z>& v) {

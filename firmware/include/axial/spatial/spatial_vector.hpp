@@ -5,17 +5,22 @@
 
 namespace axial {
 
-/// A motion: angular (rad/s or rad/s^2) and linear (m/s or m/s^2) part, both in the axes and at the origin of one frame.
-/// Accelerations are classical ones: the linear part is that of the point, not Featherstone's spatial acceleration.
+/// A motion: angular (rad/s or rad/s^2) and linear (m/s or m/s^2) part, both in the axes and at the origin of one
+/// frame. Accelerations are classical ones: the linear part is that of the point, not Featherstone's spatial
+/// acceleration.
 template <class W, class V>
 struct MotionVector {
   W angular{};
   V linear{};
 
   template <class A, class B>
-  constexpr operator MotionVector<A, B>() const { return {angular, linear}; }  // NOLINT(google-explicit-constructor)
+  constexpr operator MotionVector<A, B>() const {
+    return {angular, linear};
+  }  // NOLINT(google-explicit-constructor)
   template <class T>
-  constexpr MotionVector<Vec3<T>, Vec3<T>> dense() const { return *this; }
+  constexpr MotionVector<Vec3<T>, Vec3<T>> dense() const {
+    return *this;
+  }
 };
 template <class W, class V>
 MotionVector(W, V) -> MotionVector<W, V>;
@@ -27,9 +32,13 @@ struct ForceVector {
   F force{};
 
   template <class A, class B>
-  constexpr operator ForceVector<A, B>() const { return {moment, force}; }  // NOLINT(google-explicit-constructor)
+  constexpr operator ForceVector<A, B>() const {
+    return {moment, force};
+  }  // NOLINT(google-explicit-constructor)
   template <class T>
-  constexpr ForceVector<Vec3<T>, Vec3<T>> dense() const { return *this; }
+  constexpr ForceVector<Vec3<T>, Vec3<T>> dense() const {
+    return *this;
+  }
 };
 template <class N, class F>
 ForceVector(N, F) -> ForceVector<N, F>;
