@@ -1,0 +1,11 @@
+// expect: the mass of a link is negative
+#include <axial/axial.hpp>
+
+struct Robot {
+#ifdef MENDED
+  static constexpr auto chain = axial::chain(axial::revolute().mass(0.0));
+#else
+  static constexpr auto chain = axial::chain(axial::revolute().mass(-1.0));
+#endif
+};
+static_assert(axial::joint_count<Robot> == 1);

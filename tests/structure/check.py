@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+"""Checks the structure of the tree: includes point one way, the library stays freestanding, folders explain themselves.
+
+usage: check.py ROOT
+Prints each violation and exits 1 if there is one.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+LIBRARY = "firmware/include/axial"
+# A layer may include itself and what is listed.
+LAYERS = {
+    "scalar": set(),
+    "spatial": {"scalar"},
+    "model": {"scalar", "spatial"},
+    "dynamics": {"scalar", "spatial", "model"},
+    "closed_form": {"scalar", "spatial", "model"},
+    "control": {"scalar", "spatial", "model", "dynamics"},
+}
+FREESTANDING = {"cstddef", "cstdint", "limits", "type_traits", "utility"}
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+
+
+def includes(path):
+    return INCLUDE.findall(path.read_text())
+
+
+def check_library_header(path, layer):
+    for name in includes(path):
+        parts = name.split("/")
+        if parts[0] == "axial":
+            if layer is not None and parts[1] != layer and parts[1] not in LAYERS[layer]:
+                yield f"{path}: {layer}/ must not include {name}"
+        elif name not in FREESTANDING:
+            yield f"{path}: the library must not include <{name}>"
+
+
+def check_library(root):
+    for path in sorted((root / LIBRARY).rglob("*.hpp")):
+        parts = path.relative_to(root / LIBRARY).parts
+        yield from check_library_header(path, parts[0] if len(parts) > 1 else None)
+
+
+def check_folder(root, folder, pattern, reason):
+    forbidden = re.compile(pattern)
+    for path in sorted((root / folder).rglob("*.[hc]pp")):
+        for name in includes(path):
+            if forbidden.match(name):
+                yield f"{path}: includes {name}; {reason}"
+
+
+def check_readmes(root):
+    files = subprocess.run(["git", "-C", root, "ls-files"], capture_output=True, text=True, check=True).stdout.split("\n")
+    folders = {str(pathlib.PurePath(f).parent) for f in files if f}
+    for folder in sorted(folders - {".ci"}):
+        if not (root / folder / "README.md").exists():
+            yield f"{folder}: no README.md"
+
+
+def violations(root):
+    yield from check_library(root)
+    yield from check_folder(root, "hal", r"axial/|robots/", "hal never sees dynamics")
+    yield from check_folder(root, "robots", r"axial/(?!model/)", "robots see model only")
+    yield from check_folder(root, "tests/oracle", r"axial/(?!model/chain\.hpp)", "an oracle shares no code with what it checks")
+    yield from check_readmes(root)
+
+
+def main():
+    if len(sys.argv) != 2 or sys.argv[1] in ("-h", "--help"):
+        print(__doc__)
+        return 0 if len(sys.argv) == 2 else 2
+    found = list(violations(pathlib.Path(sys.argv[1])))
+    for violation in found:
+        print(violation, file=sys.stderr)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

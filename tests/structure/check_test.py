@@ -1,0 +1,48 @@
+#!/usr/bin/python3
+"""check.py must find one violation of each kind in a small tree made for it, and none in its mended twin."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+CHECK = pathlib.Path(__file__).with_name("check.py")
+BROKEN = {
+    "firmware/include/axial/scalar/a.hpp": "#include <axial/model/b.hpp>\n",
+    "firmware/include/axial/model/b.hpp": "#include <vector>\n",
+    "firmware/include/axial/closed_form/c.hpp": "#include <axial/dynamics/d.hpp>\n",
+    "hal/e.hpp": "#include <axial/axial.hpp>\n",
+    "robots/f.hpp": "#include <axial/dynamics/d.hpp>\n",
+    "tests/oracle/g.hpp": "#include <axial/dynamics/d.hpp>\n",
+    "orphan/h.hpp": "\n",
+}
+
+
+def run_on(files):
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        for name, text in files.items():
+            path = root / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        subprocess.run(["git", "init", "-q", folder], check=True)
+        subprocess.run(["git", "-C", folder, "add", "."], check=True)
+        return subprocess.run([sys.executable, CHECK, folder], capture_output=True, text=True)
+
+
+def main():
+    folders = {pathlib.PurePath(name).parent for name in BROKEN} | {pathlib.PurePath(".")}
+    readmes = {str(folder / "README.md"): "\n" for folder in folders}
+    broken = run_on({**BROKEN, **{name: text for name, text in readmes.items() if not name.startswith("orphan")}})
+    mended = run_on({**{name: "\n" for name in BROKEN}, **readmes})
+    missed = [name for name in BROKEN if str(pathlib.PurePath(name).parent if name.startswith("orphan") else name) not in broken.stderr]
+    if broken.returncode != 1 or missed:
+        print("not found:", missed, file=sys.stderr)
+        return 1
+    if mended.returncode != 0:
+        print("found in a sound tree:", mended.stderr, file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
