@@ -1,0 +1,109 @@
+"""Writes the generated tables of documents from the raw data beside them.
+
+usage: tables.py DATA_FOLDER DOCUMENT.md...
+
+DATA_FOLDER holds report.json, provenance.json and demo-<robot>-<board>.json. In each document whatever stands between
+<!-- table NAME --> and <!-- end --> is replaced by the table of that name (a key of TABLES).
+"""
+
+import json
+import pathlib
+import re
+import sys
+
+KERNELS = ["inverse_dynamics", "closed_form", "gravity", "bias", "mass_matrix", "forward_dynamics",
+           "forward_kinematics", "jacobian"]
+MARKED = re.compile(r"(<!-- table (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
+
+
+class Data:
+    def __init__(self, folder):
+        self.report = load(folder / "report.json")
+        self.provenance = load(folder / "provenance.json")
+        self.demos = [load(file) for file in sorted(folder.glob("demo-*.json"))]
+
+
+def load(file):
+    return json.loads(file.read_text(encoding="utf-8"))
+
+
+def markdown(header, rows):
+    """Columns after the first are numbers: aligned to the right."""
+    lines = [header, ["---"] + ["---:"] * (len(header) - 1)] + rows
+    return "".join("| " + " | ".join(line) + " |\n" for line in lines)
+
+
+def unique(values):
+    return list(dict.fromkeys(values))
+
+
+def grouped(number):
+    return f"{number:,}".replace(",", " ")
+
+
+def span(low, high):
+    return grouped(high) if low == high else f"{grouped(low)} to {grouped(high)}"
+
+
+def provenance(data):
+    lines = [f"- `{board}`: {entry['compiler']}; `{entry['flags']}`\n"
+             for board, entry in data.provenance["boards"].items()]
+    return f"Measured in QEMU at commit `{data.provenance['commit']}`:\n\n" + "".join(lines)
+
+
+def demo(data):
+    """The main job: one row a robot and board."""
+    header = ["robot, board", "set-points", "largest error", "bound", "instructions per torque", "flash, bytes",
+              "RAM, bytes", "stack, bytes"]
+    rows = []
+    for joints in sorted(data.demos, key=lambda joints: joints[0]["board"], reverse=True):
+        first, worst = joints[0], max(joint["error_max_relative"] for joint in joints)
+        rows.append([f"{first['robot']}, {first['board']}", grouped(first["set_points"]), f"{worst:.2g}",
+                     f"{first['error_bound_relative']:g}", span(first["instructions_min"], first["instructions_max"]),
+                     grouped(first["flash_bytes"]), grouped(first["ram_bytes"]), grouped(first["stack_bytes"])])
+    return markdown(header, rows)
+
+
+def instructions(data):
+    """Robots against kernels, float, on the board with a floating-point unit."""
+    return robots_by_kernels(data, lambda row: grouped(row["work"]))
+
+
+def errors(data):
+    return robots_by_kernels(data, lambda row: f"{row['error']:.1g}")
+
+
+def robots_by_kernels(data, cell):
+    chosen = {(row["robot"], row["subject"]): row for row in data.report
+              if row["board"] == "stm32f405" and row["scalar"] == "float"}
+    robots = unique(robot for robot, _ in chosen)
+    rows = [[robot] + [cell(chosen[robot, kernel]) if (robot, kernel) in chosen else "" for kernel in KERNELS]
+            for robot in robots]
+    return markdown(["float, stm32f405"] + [kernel.replace("_", " ") for kernel in KERNELS], rows)
+
+
+def everything(data):
+    header = ["kernel, robot, scalar, board", "largest error", "RMS error", "instructions", "Pareto front"]
+    order = sorted(data.report, key=lambda row: (KERNELS.index(row["subject"]), row["robot"], row["board"], row["scalar"]))
+    rows = [[f"{row['subject']}, {row['robot']}, {row['scalar']}, {row['board']}", f"{row['error']:.2g}",
+             f"{row['error_rms']:.2g}", span(row["work_min"], row["work"]), "yes" if row["pareto"] else ""]
+            for row in order]
+    return markdown(header, rows)
+
+
+TABLES = {"provenance": provenance, "demo": demo, "instructions": instructions, "errors": errors,
+          "everything": everything}
+
+
+def main(folder, documents):
+    data = Data(pathlib.Path(folder))
+    for document in map(pathlib.Path, documents):
+        text = document.read_text(encoding="utf-8")
+        fresh = MARKED.sub(lambda match: match[1] + TABLES[match[2]](data) + match[3], text)
+        document.write_text(fresh, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2:])
