@@ -27,7 +27,7 @@ struct Velocity {
   U u{};
   Z zeta{};
   template <class T>
-  constexpr Velocity<Vec3<T>, Vec3<T>, Mat3<Vec3<T>>, MotionVector<Vec3<T>, Vec3<T>>> dense() const {
+  AXIAL_INLINE constexpr Velocity<Vec3<T>, Vec3<T>, Mat3<Vec3<T>>, MotionVector<Vec3<T>, Vec3<T>>> dense() const {
     return {w, p, u, zeta};
   }
 };
@@ -37,32 +37,31 @@ Velocity(W, P, U, Z) -> Velocity<W, P, U, Z>;
 inline constexpr Velocity<ZeroVec3, ZeroVec3, Mat3<ZeroVec3>, MotionVector<ZeroVec3, ZeroVec3>> base_velocity{};
 
 template <class Link, class Screw, class Parent, class V>
-constexpr auto move(Revolute, const Link& link, const Screw& screw, const Parent& parent, const V& qd) {
+AXIAL_INLINE constexpr auto move(Revolute, const Link& link, const Screw& screw, const Parent& parent, const V& qd) {
   using namespace quantity;
   constexpr ZeroVec3 still;
-  const auto x = link.x();
-  const auto turning = to_child(screw, to_child(x, parent.w));
-  const auto w = link.sum(AngularVelocity{}, turning, along_z(qd));
-  const auto p = products(w, link);
-  const auto u = rotation_acceleration(w, still, p, link);
-  const auto angular = cross_z(turning, qd);
+  auto x = link.x();
+  auto turning = to_child(screw, to_child(x, parent.w));
+  auto w = link.sum(AngularVelocity{}, turning, along_z(qd));
+  auto p = products(w, link);
+  auto u = rotation_acceleration(w, still, p, link);
+  auto angular = cross_z(turning, qd);
   // d lies on the axis, which turns with the parent: w_parent x (w_parent x d) in terms of this link's products.
-  const auto on_axis = screw.shift * Vec3{p.y + angular.y, p.x - angular.x, u.z.z};
-  const auto linear =
+  auto on_axis = screw.shift * Vec3{p.y + angular.y, p.x - angular.x, u.z.z};
+  auto linear =
       link.sum(LinearAcceleration{}, to_child(screw, to_child(x, parent.u * Vec3{x.shift, Zero{}, Zero{}})), on_axis);
   return Velocity{w, p, u, MotionVector{angular, linear}};
 }
 template <class Link, class Screw, class Parent, class V>
-constexpr auto move(Prismatic, const Link& link, const Screw& screw, const Parent& parent, const V& qd) {
+AXIAL_INLINE constexpr auto move(Prismatic, const Link& link, const Screw& screw, const Parent& parent, const V& qd) {
   using namespace quantity;
   constexpr ZeroVec3 still;
-  const auto x = link.x();
-  const auto w = to_child(screw, to_child(x, parent.w));
-  const auto p = products(w, link);
-  const auto u = rotation_acceleration(w, still, p, link);
-  const auto linear =
-      link.sum(LinearAcceleration{}, to_child(screw, to_child(x, parent.u * Vec3{x.shift, Zero{}, Zero{}})),
-               u * along_z(screw.shift), cross_z(w, qd + qd));
+  auto x = link.x();
+  auto w = to_child(screw, to_child(x, parent.w));
+  auto p = products(w, link);
+  auto u = rotation_acceleration(w, still, p, link);
+  auto linear = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, parent.u * Vec3{x.shift, Zero{}, Zero{}})),
+                         u * along_z(screw.shift), cross_z(w, qd + qd));
   return Velocity{w, p, u, MotionVector{still, linear}};
 }
 
@@ -73,7 +72,7 @@ struct Subtree {
   P bias{};
   R reach{};
   template <class T>
-  constexpr auto dense() const {
+  AXIAL_INLINE constexpr auto dense() const {
     return Subtree<decltype(inertia.template dense<T>()), decltype(bias.template dense<T>()),
                    decltype(reach.template dense<T>())>{inertia.template dense<T>(), bias.template dense<T>(),
                                                         reach.template dense<T>()};
@@ -83,17 +82,18 @@ template <class I, class P, class R>
 Subtree(I, P, R) -> Subtree<I, P, R>;
 
 template <class A, class B, class C, class D, class E, class F>
-constexpr auto operator+(const Subtree<A, B, C>& a, const Subtree<D, E, F>& b) {
+AXIAL_INLINE constexpr auto operator+(const Subtree<A, B, C>& a, const Subtree<D, E, F>& b) {
   return Subtree{a.inertia + b.inertia, a.bias + b.bias, a.reach + b.reach};
 }
 
 /// A link by itself: I, and beta = (w x J w; w x (w x h)) less the force that acts on it from outside.
 template <class Link, class Body, class D, class Vel, class F>
-constexpr auto alone(const Link& link, const Body& body, const D& differences, const Vel& velocity, const F& external) {
+AXIAL_INLINE constexpr auto alone(const Link& link, const Body& body, const D& differences, const Vel& velocity,
+                                  const F& external) {
   constexpr ZeroVec3 still;
-  const auto moment =
+  auto moment =
       link.sum(quantity::Moment{}, rotational_moment(body.inertia, differences, still, velocity.p, velocity.u));
-  const auto force = link.sum(quantity::Force{}, velocity.u * body.first_moment);
+  auto force = link.sum(quantity::Force{}, velocity.u * body.first_moment);
   return Subtree{articulated(body), ForceVector{moment, force} - external, reach(body)};
 }
 
@@ -110,62 +110,63 @@ template <class G, class U, class Z, class S>
 Left(G, U, Z, bool, S) -> Left<G, U, Z, S>;
 
 template <class Link, class G, class U, class Z, class S>
-constexpr auto shaped(const Link& link, const Left<G, U, Z, S>& left) {
+AXIAL_INLINE constexpr auto shaped(const Link& link, const Left<G, U, Z, S>& left) {
   return Left{link.shape(left.gain), link.shape(left.free), link.shape(left.zeta), left.singular,
               link.shape(left.sent)};
 }
 
 /// Inward step of a joint: reflects the subtree across it and brings the result to the parent's frame.
 template <class Kind, class Link, class Screw, class Tree, class Vel, class Tau, class V>
-constexpr auto reflect(Kind joint, const Link& link, const Screw& screw, const Tree& tree, const Vel& velocity,
-                       const Tau& tau, const V& qd) {
-  const auto x = link.x();
-  const auto effort = link.sum(quantity::JointEffort{}, tau, -friction_effort(link, qd));
-  const auto r =
+AXIAL_INLINE constexpr auto reflect(Kind joint, const Link& link, const Screw& screw, const Tree& tree,
+                                    const Vel& velocity, const Tau& tau, const V& qd) {
+  auto x = link.x();
+  auto effort = link.sum(quantity::JointEffort{}, tau, -friction_effort(link, qd));
+  auto r =
       reflection(joint, link, tree.inertia, tree.bias, velocity.zeta, effort, singularity_scale(joint, tree.reach));
-  const Subtree sent{to_parent(x, to_parent(screw, r.inertia, link), link),
-                     to_parent(x, to_parent(screw, r.bias, link), link),
-                     seen_from(tree.reach, detail::absolute(x.shift) + detail::absolute(screw.shift))};
+  Subtree sent{to_parent(x, to_parent(screw, r.inertia, link), link),
+               to_parent(x, to_parent(screw, r.bias, link), link),
+               seen_from(tree.reach, detail::absolute(x.shift) + detail::absolute(screw.shift))};
   return Left{r.gain, r.free, velocity.zeta, r.singular, sent};
 }
 
 /// The algorithm over any form of links; writes one acceleration a joint.
 template <class Links, class Input, class Q, class V, class Tau, class A>
-constexpr Status run(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau, A& qdd) {
+AXIAL_INLINE constexpr Status run(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
+                                  A& qdd) {
   using T = typename Links::Scalar;
   const TipLoads<typename Links::Scene, Input> loads(in);
-  const auto screws = map_links(links, [&](auto i) AXIAL_INLINE { return links.link(i).z(q[i]); });
-  const auto velocities = outward(links, base_velocity, [&](auto i, const auto& parent) AXIAL_INLINE {
-    const auto link = links.link(i);
+  auto screws = map_links(links, [&](auto i) AXIAL_INLINE { return links.link(i).z(q[i]); });
+  auto velocities = outward(links, base_velocity, [&](auto i, const auto& parent) AXIAL_INLINE {
+    auto link = links.link(i);
     return link.on_joint([&](auto joint)
                              AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i])); });
   });
-  const auto own = [&](auto i) AXIAL_INLINE {
-    const auto link = links.link(i);
-    const auto body = loads.body(link);
-    const auto differences = loaded_differences<typename Links::Scene>(link, body);
+  auto own = [&](auto i) AXIAL_INLINE {
+    auto link = links.link(i);
+    auto body = loads.body(link);
+    auto differences = loaded_differences<typename Links::Scene>(link, body);
     return link.shape(alone(link, body, differences, velocities[i], loads.wrench(link)));
   };
-  const auto joints = inward(links, own, [&](auto i, const auto& tree) AXIAL_INLINE {
-    const auto link = links.link(i);
+  auto joints = inward(links, own, [&](auto i, const auto& tree) AXIAL_INLINE {
+    auto link = links.link(i);
     return link.on_joint([&](auto joint) AXIAL_INLINE {
       return shaped(link, reflect(joint, link, screws[i], tree, velocities[i], tau[i], qd[i]));
     });
   });
-  Status status;
-  const MotionVector base{ZeroVec3{}, links.base_acceleration()};
+  int singular = -1;
+  MotionVector base{ZeroVec3{}, links.base_acceleration()};
   outward(links, base, [&](auto i, const auto& parent) AXIAL_INLINE {
-    const auto link = links.link(i);
+    auto link = links.link(i);
     const auto& left = joints[i];
-    const auto moved = to_child(screws[i], to_child(link.x(), parent, link), link) + left.zeta;
-    if (left.singular && status.ok()) status = {Status::Code::near_singular, static_cast<int>(i)};
+    auto moved = to_child(screws[i], to_child(link.x(), parent, link), link) + left.zeta;
+    singular = left.singular ? static_cast<int>(i) : singular;
     return link.on_joint([&](auto joint) AXIAL_INLINE {
-      const auto own = link.sum(quantity::JointAcceleration{}, left.free, -gain_times(left.gain, moved));
+      auto own = link.sum(quantity::JointAcceleration{}, left.free, -gain_times(left.gain, moved));
       qdd[i] = static_cast<T>(own);
       return link.shape(moved + along_axis(joint, own));
     });
   });
-  return status;
+  return {singular < 0 ? Status::Code::ok : Status::Code::near_singular, singular};
 }
 
 }  // namespace aba

@@ -8,7 +8,7 @@ namespace axial {
 
 /// k (a - b), without the subtraction where k is zero by type.
 template <class K, class A, class B>
-constexpr auto times_difference(const K& k, const A& a, const B& b) {
+AXIAL_INLINE constexpr auto times_difference(const K& k, const A& a, const B& b) {
   if constexpr (is_zero_v<K>)
     return Zero{};
   else
@@ -17,7 +17,7 @@ constexpr auto times_difference(const K& k, const A& a, const B& b) {
 
 /// (wy wz, wx wz, wx wy), rad^2/s^2.
 template <class W, class Rounding>
-constexpr auto products(const W& w, const Rounding& round) {
+AXIAL_INLINE constexpr auto products(const W& w, const Rounding& round) {
   using quantity::AngularAcceleration;
   return Vec3{round.sum(AngularAcceleration{}, w.y * w.z), round.sum(AngularAcceleration{}, w.x * w.z),
               round.sum(AngularAcceleration{}, w.x * w.y)};
@@ -26,9 +26,9 @@ constexpr auto products(const W& w, const Rounding& round) {
 /// Matrix U = dw~ + w~ w~: U r is the acceleration of a point r of a body that turns with w and dw, relative to the
 /// frame's origin. The form of Khalil and Dombre 2002, chapter 9. `p` are products(w); dw may be a ZeroVec3.
 template <class W, class DW, class P, class Rounding>
-constexpr auto rotation_acceleration(const W& w, const DW& dw, const P& p, const Rounding& round) {
+AXIAL_INLINE constexpr auto rotation_acceleration(const W& w, const DW& dw, const P& p, const Rounding& round) {
   using quantity::AngularAcceleration;
-  const auto xx = w.x * w.x, yy = w.y * w.y, zz = w.z * w.z;
+  auto xx = w.x * w.x, yy = w.y * w.y, zz = w.z * w.z;
   const AngularAcceleration q{};
   return Mat3{Vec3{round.sum(q, -yy, -zz), round.sum(q, p.z, -dw.z), round.sum(q, p.y, dw.y)},
               Vec3{round.sum(q, p.z, dw.z), round.sum(q, -xx, -zz), round.sum(q, p.x, -dw.x)},
@@ -38,7 +38,7 @@ constexpr auto rotation_acceleration(const W& w, const DW& dw, const P& p, const
 /// J dw + w x (J w) from the entries of U and the products p: 15M 15A, where the vector form takes 24M 18A.
 /// `differences` are (Jzz - Jyy, Jxx - Jzz, Jyy - Jxx).
 template <class J, class D, class DW, class P, class U>
-constexpr auto rotational_moment(const J& j, const D& differences, const DW& dw, const P& p, const U& u) {
+AXIAL_INLINE constexpr auto rotational_moment(const J& j, const D& differences, const DW& dw, const P& p, const U& u) {
   return Vec3{j.xx * dw.x + differences.x * p.x - j.xy * u.z.x + j.xz * u.y.x + times_difference(j.yz, u.y.y, u.z.z),
               j.yy * dw.y + differences.y * p.y + j.xy * u.z.y - j.yz * u.x.y + times_difference(j.xz, u.z.z, u.x.x),
               j.zz * dw.z + differences.z * p.z - j.xz * u.y.z + j.yz * u.x.z + times_difference(j.xy, u.x.x, u.y.y)};

@@ -19,7 +19,7 @@ struct Motion {
   P p{};
   U u{};
   template <class T>
-  constexpr Motion<Vec3<T>, Vec3<T>, Vec3<T>, Vec3<T>, Mat3<Vec3<T>>> dense() const {
+  AXIAL_INLINE constexpr Motion<Vec3<T>, Vec3<T>, Vec3<T>, Vec3<T>, Mat3<Vec3<T>>> dense() const {
     return {w, dw, a, p, u};
   }
 };
@@ -28,7 +28,7 @@ Motion(W, DW, A, P, U) -> Motion<W, DW, A, P, U>;
 
 /// The base at rest, accelerated against gravity.
 template <class A>
-constexpr auto base_motion(const A& acceleration) {
+AXIAL_INLINE constexpr auto base_motion(const A& acceleration) {
   constexpr ZeroVec3 o;
   return Motion{o, o, acceleration, o, Mat3<ZeroVec3>{}};
 }
@@ -36,53 +36,55 @@ constexpr auto base_motion(const A& acceleration) {
 /// Motion of a revolute link from its parent's (Luh, Walker and Paul 1980; Craig 2005, eqs. (6.45) to (6.47)).
 /// `screw` is the joint's z-screw; the part d of the offset lies on the axis, so the link's own U carries it.
 template <class Link, class Screw, class Parent, class V, class A>
-constexpr auto move(Revolute, const Link& link, const Screw& screw, const Parent& parent, const V& qd, const A& qdd) {
+AXIAL_INLINE constexpr auto move(Revolute, const Link& link, const Screw& screw, const Parent& parent, const V& qd,
+                                 const A& qdd) {
   using namespace quantity;
-  const auto x = link.x();
-  const auto at_axis = link.sum(LinearAcceleration{}, parent.a, parent.u * Vec3{x.shift, Zero{}, Zero{}});
-  const auto turning = to_child(screw, to_child(x, parent.w));
-  const auto w = link.sum(AngularVelocity{}, turning, along_z(qd));
-  const auto dw =
+  auto x = link.x();
+  auto at_axis = link.sum(LinearAcceleration{}, parent.a, parent.u * Vec3{x.shift, Zero{}, Zero{}});
+  auto turning = to_child(screw, to_child(x, parent.w));
+  auto w = link.sum(AngularVelocity{}, turning, along_z(qd));
+  auto dw =
       link.sum(AngularAcceleration{}, to_child(screw, to_child(x, parent.dw)), cross_z(turning, qd), along_z(qdd));
-  const auto p = products(w, link);
-  const auto u = rotation_acceleration(w, dw, p, link);
-  const auto a = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, at_axis)), u * along_z(screw.shift));
+  auto p = products(w, link);
+  auto u = rotation_acceleration(w, dw, p, link);
+  auto a = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, at_axis)), u * along_z(screw.shift));
   return Motion{w, dw, a, p, u};
 }
 
 /// Motion of a prismatic link from its parent's (Craig 2005, eqs. (6.33) and (6.35)).
 template <class Link, class Screw, class Parent, class V, class A>
-constexpr auto move(Prismatic, const Link& link, const Screw& screw, const Parent& parent, const V& qd, const A& qdd) {
+AXIAL_INLINE constexpr auto move(Prismatic, const Link& link, const Screw& screw, const Parent& parent, const V& qd,
+                                 const A& qdd) {
   using namespace quantity;
-  const auto x = link.x();
-  const auto at_axis = link.sum(LinearAcceleration{}, parent.a, parent.u * Vec3{x.shift, Zero{}, Zero{}});
-  const auto w = to_child(screw, to_child(x, parent.w));
-  const auto dw = to_child(screw, to_child(x, parent.dw));
-  const auto p = products(w, link);
-  const auto u = rotation_acceleration(w, dw, p, link);
-  const auto a = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, at_axis)), u * along_z(screw.shift),
-                          cross_z(w, qd + qd), along_z(qdd));
+  auto x = link.x();
+  auto at_axis = link.sum(LinearAcceleration{}, parent.a, parent.u * Vec3{x.shift, Zero{}, Zero{}});
+  auto w = to_child(screw, to_child(x, parent.w));
+  auto dw = to_child(screw, to_child(x, parent.dw));
+  auto p = products(w, link);
+  auto u = rotation_acceleration(w, dw, p, link);
+  auto a = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, at_axis)), u * along_z(screw.shift),
+                    cross_z(w, qd + qd), along_z(qdd));
   return Motion{w, dw, a, p, u};
 }
 
 /// Force and moment about the frame's origin that give a body its motion: f = m a + U h, n = J dw + w x J w + h x a.
 template <class Link, class Body, class D, class M>
-constexpr auto newton_euler(const Link& link, const Body& body, const D& differences, const M& motion) {
+AXIAL_INLINE constexpr auto newton_euler(const Link& link, const Body& body, const D& differences, const M& motion) {
   using namespace quantity;
   const auto& h = body.first_moment;
-  const auto force = link.sum(Force{}, body.mass * motion.a, motion.u * h);
-  const auto moment = link.sum(Moment{}, rotational_moment(body.inertia, differences, motion.dw, motion.p, motion.u),
-                               cross(h, motion.a));
+  auto force = link.sum(Force{}, body.mass * motion.a, motion.u * h);
+  auto moment = link.sum(Moment{}, rotational_moment(body.inertia, differences, motion.dw, motion.p, motion.u),
+                         cross(h, motion.a));
   return ForceVector{moment, force};
 }
 
 /// Component of a force along the joint.
 template <class F>
-constexpr auto along_joint(Revolute, const F& f) {
+AXIAL_INLINE constexpr auto along_joint(Revolute, const F& f) {
   return f.moment.z;
 }
 template <class F>
-constexpr auto along_joint(Prismatic, const F& f) {
+AXIAL_INLINE constexpr auto along_joint(Prismatic, const F& f) {
   return f.force.z;
 }
 
@@ -95,23 +97,22 @@ Left(F) -> Left<F>;
 
 /// The algorithm over any form of links; tau[i] is written for every joint.
 template <class Links, class Input, class Q, class V, class A, class Tau>
-constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Tau& tau) {
+AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Tau& tau) {
   const TipLoads<typename Links::Scene, Input> loads(in);
-  const auto screws = map_links(links, [&](auto i) AXIAL_INLINE { return links.link(i).z(q[i]); });
-  const auto motions =
-      outward(links, base_motion(links.base_acceleration()), [&](auto i, const auto& parent) AXIAL_INLINE {
-        const auto link = links.link(i);
-        return link.on_joint(
-            [&](auto joint) AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i], qdd[i])); });
-      });
-  const auto own = [&](auto i) AXIAL_INLINE {
-    const auto link = links.link(i);
-    const auto body = loads.body(link);
-    const auto differences = loaded_differences<typename Links::Scene>(link, body);
+  auto screws = map_links(links, [&](auto i) AXIAL_INLINE { return links.link(i).z(q[i]); });
+  auto motions = outward(links, base_motion(links.base_acceleration()), [&](auto i, const auto& parent) AXIAL_INLINE {
+    auto link = links.link(i);
+    return link.on_joint([&](auto joint)
+                             AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i], qdd[i])); });
+  });
+  auto own = [&](auto i) AXIAL_INLINE {
+    auto link = links.link(i);
+    auto body = loads.body(link);
+    auto differences = loaded_differences<typename Links::Scene>(link, body);
     return link.shape(newton_euler(link, body, differences, motions[i]) - loads.wrench(link));
   };
-  const auto joint = [&](auto i, const auto& force) AXIAL_INLINE {
-    const auto link = links.link(i);
+  auto joint = [&](auto i, const auto& force) AXIAL_INLINE {
+    auto link = links.link(i);
     tau[i] = link.on_joint([&](auto kind) AXIAL_INLINE {
       return static_cast<typename Links::Scalar>(link.sum(quantity::JointEffort{}, along_joint(kind, force),
                                                           link.rotor() * qdd[i], friction_effort(link, qd[i])));

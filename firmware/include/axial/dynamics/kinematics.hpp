@@ -21,28 +21,28 @@ struct ForwardKinematics {
 template <class S, class T>
 struct Jacobian {
   MotionVector<Vec3<T>, Vec3<T>> columns[joint_count<S>];
-  constexpr auto& operator[](int j) { return columns[j]; }
-  constexpr const auto& operator[](int j) const { return columns[j]; }
+  AXIAL_INLINE constexpr auto& operator[](int j) { return columns[j]; }
+  AXIAL_INLINE constexpr const auto& operator[](int j) const { return columns[j]; }
 };
 
 namespace kinematics {
 
 /// Pose of a link's frame from its parent's: Rx(alpha) Tx(a) Rz(theta) Tz(d), 24M+ for the axes, 6M 6A for the origin.
 template <class Link, class Screw, class P>
-constexpr auto place(const Link& link, const Screw& screw, const P& parent) {
-  const auto x = link.x();
-  const auto row = [&](const auto& r) AXIAL_INLINE { return to_child(screw, to_child(x, r)); };
-  const Mat3 rotation{row(parent.rotation.x), row(parent.rotation.y), row(parent.rotation.z)};
+AXIAL_INLINE constexpr auto place(const Link& link, const Screw& screw, const P& parent) {
+  auto x = link.x();
+  auto row = [&](const auto& r) AXIAL_INLINE { return to_child(screw, to_child(x, r)); };
+  Mat3 rotation{row(parent.rotation.x), row(parent.rotation.y), row(parent.rotation.z)};
   return Pose{rotation, link.sum(quantity::Length{}, parent.position, x.shift * x_column(parent.rotation),
                                  screw.shift * z_column(rotation))};
 }
 
 template <class Links, class Q, class Result>
-constexpr void run(const Links& links, const Q& q, Result& result) {
+AXIAL_INLINE constexpr void run(const Links& links, const Q& q, Result& result) {
   using T = typename Links::Scalar;
   outward(links, links.base_pose(), [&](auto i, const auto& parent) AXIAL_INLINE {
-    const auto link = links.link(i);
-    const auto pose = link.shape(place(link, link.z(q[i]), parent));
+    auto link = links.link(i);
+    auto pose = link.shape(place(link, link.z(q[i]), parent));
     result.frames[i] = pose.template dense<T>();
     return pose;
   });
@@ -50,22 +50,22 @@ constexpr void run(const Links& links, const Q& q, Result& result) {
 }
 
 template <class T>
-constexpr MotionVector<Vec3<T>, Vec3<T>> column(Revolute, const Vec3<T>& axis, const Vec3<T>& arm) {
+AXIAL_INLINE constexpr MotionVector<Vec3<T>, Vec3<T>> column(Revolute, const Vec3<T>& axis, const Vec3<T>& arm) {
   return {axis, cross(axis, arm)};
 }
 template <class T>
-constexpr MotionVector<Vec3<T>, Vec3<T>> column(Prismatic, const Vec3<T>& axis, const Vec3<T>&) {
+AXIAL_INLINE constexpr MotionVector<Vec3<T>, Vec3<T>> column(Prismatic, const Vec3<T>& axis, const Vec3<T>&) {
   return {ZeroVec3{}, axis};
 }
 
 template <class Links, class Poses, class Result>
-constexpr void columns(const Links& links, const Poses& poses, Result& jacobian) {
+AXIAL_INLINE constexpr void columns(const Links& links, const Poses& poses, Result& jacobian) {
   bool carries_tool[Links::capacity] = {};
   for (int i = links.size() - 1; i >= 0; i = links.parent_index(i))
     carries_tool[i] = true;
   for_each_link(links, [&](auto i) AXIAL_INLINE {
     if (!carries_tool[i]) return;
-    const auto axis = z_column(poses.frames[i].rotation);
+    auto axis = z_column(poses.frames[i].rotation);
     jacobian[i] = links.link(i).on_joint(
         [&](auto joint) AXIAL_INLINE { return column(joint, axis, poses.tool.position - poses.frames[i].position); });
   });

@@ -7,7 +7,7 @@ namespace axial {
 
 /// Rigid-body inertia of a payload about the origin of the last link's frame (parallel-axis theorem): 12M 9A.
 template <class T>
-constexpr auto payload_inertia(const PayloadBody<T>& load) {
+AXIAL_INLINE constexpr auto payload_inertia(const PayloadBody<T>& load) {
   const Vec3<T> h = load.mass * load.com;
   const Vec3<T> square{h.x * load.com.x, h.y * load.com.y, h.z * load.com.z};
   const Sym3<T>& c = load.inertia_com;
@@ -24,7 +24,7 @@ class TipLoads {
 
   /// Inertia of a link with its payload.
   template <class Link>
-  constexpr auto body(const Link& link) const {
+  AXIAL_INLINE constexpr auto body(const Link& link) const {
     if constexpr (!Scene::template has<Payload>)
       return link.body();
     else
@@ -32,7 +32,7 @@ class TipLoads {
   }
   /// Force that the environment exerts on a link; zero by type where the scene has no tip wrench.
   template <class Link>
-  constexpr auto wrench(const Link& link) const {
+  AXIAL_INLINE constexpr auto wrench(const Link& link) const {
     constexpr ForceVector<ZeroVec3, ZeroVec3> none;
     if constexpr (!Scene::template has<TipWrench>) {
       return none;
@@ -50,7 +50,7 @@ class TipLoads {
 
  private:
   template <class Link>
-  constexpr auto with_payload(const Link& link) const {
+  AXIAL_INLINE constexpr auto with_payload(const Link& link) const {
     if constexpr (Link::unrolled) {
       if constexpr (Link::is_last)
         return link.body() + payload_inertia(in_.payload);
@@ -68,7 +68,7 @@ class TipLoads {
 
 /// (Jzz - Jyy, Jxx - Jzz, Jyy - Jxx) of a link as the scene loads it.
 template <class Scene, class Link, class Body>
-constexpr auto loaded_differences(const Link& link, const Body& body) {
+AXIAL_INLINE constexpr auto loaded_differences(const Link& link, const Body& body) {
   const auto& j = body.inertia;
   if constexpr (!Scene::template has<Payload>)
     return link.inertia_differences();
@@ -79,7 +79,7 @@ constexpr auto loaded_differences(const Link& link, const Body& body) {
 /// Friction effort of a joint at speed qd: viscous qd + Coulomb, 0 at rest; both directions are read, none is branched
 /// on.
 template <class Link, class V>
-constexpr auto friction_effort(const Link& link, const V& qd) {
+AXIAL_INLINE constexpr auto friction_effort(const Link& link, const V& qd) {
   if constexpr (!Link::Scene::template has<Friction> || is_zero_v<V>) {
     return Zero{};
   } else {

@@ -13,11 +13,11 @@ struct MassMatrix {
   static constexpr int size = joint_count<S>;
   T values[size * (size + 1) / 2];
 
-  constexpr T& operator()(int i, int j) { return values[at(i, j)]; }
-  constexpr const T& operator()(int i, int j) const { return values[at(i, j)]; }
+  AXIAL_INLINE constexpr T& operator()(int i, int j) { return values[at(i, j)]; }
+  AXIAL_INLINE constexpr const T& operator()(int i, int j) const { return values[at(i, j)]; }
 
  private:
-  static constexpr int at(int i, int j) { return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i; }
+  AXIAL_INLINE static constexpr int at(int i, int j) { return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i; }
 };
 
 namespace crba {
@@ -32,24 +32,24 @@ Left(B, P) -> Left<B, P>;
 
 /// Force that accelerates a composite body by one unit of its joint: I^c phi.
 template <class B>
-constexpr auto unit_force(Revolute, const B& body) {
+AXIAL_INLINE constexpr auto unit_force(Revolute, const B& body) {
   const auto& h = body.first_moment;
   return ForceVector{Vec3{body.inertia.xz, body.inertia.yz, body.inertia.zz}, Vec3{-h.y, h.x, Zero{}}};
 }
 template <class B>
-constexpr auto unit_force(Prismatic, const B& body) {
+AXIAL_INLINE constexpr auto unit_force(Prismatic, const B& body) {
   const auto& h = body.first_moment;
   return ForceVector{Vec3{h.y, -h.x, Zero{}}, Vec3{Zero{}, Zero{}, body.mass}};
 }
 
 /// Carries the force of joint i from link j towards the base and writes the row M(i, .) on its way.
 template <class Links, class Screws, class F, class J, class Matrix>
-constexpr void climb(const Links& links, const Screws& screws, const F& force, int i, J j, Matrix& m) {
+AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, const F& force, int i, J j, Matrix& m) {
   if constexpr (Links::unrolled) {
     constexpr int parent = Links::template parent_of<J::value>;
     if constexpr (parent >= 0) {
-      const auto link = links.link(j);
-      const auto at_parent = to_parent(link.x(), to_parent(screws[j], force, link), link);
+      auto link = links.link(j);
+      auto at_parent = to_parent(link.x(), to_parent(screws[j], force, link), link);
       m(i, parent) =
           static_cast<typename Links::Scalar>(links.link(Index<parent>{}).on_joint([&](auto joint) AXIAL_INLINE {
             return rnea::along_joint(joint, at_parent);
@@ -59,7 +59,7 @@ constexpr void climb(const Links& links, const Screws& screws, const F& force, i
   } else {
     auto carried = force;
     for (int k = j; links.parent_index(k) >= 0; k = links.parent_index(k)) {
-      const auto link = links.link(k);
+      auto link = links.link(k);
       carried = to_parent(link.x(), to_parent(screws[k], carried, link), link);
       const int parent = links.parent_index(k);
       m(i, parent) = links.link(parent).on_joint([&](auto joint) { return rnea::along_joint(joint, carried); });
@@ -69,18 +69,18 @@ constexpr void climb(const Links& links, const Screws& screws, const F& force, i
 
 /// The algorithm over any form of links; writes the entries of joints that move each other, the rest stay as they are.
 template <class Links, class Input, class Q, class Matrix>
-constexpr void run(const Links& links, const Input& in, const Q& q, Matrix& m) {
+AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Matrix& m) {
   using T = typename Links::Scalar;
   const TipLoads<typename Links::Scene, Input> loads(in);
-  const auto screws = map_links(links, [&](auto i) AXIAL_INLINE { return links.link(i).z(q[i]); });
-  const auto own = [&](auto i) AXIAL_INLINE { return links.link(i).shape(loads.body(links.link(i))); };
-  const auto bodies = inward(links, own, [&](auto i, const auto& body) AXIAL_INLINE {
-    const auto link = links.link(i);
+  auto screws = map_links(links, [&](auto i) AXIAL_INLINE { return links.link(i).z(q[i]); });
+  auto own = [&](auto i) AXIAL_INLINE { return links.link(i).shape(loads.body(links.link(i))); };
+  auto bodies = inward(links, own, [&](auto i, const auto& body) AXIAL_INLINE {
+    auto link = links.link(i);
     return Left{body, link.shape(to_parent(link.x(), to_parent(screws[i], body, link), link))};
   });
   for_each_link(links, [&](auto i) AXIAL_INLINE {
-    const auto link = links.link(i);
-    const auto force =
+    auto link = links.link(i);
+    auto force =
         link.on_joint([&](auto joint) AXIAL_INLINE { return link.shape(unit_force(joint, bodies[i].composite)); });
     m(i, i) = link.on_joint([&](auto joint) AXIAL_INLINE {
       return static_cast<T>(link.sum(quantity::JointInertia{}, rnea::along_joint(joint, force), link.rotor()));

@@ -12,11 +12,11 @@ struct Slot {
   V value{};
 };
 template <int I, class V>
-constexpr V& pick(Slot<I, V>& slot) {
+AXIAL_INLINE constexpr V& pick(Slot<I, V>& slot) {
   return slot.value;
 }
 template <int I, class V>
-constexpr const V& pick(const Slot<I, V>& slot) {
+AXIAL_INLINE constexpr const V& pick(const Slot<I, V>& slot) {
   return slot.value;
 }
 
@@ -25,11 +25,11 @@ struct SlotsOf;
 template <int... I, class... V>
 struct SlotsOf<std::integer_sequence<int, I...>, V...> : Slot<I, V>... {
   template <int K>
-  constexpr auto& operator[](Index<K>) {
+  AXIAL_INLINE constexpr auto& operator[](Index<K>) {
     return pick<K>(*this);
   }
   template <int K>
-  constexpr const auto& operator[](Index<K>) const {
+  AXIAL_INLINE constexpr const auto& operator[](Index<K>) const {
     return pick<K>(*this);
   }
 };
@@ -47,8 +47,8 @@ struct Slots : detail::SlotsOf<std::make_integer_sequence<int, sizeof...(V)>, V.
 template <class V, int N>
 struct Row {
   V values[N] = {};
-  constexpr V& operator[](int i) { return values[i]; }
-  constexpr const V& operator[](int i) const { return values[i]; }
+  AXIAL_INLINE constexpr V& operator[](int i) { return values[i]; }
+  AXIAL_INLINE constexpr const V& operator[](int i) const { return values[i]; }
 };
 
 namespace detail {
@@ -76,7 +76,7 @@ struct Outward<Links, Root, Step, Found, Links::capacity> {
 };
 
 template <int P, class Root, class Values>
-constexpr const auto& value_or_root(Index<P> parent, const Root& root, const Values& values) {
+AXIAL_INLINE constexpr const auto& value_or_root(Index<P> parent, const Root& root, const Values& values) {
   if constexpr (P < 0)
     return root;
   else
@@ -84,19 +84,19 @@ constexpr const auto& value_or_root(Index<P> parent, const Root& root, const Val
 }
 
 template <class Links, class Root, class Step, int... I>
-constexpr auto outward_unrolled(const Root& root, const Step& step, std::integer_sequence<int, I...>) {
+AXIAL_INLINE constexpr auto outward_unrolled(const Root& root, const Step& step, std::integer_sequence<int, I...>) {
   typename Outward<Links, Root, Step, Slots<>, 0>::type values{};
   ((values[Index<I>{}] = step(Index<I>{}, value_or_root(Index<Links::template parent_of<I>>{}, root, values))), ...);
   return values;
 }
 
 template <class Links, class F, int... I>
-constexpr void each_unrolled(const F& f, std::integer_sequence<int, I...>) {
+AXIAL_INLINE constexpr void each_unrolled(const F& f, std::integer_sequence<int, I...>) {
   (f(Index<I>{}), ...);
 }
 
 template <class Links, class F, int... I>
-constexpr auto map_unrolled(const F& f, std::integer_sequence<int, I...>) {
+AXIAL_INLINE constexpr auto map_unrolled(const F& f, std::integer_sequence<int, I...>) {
   return Slots<std::decay_t<decltype(f(Index<I>{}))>...>{{{f(Index<I>{})}...}};
 }
 
@@ -104,7 +104,7 @@ constexpr auto map_unrolled(const F& f, std::integer_sequence<int, I...>) {
 
 /// Calls f(i) for every link, outwards.
 template <class Links, class F>
-constexpr void for_each_link(const Links& links, const F& f) {
+AXIAL_INLINE constexpr void for_each_link(const Links& links, const F& f) {
   if constexpr (Links::unrolled) {
     detail::each_unrolled<Links>(f, typename Links::Indices{});
   } else {
@@ -115,7 +115,7 @@ constexpr void for_each_link(const Links& links, const F& f) {
 
 /// values[i] = f(i).
 template <class Links, class F>
-constexpr auto map_links(const Links& links, const F& f) {
+AXIAL_INLINE constexpr auto map_links(const Links& links, const F& f) {
   if constexpr (Links::unrolled) {
     return detail::map_unrolled<Links>(f, typename Links::Indices{});
   } else {
@@ -128,11 +128,11 @@ constexpr auto map_links(const Links& links, const F& f) {
 
 /// values[i] = step(i, value of the parent), the base's being `root`.
 template <class Links, class Root, class Step>
-constexpr auto outward(const Links& links, const Root& root, const Step& step) {
+AXIAL_INLINE constexpr auto outward(const Links& links, const Root& root, const Step& step) {
   if constexpr (Links::unrolled) {
     return detail::outward_unrolled<Links>(root, step, typename Links::Indices{});
   } else {
-    const auto dense_root = root.template dense<typename Links::Scalar>();
+    auto dense_root = root.template dense<typename Links::Scalar>();
     Row<std::decay_t<decltype(step(0, dense_root))>, Links::capacity> values;
     for (int i = 0; i < links.size(); ++i) {
       const int parent = links.parent_index(i);
@@ -147,16 +147,16 @@ namespace detail {
 struct NoLoad {};
 
 template <class V>
-constexpr auto loaded(const V& own, NoLoad) {
+AXIAL_INLINE constexpr auto loaded(const V& own, NoLoad) {
   return own;
 }
 template <class V, class W>
-constexpr auto loaded(const V& own, const W& load) {
+AXIAL_INLINE constexpr auto loaded(const V& own, const W& load) {
   return own + load;
 }
-constexpr NoLoad loaded(NoLoad, NoLoad) { return {}; }
+AXIAL_INLINE constexpr NoLoad loaded(NoLoad, NoLoad) { return {}; }
 template <class W>
-constexpr auto loaded(NoLoad, const W& load) {
+AXIAL_INLINE constexpr auto loaded(NoLoad, const W& load) {
   return load;
 }
 
@@ -170,7 +170,7 @@ struct Inward {
   using Left = decltype(std::declval<Inward>().template leave_type<I>());
 
   template <int I, int C>
-  constexpr auto loads_type() const {
+  AXIAL_INLINE constexpr auto loads_type() const {
     if constexpr (C >= Links::capacity)
       return NoLoad{};
     else if constexpr (Links::template parent_of<C> == I)
@@ -179,12 +179,12 @@ struct Inward {
       return loads_type<I, C + 1>();
   }
   template <int I>
-  constexpr auto leave_type() const {
+  AXIAL_INLINE constexpr auto leave_type() const {
     return joint(Index<I>{}, loaded(own(Index<I>{}), loads_type<I, I + 1>()));
   }
 
   template <int I, int C, class Values>
-  constexpr auto loads(const Values& values) const {
+  AXIAL_INLINE constexpr auto loads(const Values& values) const {
     if constexpr (C >= Links::capacity)
       return NoLoad{};
     else if constexpr (Links::template parent_of<C> == I)
@@ -194,7 +194,7 @@ struct Inward {
   }
 
   template <int... I>
-  constexpr auto run(std::integer_sequence<int, I...>) const {
+  AXIAL_INLINE constexpr auto run(std::integer_sequence<int, I...>) const {
     constexpr int last = Links::capacity - 1;
     Slots<Left<I>...> values{};
     ((values[Index<last - I>{}] =
@@ -209,7 +209,7 @@ struct Inward {
 /// From the tips to the base: left[i] = joint(i, own(i) + what the children sent). What joint() returns has a member
 /// `sent`, the load on the parent in the parent's frame; nothing reads the load that a root link sends.
 template <class Links, class Own, class Joint>
-constexpr auto inward(const Links& links, const Own& own, const Joint& joint) {
+AXIAL_INLINE constexpr auto inward(const Links& links, const Own& own, const Joint& joint) {
   if constexpr (Links::unrolled) {
     return detail::Inward<Links, Own, Joint>{own, joint}.run(typename Links::Indices{});
   } else {

@@ -14,7 +14,7 @@ struct Reach {
   H moment{};
   P polar{};
   template <class T>
-  constexpr Reach<T, T, T> dense() const {
+  AXIAL_INLINE constexpr Reach<T, T, T> dense() const {
     return {mass, moment, polar};
   }
 };
@@ -22,13 +22,13 @@ template <class M, class H, class P>
 Reach(M, H, P) -> Reach<M, H, P>;
 
 template <class A, class B, class C, class D, class E, class F>
-constexpr auto operator+(const Reach<A, B, C>& a, const Reach<D, E, F>& b) {
+AXIAL_INLINE constexpr auto operator+(const Reach<A, B, C>& a, const Reach<D, E, F>& b) {
   return Reach{a.mass + b.mass, a.moment + b.moment, a.polar + b.polar};
 }
 
 namespace detail {
 template <class X>
-constexpr auto absolute(const X& x) {
+AXIAL_INLINE constexpr auto absolute(const X& x) {
   if constexpr (is_structural_v<X>)
     return Int<(X::value < 0 ? -X::value : X::value)>{};
   else
@@ -38,7 +38,7 @@ constexpr auto absolute(const X& x) {
 
 /// Of one rigid body: the polar moment is half the trace of its inertia.
 template <class Body>
-constexpr auto reach(const Body& body) {
+AXIAL_INLINE constexpr auto reach(const Body& body) {
   const auto& h = body.first_moment;
   const auto& j = body.inertia;
   return Reach{body.mass, detail::absolute(h.x) + detail::absolute(h.y) + detail::absolute(h.z), j.xx + j.yy + j.zz};
@@ -47,9 +47,9 @@ constexpr auto reach(const Body& body) {
 /// Seen from a point at a distance of at most `shift`: polar' <= polar + 2 shift |h| + shift^2 m (parallel axes).
 /// `polar` holds the trace, twice the moment, which only makes the bound wider.
 template <class M, class H, class P, class L>
-constexpr auto seen_from(const Reach<M, H, P>& r, const L& shift) {
-  const auto grown = r.moment + shift * r.mass;
-  const auto growth = shift * (r.moment + grown);
+AXIAL_INLINE constexpr auto seen_from(const Reach<M, H, P>& r, const L& shift) {
+  auto grown = r.moment + shift * r.mass;
+  auto growth = shift * (r.moment + grown);
   return Reach{r.mass, grown, r.polar + growth + growth};
 }
 

@@ -9,11 +9,11 @@ namespace axial {
 
 /// Column of a 6x6 inertia along a joint, U = I* phi: angular and linear rows.
 template <class I>
-constexpr auto joint_column(Revolute, const I& i) {
+AXIAL_INLINE constexpr auto joint_column(Revolute, const I& i) {
   return MotionVector{Vec3{i.angular.xz, i.angular.yz, i.angular.zz}, i.coupling.z};
 }
 template <class I>
-constexpr auto joint_column(Prismatic, const I& i) {
+AXIAL_INLINE constexpr auto joint_column(Prismatic, const I& i) {
   return MotionVector{Vec3{i.coupling.x.z, i.coupling.y.z, i.coupling.z.z},
                       Vec3{i.linear.xz, i.linear.yz, i.linear.zz}};
 }
@@ -21,21 +21,21 @@ constexpr auto joint_column(Prismatic, const I& i) {
 namespace detail {
 
 template <class I>
-constexpr auto axis_inertia(Revolute, const I& i) {
+AXIAL_INLINE constexpr auto axis_inertia(Revolute, const I& i) {
   return i.angular.zz;
 }
 template <class I>
-constexpr auto axis_inertia(Prismatic, const I& i) {
+AXIAL_INLINE constexpr auto axis_inertia(Prismatic, const I& i) {
   return i.linear.zz;
 }
 
 // K_s = I_ss / D, exactly 1 without a rotor: then the joint transmits its effort and nothing else.
 template <class Link, class I, class J, class R>
-constexpr auto axis_gain(const Link& link, const I& inertia, const J& rotor, const R& inverse) {
+AXIAL_INLINE constexpr auto axis_gain(const Link& link, const I& inertia, const J& rotor, const R& inverse) {
   if constexpr (is_zero_v<J>) {
     return One{};
   } else {
-    const auto gain = link.sum(quantity::Gain{}, inertia * inverse);
+    auto gain = link.sum(quantity::Gain{}, inertia * inverse);
     if constexpr (Link::unrolled)
       return gain;
     else
@@ -46,7 +46,8 @@ constexpr auto axis_gain(const Link& link, const I& inertia, const J& rotor, con
 // s - U K^T on the plane x, y; the joint's row and column are K_k J_rotor (zero by type without a rotor) instead of a
 // difference that cancels.
 template <class S, class U, class K, class KS, class J, class Round, class Q>
-constexpr auto reduced(Round round, Q q, const S& s, const U& u, const K& k, const KS& axis, const J& rotor) {
+AXIAL_INLINE constexpr auto reduced(Round round, Q q, const S& s, const U& u, const K& k, const KS& axis,
+                                    const J& rotor) {
   return Sym3{round.sum(q, s.xx, -(u.x * k.x)),
               round.sum(q, s.yy, -(u.y * k.y)),
               axis * rotor,
@@ -55,7 +56,7 @@ constexpr auto reduced(Round round, Q q, const S& s, const U& u, const K& k, con
               k.y * rotor};
 }
 template <class S, class U, class K, class Round, class Q>
-constexpr auto reduced(Round round, Q q, const S& s, const U& u, const K& k) {
+AXIAL_INLINE constexpr auto reduced(Round round, Q q, const S& s, const U& u, const K& k) {
   return Sym3{round.sum(q, s.xx, -(u.x * k.x)), round.sum(q, s.yy, -(u.y * k.y)), round.sum(q, s.zz, -(u.z * k.z)),
               round.sum(q, s.xy, -(u.x * k.y)), round.sum(q, s.xz, -(u.x * k.z)), round.sum(q, s.yz, -(u.y * k.z))};
 }
@@ -65,19 +66,19 @@ constexpr auto reduced(Round round, Q q, const S& s, const U& u, const K& k) {
 /// Reflected inertia N_jk = I_jk - U_j K_k, McMillan and Orin 1995, eqs. (4)-(6): 20M 15A for one joint without a rotor
 /// (K takes 5M of them, given 1/D). `gain` is K, `axis_gain` its component along the joint.
 template <class Link, class I, class U, class K, class KS, class J>
-constexpr auto reflected(Revolute, const Link& link, const I& i, const U& u, const K& k, const KS& axis,
-                         const J& rotor) {
+AXIAL_INLINE constexpr auto reflected(Revolute, const Link& link, const I& i, const U& u, const K& k, const KS& axis,
+                                      const J& rotor) {
   using namespace quantity;
-  const auto row = [&](const auto& c, const auto& uj) { return link.sum(FirstMoment{}, c, -(uj * k.linear)); };
+  auto row = [&](const auto& c, const auto& uj) { return link.sum(FirstMoment{}, c, -(uj * k.linear)); };
   return ArticulatedInertia{detail::reduced(link, RotationalInertia{}, i.angular, u.angular, k.angular, axis, rotor),
                             Mat3{row(i.coupling.x, u.angular.x), row(i.coupling.y, u.angular.y), rotor * k.linear},
                             detail::reduced(link, Mass{}, i.linear, u.linear, k.linear)};
 }
 template <class Link, class I, class U, class K, class KS, class J>
-constexpr auto reflected(Prismatic, const Link& link, const I& i, const U& u, const K& k, const KS& axis,
-                         const J& rotor) {
+AXIAL_INLINE constexpr auto reflected(Prismatic, const Link& link, const I& i, const U& u, const K& k, const KS& axis,
+                                      const J& rotor) {
   using namespace quantity;
-  const auto row = [&](const auto& c, const auto& uj, const auto& kj) {
+  auto row = [&](const auto& c, const auto& uj, const auto& kj) {
     return Vec3{link.sum(FirstMoment{}, c.x, -(uj * k.linear.x)), link.sum(FirstMoment{}, c.y, -(uj * k.linear.y)),
                 kj * rotor};
   };
@@ -90,21 +91,21 @@ constexpr auto reflected(Prismatic, const Link& link, const I& i, const U& u, co
 
 /// Bias that passes a joint: p + N zeta + K u; along the joint it is p J/D + K_s tau, which is tau without a rotor.
 template <class Link, class P, class N, class Z, class K, class U, class S>
-constexpr auto passed_bias(Revolute, const Link& link, const P& p, const N& n, const Z& zeta, const K& k, const U& u,
-                           const S& axis) {
+AXIAL_INLINE constexpr auto passed_bias(Revolute, const Link& link, const P& p, const N& n, const Z& zeta, const K& k,
+                                        const U& u, const S& axis) {
   using namespace quantity;
-  const Vec3 carried{p.moment.x, p.moment.y, axis};
-  const Vec3 gained{k.angular.x * u, k.angular.y * u, Zero{}};
+  Vec3 carried{p.moment.x, p.moment.y, axis};
+  Vec3 gained{k.angular.x * u, k.angular.y * u, Zero{}};
   return ForceVector{
       link.sum(Moment{}, carried, n.angular * zeta.angular, n.coupling * zeta.linear, gained),
       link.sum(Force{}, p.force, transpose_times(n.coupling, zeta.angular), n.linear * zeta.linear, u * k.linear)};
 }
 template <class Link, class P, class N, class Z, class K, class U, class S>
-constexpr auto passed_bias(Prismatic, const Link& link, const P& p, const N& n, const Z& zeta, const K& k, const U& u,
-                           const S& axis) {
+AXIAL_INLINE constexpr auto passed_bias(Prismatic, const Link& link, const P& p, const N& n, const Z& zeta, const K& k,
+                                        const U& u, const S& axis) {
   using namespace quantity;
-  const Vec3 carried{p.force.x, p.force.y, axis};
-  const Vec3 gained{k.linear.x * u, k.linear.y * u, Zero{}};
+  Vec3 carried{p.force.x, p.force.y, axis};
+  Vec3 gained{k.linear.x * u, k.linear.y * u, Zero{}};
   return ForceVector{
       link.sum(Moment{}, p.moment, n.angular * zeta.angular, n.coupling * zeta.linear, u * k.angular),
       link.sum(Force{}, carried, transpose_times(n.coupling, zeta.angular), n.linear * zeta.linear, gained)};
@@ -124,30 +125,30 @@ Reflection(I, P, K, U, bool) -> Reflection<I, P, K, U>;
 
 /// Composite inertia that a joint's D is compared with: about the axis (bounded by the polar moment), or the mass.
 template <class R>
-constexpr auto singularity_scale(Revolute, const R& reach) {
+AXIAL_INLINE constexpr auto singularity_scale(Revolute, const R& reach) {
   return reach.polar;
 }
 template <class R>
-constexpr auto singularity_scale(Prismatic, const R& reach) {
+AXIAL_INLINE constexpr auto singularity_scale(Prismatic, const R& reach) {
   return reach.mass;
 }
 
 namespace detail {
 
 template <class K, class KS>
-constexpr auto gain_vector(Revolute, const K& k, const KS& axis) {
+AXIAL_INLINE constexpr auto gain_vector(Revolute, const K& k, const KS& axis) {
   return MotionVector{Vec3{k.angular.x, k.angular.y, axis}, k.linear};
 }
 template <class K, class KS>
-constexpr auto gain_vector(Prismatic, const K& k, const KS& axis) {
+AXIAL_INLINE constexpr auto gain_vector(Prismatic, const K& k, const KS& axis) {
   return MotionVector{k.angular, Vec3{k.linear.x, k.linear.y, axis}};
 }
 template <class P>
-constexpr auto axis_force(Revolute, const P& p) {
+AXIAL_INLINE constexpr auto axis_force(Revolute, const P& p) {
   return p.moment.z;
 }
 template <class P>
-constexpr auto axis_force(Prismatic, const P& p) {
+AXIAL_INLINE constexpr auto axis_force(Prismatic, const P& p) {
   return p.force.z;
 }
 
@@ -164,44 +165,46 @@ struct Resistance {
 /// left, 1/D is taken as 0, so that the result stays finite. Both are selected, not branched on. Number systems that
 /// know a lower bound of D overload it.
 template <class T, class Scale>
-constexpr Resistance<T> resistance(const T& d, const Scale& scale) {
+AXIAL_INLINE constexpr Resistance<T> resistance(const T& d, const Scale& scale) {
   const T eps = NumberTraits<T>::epsilon();
-  return {d > T(eps * eps * scale) ? reciprocal(d) : T(Zero{}), !(d > T(T(Int<16>{}) * eps * scale))};
+  const bool left = d > T(eps * eps * scale);
+  const T inverse = reciprocal(left ? d : T(One{}));
+  return {left ? inverse : T(Zero{}), !(d > T(T(Int<16>{}) * eps * scale))};
 }
 
 /// Reflection of an articulated body (inertia, bias p) across its joint, driven by the effort tau; D = I_ss + rotor.
 template <class Joint, class Link, class I, class P, class Z, class Tau, class Scale>
-constexpr auto reflection(Joint joint, const Link& link, const I& inertia, const P& p, const Z& zeta, const Tau& tau,
-                          const Scale& scale) {
+AXIAL_INLINE constexpr auto reflection(Joint joint, const Link& link, const I& inertia, const P& p, const Z& zeta,
+                                       const Tau& tau, const Scale& scale) {
   using namespace quantity;
-  const auto rotor = link.rotor();
-  const auto own = detail::axis_inertia(joint, inertia);
-  const auto d = link.sum(JointInertia{}, own, rotor);
-  const auto [inverse, singular] = resistance(d, scale);
-  const auto column = joint_column(joint, inertia);
-  const MotionVector k{link.sum(Gain{}, inverse * column.angular), link.sum(Gain{}, inverse * column.linear)};
-  const auto axis = detail::axis_gain(link, own, rotor, inverse);
-  const auto n = reflected(joint, link, inertia, column, k, axis, rotor);
-  const auto held = detail::axis_force(joint, p);
-  const auto u = link.sum(JointEffort{}, tau, -held);
-  const auto passed = link.sum(JointEffort{}, (rotor * inverse) * held, axis * tau);
+  auto rotor = link.rotor();
+  auto own = detail::axis_inertia(joint, inertia);
+  auto d = link.sum(JointInertia{}, own, rotor);
+  auto [inverse, singular] = resistance(d, scale);
+  auto column = joint_column(joint, inertia);
+  MotionVector k{link.sum(Gain{}, inverse * column.angular), link.sum(Gain{}, inverse * column.linear)};
+  auto axis = detail::axis_gain(link, own, rotor, inverse);
+  auto n = reflected(joint, link, inertia, column, k, axis, rotor);
+  auto held = detail::axis_force(joint, p);
+  auto u = link.sum(JointEffort{}, tau, -held);
+  auto passed = link.sum(JointEffort{}, (rotor * inverse) * held, axis * tau);
   return Reflection{n, passed_bias(joint, link, p, n, zeta, k, u, passed), detail::gain_vector(joint, k, axis),
                     link.sum(JointAcceleration{}, inverse * u), singular};
 }
 
 /// K . a, the part of a motion that the joint's inertia answers.
 template <class K, class M>
-constexpr auto gain_times(const K& k, const M& motion) {
+AXIAL_INLINE constexpr auto gain_times(const K& k, const M& motion) {
   return dot(k.angular, motion.angular) + dot(k.linear, motion.linear);
 }
 
 /// A joint acceleration as a motion of its link.
 template <class A>
-constexpr auto along_axis(Revolute, const A& qdd) {
+AXIAL_INLINE constexpr auto along_axis(Revolute, const A& qdd) {
   return MotionVector{along_z(qdd), ZeroVec3{}};
 }
 template <class A>
-constexpr auto along_axis(Prismatic, const A& qdd) {
+AXIAL_INLINE constexpr auto along_axis(Prismatic, const A& qdd) {
   return MotionVector{ZeroVec3{}, along_z(qdd)};
 }
 

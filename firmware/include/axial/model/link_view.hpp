@@ -9,8 +9,6 @@
 #include <axial/spatial/inertia.hpp>
 #include <axial/spatial/screw.hpp>
 
-#define AXIAL_INLINE __attribute__((always_inline))
-
 namespace axial {
 
 /// Kind of a joint as a type.
@@ -24,7 +22,7 @@ using Index = std::integral_constant<int, I>;
 namespace detail {
 
 template <class Robot, int... I>
-constexpr auto all_constants(std::integer_sequence<int, I...>) {
+AXIAL_INLINE constexpr auto all_constants(std::integer_sequence<int, I...>) {
   struct Table {
     LinkConstants<double> links[sizeof...(I)];
   };
@@ -42,60 +40,60 @@ using Member = T LinkConstants<T>::*;
 template <class View, class Source>
 class LinkAccess {
   using C = LinkConstants<Source>;
-  constexpr const View& self() const { return static_cast<const View&>(*this); }
+  AXIAL_INLINE constexpr const View& self() const { return static_cast<const View&>(*this); }
 
  public:
-  constexpr auto x() const {
+  AXIAL_INLINE constexpr auto x() const {
     return x_screw(self().template get<&C::cos_alpha>(), self().template get<&C::sin_alpha>(),
                    self().template get<&C::a>())
         .with_turn(self().template beyond_45_degrees<&C::sin_alpha>());
   }
-  constexpr auto mass() const { return self().template get<&C::mass>(); }
-  constexpr auto first_moment() const {
+  AXIAL_INLINE constexpr auto mass() const { return self().template get<&C::mass>(); }
+  AXIAL_INLINE constexpr auto first_moment() const {
     return Vec3{self().template get<&C::hx>(), self().template get<&C::hy>(), self().template get<&C::hz>()};
   }
-  constexpr auto inertia() const {
+  AXIAL_INLINE constexpr auto inertia() const {
     return Sym3{self().template get<&C::jxx>(), self().template get<&C::jyy>(), self().template get<&C::jzz>(),
                 self().template get<&C::jxy>(), self().template get<&C::jxz>(), self().template get<&C::jyz>()};
   }
-  constexpr auto body() const { return RigidInertia{mass(), first_moment(), inertia()}; }
+  AXIAL_INLINE constexpr auto body() const { return RigidInertia{mass(), first_moment(), inertia()}; }
   /// (Jzz - Jyy, Jxx - Jzz, Jyy - Jxx).
-  constexpr auto inertia_differences() const {
+  AXIAL_INLINE constexpr auto inertia_differences() const {
     return Vec3{self().template get<&C::jzz_jyy>(), self().template get<&C::jxx_jzz>(),
                 self().template get<&C::jyy_jxx>()};
   }
-  constexpr auto rotor() const {
+  AXIAL_INLINE constexpr auto rotor() const {
     if constexpr (View::Scene::template has<RotorInertia>)
       return self().template get<&C::rotor>();
     else
       return Zero{};
   }
-  constexpr auto viscous() const { return self().template get<&C::viscous>(); }
-  constexpr auto coulomb_forward() const { return self().template get<&C::coulomb_forward>(); }
-  constexpr auto coulomb_backward() const { return self().template get<&C::coulomb_backward>(); }
+  AXIAL_INLINE constexpr auto viscous() const { return self().template get<&C::viscous>(); }
+  AXIAL_INLINE constexpr auto coulomb_forward() const { return self().template get<&C::coulomb_forward>(); }
+  AXIAL_INLINE constexpr auto coulomb_backward() const { return self().template get<&C::coulomb_backward>(); }
 
   /// Turn and shift of the joint at position q: about z by theta + q (rad), or along z by d + q (m).
   template <class Q>
-  constexpr auto z(const Q& q) const {
+  AXIAL_INLINE constexpr auto z(const Q& q) const {
     return self().on_joint([&](auto joint) AXIAL_INLINE { return self().shape(joint_screw(joint, q)); });
   }
 
  private:
   template <class Q>
-  constexpr auto joint_screw(Revolute, const Q& q) const {
-    const auto ct = self().template get<&C::cos_theta>();
-    const auto st = self().template get<&C::sin_theta>();
-    const auto d = self().template get<&C::d>();
+  AXIAL_INLINE constexpr auto joint_screw(Revolute, const Q& q) const {
+    auto ct = self().template get<&C::cos_theta>();
+    auto st = self().template get<&C::sin_theta>();
+    auto d = self().template get<&C::d>();
     if constexpr (is_structural_v<decltype(ct)> || !View::unrolled) {  // exact for quarter turns
-      const auto pair = sincos(q);
+      auto pair = sincos(q);
       return z_screw(ct * pair.cos - st * pair.sin, st * pair.cos + ct * pair.sin, d);
     } else {
-      const auto pair = sincos(q + self().template get<&C::theta>());
+      auto pair = sincos(q + self().template get<&C::theta>());
       return z_screw(pair.cos, pair.sin, d);
     }
   }
   template <class Q>
-  constexpr auto joint_screw(Prismatic, const Q& q) const {
+  AXIAL_INLINE constexpr auto joint_screw(Prismatic, const Q& q) const {
     return z_screw(self().template get<&C::cos_theta>(), self().template get<&C::sin_theta>(),
                    self().template get<&C::d>() + q)
         .with_turn(self().template beyond_45_degrees<&C::sin_theta>());
@@ -113,18 +111,18 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T>, double
   static constexpr bool is_last = I + 1 == Scene::Robot::chain.size;
 
   template <detail::Member<double> M>
-  static constexpr auto get() {
+  AXIAL_INLINE static constexpr auto get() {
     return literal<T>([] { return detail::robot_constants<typename Scene::Robot>.links[I].*M; });
   }
   /// Whether a constant turn is nearer to a quarter turn than to none, as a type.
   template <detail::Member<double> Sine>
-  static constexpr auto beyond_45_degrees() {
+  AXIAL_INLINE static constexpr auto beyond_45_degrees() {
     constexpr double sine = detail::robot_constants<typename Scene::Robot>.links[I].*Sine;
     return std::bool_constant<(sine * sine > 0.5)>{};
   }
   /// Calls f with the kind of this joint.
   template <class F>
-  static constexpr auto on_joint(const F& f) {
+  AXIAL_INLINE static constexpr auto on_joint(const F& f) {
     if constexpr (detail::robot_constants<typename Scene::Robot>.links[I].prismatic)
       return f(Prismatic{});
     else
@@ -132,7 +130,7 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T>, double
   }
   /// The form in which this view keeps a result: with its structural zeros.
   template <class V>
-  static constexpr const V& shape(const V& v) {
+  AXIAL_INLINE static constexpr const V& shape(const V& v) {
     return v;
   }
 };
@@ -146,26 +144,26 @@ class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source>, Sou
   const LinkConstants<Source>& row;
   bool is_last;
 
-  constexpr TableLink(const LinkConstants<Source>& constants, bool last) : row(constants), is_last(last) {}
+  AXIAL_INLINE constexpr TableLink(const LinkConstants<Source>& constants, bool last) : row(constants), is_last(last) {}
 
   template <detail::Member<Source> M>
-  constexpr T get() const {
+  AXIAL_INLINE constexpr T get() const {
     if constexpr (std::is_same_v<T, Source>)
       return row.*M;
     else
       return NumberTraits<T>::constant(row.*M);
   }
   template <detail::Member<Source>>
-  static constexpr AnyTurn beyond_45_degrees() {
+  AXIAL_INLINE static constexpr AnyTurn beyond_45_degrees() {
     return {};
   }
   template <class F>
-  constexpr auto on_joint(const F& f) const {
+  AXIAL_INLINE constexpr auto on_joint(const F& f) const {
     if (row.prismatic) return f(Prismatic{});
     return f(Revolute{});
   }
   template <class V>
-  static constexpr auto shape(const V& v) {
+  AXIAL_INLINE static constexpr auto shape(const V& v) {
     if constexpr (is_scalar_v<V>)
       return T(v);
     else

@@ -15,16 +15,16 @@ struct StaticLinks {
   static constexpr int capacity = Scene::Robot::chain.size;
   using Indices = std::make_integer_sequence<int, capacity>;
 
-  static constexpr int size() { return capacity; }
+  AXIAL_INLINE static constexpr int size() { return capacity; }
   template <int I>
-  static constexpr auto link(Index<I>) {
+  AXIAL_INLINE static constexpr auto link(Index<I>) {
     return StaticLink<Scene, I, Scalar>{};
   }
   template <int I>
   static constexpr int parent_of = Scene::Robot::chain.parent(I);
-  static constexpr int parent_index(int i) { return Scene::Robot::chain.parent(i); }
+  AXIAL_INLINE static constexpr int parent_index(int i) { return Scene::Robot::chain.parent(i); }
   /// Acceleration of the base that stands for gravity, -g in frame 0.
-  static constexpr auto base_acceleration() {
+  AXIAL_INLINE static constexpr auto base_acceleration() {
     if constexpr (Scene::template has<Gravity>) {
       return Vec3{literal<Scalar>([] { return -Scene::Robot::chain.gravity.x; }),
                   literal<Scalar>([] { return -Scene::Robot::chain.gravity.y; }),
@@ -34,18 +34,18 @@ struct StaticLinks {
     }
   }
   /// Pose of frame 0 in the world.
-  static constexpr auto base_pose() {
+  AXIAL_INLINE static constexpr auto base_pose() {
     return Pose{Mat3{base_row<0>(), base_row<1>(), base_row<2>()},
                 Vec3{literal<Scalar>([] { return Scene::Robot::chain.base.pose.position[0]; }),
                      literal<Scalar>([] { return Scene::Robot::chain.base.pose.position[1]; }),
                      literal<Scalar>([] { return Scene::Robot::chain.base.pose.position[2]; })}};
   }
   /// Pose of the tool in the last link's frame.
-  static constexpr const FixedPose& tool_pose() { return Scene::Robot::chain.tool.pose; }
+  AXIAL_INLINE static constexpr const FixedPose& tool_pose() { return Scene::Robot::chain.tool.pose; }
 
  private:
   template <int K>
-  static constexpr auto base_row() {
+  AXIAL_INLINE static constexpr auto base_row() {
     return Vec3{literal<Scalar>([] { return Scene::Robot::chain.base.pose.rotation[3 * K]; }),
                 literal<Scalar>([] { return Scene::Robot::chain.base.pose.rotation[3 * K + 1]; }),
                 literal<Scalar>([] { return Scene::Robot::chain.base.pose.rotation[3 * K + 2]; })};
@@ -61,7 +61,7 @@ struct Mounting {
 
 /// A constant pose as plain numbers.
 template <class T>
-constexpr Pose<Mat3<Vec3<T>>, Vec3<T>> pose_of(const FixedPose& p) {
+AXIAL_INLINE constexpr Pose<Mat3<Vec3<T>>, Vec3<T>> pose_of(const FixedPose& p) {
   using N = NumberTraits<T>;
   const auto& r = p.rotation;
   return {{{N::constant(r[0]), N::constant(r[1]), N::constant(r[2])},
@@ -79,13 +79,13 @@ class TableLinks {
   static constexpr bool unrolled = false;
   static constexpr int capacity = Capacity;
 
-  constexpr TableLinks(const LinkConstants<Source>* table, int size, const Mounting& mounting)
+  AXIAL_INLINE constexpr TableLinks(const LinkConstants<Source>* table, int size, const Mounting& mounting)
       : table_(table), size_(size), mounting_(mounting) {}
 
-  constexpr int size() const { return size_; }
-  constexpr auto link(int i) const { return TableLink<Scene, Scalar, Source>(table_[i], i + 1 == size_); }
-  constexpr int parent_index(int i) const { return table_[i].parent; }
-  constexpr Vec3<Scalar> base_acceleration() const {
+  AXIAL_INLINE constexpr int size() const { return size_; }
+  AXIAL_INLINE constexpr auto link(int i) const { return TableLink<Scene, Scalar, Source>(table_[i], i + 1 == size_); }
+  AXIAL_INLINE constexpr int parent_index(int i) const { return table_[i].parent; }
+  AXIAL_INLINE constexpr Vec3<Scalar> base_acceleration() const {
     using N = NumberTraits<Scalar>;
     const auto& g = mounting_.gravity;
     if constexpr (Scene::template has<Gravity>)
@@ -93,8 +93,8 @@ class TableLinks {
     else
       return ZeroVec3{};
   }
-  constexpr auto base_pose() const { return pose_of<Scalar>(mounting_.base); }
-  constexpr const FixedPose& tool_pose() const { return mounting_.tool; }
+  AXIAL_INLINE constexpr auto base_pose() const { return pose_of<Scalar>(mounting_.base); }
+  AXIAL_INLINE constexpr const FixedPose& tool_pose() const { return mounting_.tool; }
 
  private:
   const LinkConstants<Source>* table_;
@@ -105,7 +105,7 @@ class TableLinks {
 namespace detail {
 
 template <class Robot, class T, int... I>
-constexpr auto converted_table(std::integer_sequence<int, I...>) {
+AXIAL_INLINE constexpr auto converted_table(std::integer_sequence<int, I...>) {
   struct Table {
     LinkConstants<T> links[sizeof...(I)];
   };
@@ -120,7 +120,7 @@ inline constexpr Mounting robot_mounting{Robot::chain.gravity, Robot::chain.base
 
 /// The links of a scene (or of a bare robot) over numbers T, in the form that the scene asks for.
 template <class S, class T>
-constexpr auto links_of() {
+AXIAL_INLINE constexpr auto links_of() {
   using Scene = scene_of<S>;
   using Robot = typename Scene::Robot;
   if constexpr (Scene::template has<Looped>) {

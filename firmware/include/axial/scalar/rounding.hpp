@@ -26,20 +26,20 @@ struct Length {};               // m
 /// `sum(quantity, terms...)` is the sum of products and stored values, rounded once into the format of the quantity.
 struct Plain {
   template <class Quantity, class... Terms>
-  constexpr auto sum(Quantity, const Terms&... terms) const {
+  AXIAL_INLINE constexpr auto sum(Quantity, const Terms&... terms) const {
     return (... + terms);
   }
 };
 
 /// A product with sines or cosines, back in the format of what was turned. A turn keeps the norm of what it turns.
 template <class T>
-constexpr T turned(const T& x) {
+AXIAL_INLINE constexpr T turned(const T& x) {
   return x;
 }
 
 /// 1 / x. Number systems without a division overload it.
 template <class T, std::enable_if_t<is_number_v<T>, int> = 0>
-constexpr T reciprocal(const T& x) {
+AXIAL_INLINE constexpr T reciprocal(const T& x) {
   return T(One{}) / x;
 }
 

@@ -46,7 +46,7 @@ struct TrigonometricConstants<double> {
 };
 
 template <class T, std::size_t N>
-constexpr T horner(const T (&coefficients)[N], T t) {
+AXIAL_INLINE constexpr T horner(const T (&coefficients)[N], T t) {
   T sum = coefficients[N - 1];
   for (std::size_t i = N - 1; i-- > 0;)
     sum = sum * t + coefficients[i];
@@ -61,7 +61,7 @@ struct Reduced {
 };
 
 template <class T>
-constexpr Reduced<T> reduce(T x) {
+AXIAL_INLINE constexpr Reduced<T> reduce(T x) {
   using C = TrigonometricConstants<T>;
   const T shifted = x * C::two_over_pi + C::rounder;
   const T k = shifted - C::rounder;
@@ -74,7 +74,7 @@ constexpr Reduced<T> reduce(T x) {
 
 // cos(r + low). In double the rounding of 1 - t/2 is put back, which keeps it within 1 ulp; float saves the operations.
 template <class T>
-constexpr T cosine_near_zero(T r, T t, T low) {
+AXIAL_INLINE constexpr T cosine_near_zero(T r, T t, T low) {
   const T tail = t * horner(TrigonometricConstants<T>::cosine, t);
   if constexpr (sizeof(T) <= sizeof(float)) {
     return T(1) + t * (T(-0.5) + tail);
@@ -86,7 +86,7 @@ constexpr T cosine_near_zero(T r, T t, T low) {
 
 // Exchanges the pair in odd quadrants and sets the signs, with integer masks instead of branches.
 template <class T, class Bits>
-constexpr SinCos<T> into_quadrant(T sine, T cosine, Bits quadrant) {
+AXIAL_INLINE constexpr SinCos<T> into_quadrant(T sine, T cosine, Bits quadrant) {
   constexpr int sign_shift = static_cast<int>(sizeof(Bits)) * 8 - 2;
   const Bits odd = Bits(0) - (quadrant & 1u);
   const Bits s = __builtin_bit_cast(Bits, sine), c = __builtin_bit_cast(Bits, cosine);
@@ -103,9 +103,9 @@ constexpr SinCos<T> into_quadrant(T sine, T cosine, Bits quadrant) {
 /// double: within 1 ulp for |x| <= 10^6. float: within 1.5 * 2^-24 (absolute) for |x| <= 10^4.
 /// Beyond that the reduction loses digits gradually.
 template <class T, std::enable_if_t<std::is_floating_point_v<T>, int> = 0>
-constexpr SinCos<T> sincos(T x) {
+AXIAL_INLINE constexpr SinCos<T> sincos(T x) {
   using C = detail::TrigonometricConstants<T>;
-  const auto reduced = detail::reduce(x);
+  auto reduced = detail::reduce(x);
   const T r = reduced.r, t = r * r;
   const T sine = r + (r * t * detail::horner(C::sine, t) + reduced.low);
   const T cosine = detail::cosine_near_zero(r, t, reduced.low);

@@ -12,7 +12,7 @@ template <int N>
 struct Int {
   static constexpr int value = N;
   template <class T, class = std::enable_if_t<is_number_v<T>>>
-  constexpr operator T() const {  // NOLINT(google-explicit-constructor): a zero is a valid float
+  AXIAL_INLINE constexpr operator T() const {  // NOLINT(google-explicit-constructor): a zero is a valid float
     return NumberTraits<T>::constant(static_cast<double>(N));
   }
 };
@@ -44,24 +44,24 @@ using if_number = std::enable_if_t<is_number_v<T>, int>;
 }
 
 template <int N>
-constexpr Int<-N> operator-(Int<N>) {
+AXIAL_INLINE constexpr Int<-N> operator-(Int<N>) {
   return {};
 }
 template <int N, int M>
-constexpr Int<N + M> operator+(Int<N>, Int<M>) {
+AXIAL_INLINE constexpr Int<N + M> operator+(Int<N>, Int<M>) {
   return {};
 }
 template <int N, int M>
-constexpr Int<N - M> operator-(Int<N>, Int<M>) {
+AXIAL_INLINE constexpr Int<N - M> operator-(Int<N>, Int<M>) {
   return {};
 }
 template <int N, int M>
-constexpr Int<N * M> operator*(Int<N>, Int<M>) {
+AXIAL_INLINE constexpr Int<N * M> operator*(Int<N>, Int<M>) {
   return {};
 }
 
 template <int N, class T, detail::if_number<T> = 0>
-constexpr auto operator*(Int<N>, const T& x) {
+AXIAL_INLINE constexpr auto operator*(Int<N>, const T& x) {
   if constexpr (N == 0)
     return Zero{};
   else if constexpr (N == 1)
@@ -74,33 +74,33 @@ constexpr auto operator*(Int<N>, const T& x) {
     return T(Int<N>{}) * x;
 }
 template <int N, class T, detail::if_number<T> = 0>
-constexpr auto operator*(const T& x, Int<N> n) {
+AXIAL_INLINE constexpr auto operator*(const T& x, Int<N> n) {
   return n * x;
 }
 
 template <int N, class T, detail::if_number<T> = 0>
-constexpr auto operator+(Int<N> n, const T& x) {
+AXIAL_INLINE constexpr auto operator+(Int<N> n, const T& x) {
   if constexpr (N == 0)
     return x;
   else
     return T(n) + x;
 }
 template <int N, class T, detail::if_number<T> = 0>
-constexpr auto operator+(const T& x, Int<N> n) {
+AXIAL_INLINE constexpr auto operator+(const T& x, Int<N> n) {
   if constexpr (N == 0)
     return x;
   else
     return x + T(n);
 }
 template <int N, class T, detail::if_number<T> = 0>
-constexpr auto operator-(const T& x, Int<N> n) {
+AXIAL_INLINE constexpr auto operator-(const T& x, Int<N> n) {
   if constexpr (N == 0)
     return x;
   else
     return x - T(n);
 }
 template <int N, class T, detail::if_number<T> = 0>
-constexpr auto operator-(Int<N> n, const T& x) {
+AXIAL_INLINE constexpr auto operator-(Int<N> n, const T& x) {
   if constexpr (N == 0)
     return -x;
   else
@@ -110,7 +110,7 @@ constexpr auto operator-(Int<N> n, const T& x) {
 /// A compile-time value as a number T: a type where it is 0, 1 or -1, else a constant of T.
 /// `literal<float>([] { return Robot::chain.links[0].a; })`.
 template <class T, class Get>
-constexpr auto literal(Get get) {
+AXIAL_INLINE constexpr auto literal(Get get) {
   constexpr double value = get();
   if constexpr (value == 0.0)
     return Zero{};

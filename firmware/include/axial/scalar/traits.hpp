@@ -1,6 +1,7 @@
 // What the kernels ask of a number: float and double here, the counting scalar and fixed point add themselves.
 #pragma once
 
+#include <axial/scalar/inline.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

@@ -24,15 +24,15 @@ DoubleAngle(X, W, A, B, C) -> DoubleAngle<X, W, A, B, C>;
 namespace detail {
 
 template <class A, class B>
-constexpr auto pick(std::true_type, const A& yes, const B&) {
+AXIAL_INLINE constexpr auto pick(std::true_type, const A& yes, const B&) {
   return yes;
 }
 template <class A, class B>
-constexpr auto pick(std::false_type, const A&, const B& no) {
+AXIAL_INLINE constexpr auto pick(std::false_type, const A&, const B& no) {
   return no;
 }
 template <class A, class B>
-constexpr auto pick(bool condition, const A& yes, const B& no) {
+AXIAL_INLINE constexpr auto pick(bool condition, const A& yes, const B& no) {
   if constexpr (std::is_same_v<A, B>)
     return condition ? yes : no;
   else if constexpr (is_structural_v<A>)
@@ -42,7 +42,7 @@ constexpr auto pick(bool condition, const A& yes, const B& no) {
 }
 
 template <class Axis, class C, class S, class L, class Turn, class SS>
-constexpr auto beyond_45_degrees(const AxialScrew<Axis, C, S, L, Turn>&, const SS& ss) {
+AXIAL_INLINE constexpr auto beyond_45_degrees(const AxialScrew<Axis, C, S, L, Turn>&, const SS& ss) {
   if constexpr (!std::is_same_v<Turn, AnyTurn>)
     return Turn{};
   else if constexpr (is_zero_v<C>)
@@ -57,17 +57,17 @@ constexpr auto beyond_45_degrees(const AxialScrew<Axis, C, S, L, Turn>&, const S
 
 /// Of a screw; plain, without the exchange: for composite bodies, whose elements do not span magnitudes.
 template <class Axis, class C, class S, class L, class Turn>
-constexpr auto double_angle(const AxialScrew<Axis, C, S, L, Turn>& x) {
-  const auto ss = turned(x.sin * x.sin);
-  const auto sc = turned(x.sin * x.cos);
+AXIAL_INLINE constexpr auto double_angle(const AxialScrew<Axis, C, S, L, Turn>& x) {
+  auto ss = turned(x.sin * x.sin);
+  auto sc = turned(x.sin * x.cos);
   return DoubleAngle{std::false_type{}, ss, One{} - ss - ss, sc, sc + sc};
 }
 /// With the exchange: for articulated bodies; 1M more for a turn that is not constant.
 template <class Axis, class C, class S, class L, class Turn>
-constexpr auto exact_double_angle(const AxialScrew<Axis, C, S, L, Turn>& x) {
-  const auto ss = turned(x.sin * x.sin);
-  const auto sc = turned(x.sin * x.cos);
-  const auto exchange = detail::beyond_45_degrees(x, ss);
+AXIAL_INLINE constexpr auto exact_double_angle(const AxialScrew<Axis, C, S, L, Turn>& x) {
+  auto ss = turned(x.sin * x.sin);
+  auto sc = turned(x.sin * x.cos);
+  auto exchange = detail::beyond_45_degrees(x, ss);
   return DoubleAngle{exchange, detail::pick(exchange, -turned(x.cos * x.cos), ss), One{} - ss - ss, sc, sc + sc};
 }
 
@@ -75,32 +75,32 @@ namespace detail {
 
 // R S R^T about z, step B or C of Table I: 8M 7A.
 template <class A, class Screw, class XX, class YY, class ZZ, class XY, class XZ, class YZ>
-constexpr auto turn(const A& twice, const Screw& x, const Sym3<XX, YY, ZZ, XY, XZ, YZ>& s) {
-  const auto difference = s.xx - s.yy;
-  const auto k1 = turned(difference * twice.small + s.xy * twice.two_sc);
-  const auto k2 = turned(difference * twice.sc + s.xy * twice.cc_ss);
-  const auto column = to_parent(z_screw(x.cos, x.sin, Zero{}), Vec3{s.xz, s.yz, Zero{}});
+AXIAL_INLINE constexpr auto turn(const A& twice, const Screw& x, const Sym3<XX, YY, ZZ, XY, XZ, YZ>& s) {
+  auto difference = s.xx - s.yy;
+  auto k1 = turned(difference * twice.small + s.xy * twice.two_sc);
+  auto k2 = turned(difference * twice.sc + s.xy * twice.cc_ss);
+  auto column = to_parent(z_screw(x.cos, x.sin, Zero{}), Vec3{s.xz, s.yz, Zero{}});
   return Sym3{
       pick(twice.exchange, s.yy, s.xx) - k1, pick(twice.exchange, s.xx, s.yy) + k1, s.zz, k2, column.x, column.y};
 }
 
 // R M R^T about z for a general M, step D of Table I: 12M 14A, 8M 10A with a zero row.
 template <class A, class Screw, class R1, class R2, class R3>
-constexpr auto turn(const A& twice, const Screw& x, const Mat3<R1, R2, R3>& m) {
-  const auto difference = m.x.x - m.y.y, sum = m.x.y + m.y.x;
-  const auto k1 = turned(difference * twice.small + sum * twice.sc);
-  const auto k2 = turned(difference * twice.sc - sum * twice.small);
-  const auto plane = z_screw(x.cos, x.sin, Zero{});
-  const auto column = to_parent(plane, Vec3{m.x.z, m.y.z, Zero{}});
-  const auto row = to_parent(plane, Vec3{m.z.x, m.z.y, m.z.z});
+AXIAL_INLINE constexpr auto turn(const A& twice, const Screw& x, const Mat3<R1, R2, R3>& m) {
+  auto difference = m.x.x - m.y.y, sum = m.x.y + m.y.x;
+  auto k1 = turned(difference * twice.small + sum * twice.sc);
+  auto k2 = turned(difference * twice.sc - sum * twice.small);
+  auto plane = z_screw(x.cos, x.sin, Zero{});
+  auto column = to_parent(plane, Vec3{m.x.z, m.y.z, Zero{}});
+  auto row = to_parent(plane, Vec3{m.z.x, m.z.y, m.z.z});
   return Mat3{Vec3{pick(twice.exchange, m.y.y, m.x.x) - k1, pick(twice.exchange, -m.y.x, m.x.y) + k2, column.x},
               Vec3{pick(twice.exchange, -m.x.y, m.y.x) + k2, pick(twice.exchange, m.x.x, m.y.y) + k1, column.y}, row};
 }
 
 // p~ M for p along z, step E: 5M for a symmetric M.
 template <class L, class XX, class YY, class ZZ, class XY, class XZ, class YZ>
-constexpr auto shift_rows(const L& p, const Sym3<XX, YY, ZZ, XY, XZ, YZ>& m) {
-  const auto xy = p * m.xy;
+AXIAL_INLINE constexpr auto shift_rows(const L& p, const Sym3<XX, YY, ZZ, XY, XZ, YZ>& m) {
+  auto xy = p * m.xy;
   return Mat3{Vec3{-xy, -(p * m.yy), -(p * m.yz)}, Vec3{p * m.xx, xy, p * m.xz}, ZeroVec3{}};
 }
 
@@ -108,14 +108,14 @@ constexpr auto shift_rows(const L& p, const Sym3<XX, YY, ZZ, XY, XZ, YZ>& m) {
 
 /// Symmetric 3x3, R S R^T (Table II: 18M 17A for both screws with step A).
 template <class Axis, class C, class S, class L, class Turn, class A, class B, class D, class E, class F, class G>
-constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Sym3<A, B, D, E, F, G>& tensor) {
+AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Sym3<A, B, D, E, F, G>& tensor) {
   return Axis::out(detail::turn(double_angle(x), x, Axis::in(tensor)));
 }
 
 /// General 3x3, R M R^T (Table II: 26M 24A for both screws with step A).
 template <class Axis, class C, class S, class L, class Turn, class A, class B, class D>
-constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Mat3<A, B, D>& matrix) {
-  const DoubleAngle twice{std::false_type{}, turned(x.sin * x.sin), Zero{}, turned(x.sin * x.cos), Zero{}};
+AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Mat3<A, B, D>& matrix) {
+  DoubleAngle twice{std::false_type{}, turned(x.sin * x.sin), Zero{}, turned(x.sin * x.cos), Zero{}};
   return Axis::out(detail::turn(twice, x, Axis::in(matrix)));
 }
 
@@ -123,24 +123,24 @@ constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Mat3<A,
 /// The blocks are turned first and then shifted (p along the axis): with D = R N12 R^T and I = D + p~ N22', the
 /// angular block is B + I p~^T + (D p~^T)^T, which needs 4M 3A less a screw than the paper's steps F, G and H.
 template <class Axis, class C, class S, class L, class Turn, class A11, class A12, class A22, class Rounding = Plain>
-constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const ArticulatedInertia<A11, A12, A22>& n,
-                         const Rounding& round = {}) {
+AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x,
+                                      const ArticulatedInertia<A11, A12, A22>& n, const Rounding& round = {}) {
   using namespace quantity;
   if constexpr (AxialScrew<Axis, C, S, L, Turn>::is_identity) {
     return n;
   } else {
-    const auto twice = exact_double_angle(x);
-    const auto b = detail::turn(twice, x, Axis::in(n.angular));
-    const auto d = detail::turn(twice, x, Axis::in(n.coupling));
-    const auto linear = detail::turn(twice, x, Axis::in(n.linear));
-    const auto e = detail::shift_rows(x.shift, linear);
-    const Mat3 i{round.sum(FirstMoment{}, d.x, e.x), round.sum(FirstMoment{}, d.y, e.y), d.z};
-    const Sym3 angular{round.sum(RotationalInertia{}, b.xx, -(x.shift * (i.x.y + d.x.y))),
-                       round.sum(RotationalInertia{}, b.yy, x.shift * (i.y.x + d.y.x)),
-                       b.zz,
-                       round.sum(RotationalInertia{}, b.xy, x.shift * (i.x.x - d.y.y)),
-                       round.sum(RotationalInertia{}, b.xz, -(x.shift * d.z.y)),
-                       round.sum(RotationalInertia{}, b.yz, x.shift * d.z.x)};
+    auto twice = exact_double_angle(x);
+    auto b = detail::turn(twice, x, Axis::in(n.angular));
+    auto d = detail::turn(twice, x, Axis::in(n.coupling));
+    auto linear = detail::turn(twice, x, Axis::in(n.linear));
+    auto e = detail::shift_rows(x.shift, linear);
+    Mat3 i{round.sum(FirstMoment{}, d.x, e.x), round.sum(FirstMoment{}, d.y, e.y), d.z};
+    Sym3 angular{round.sum(RotationalInertia{}, b.xx, -(x.shift * (i.x.y + d.x.y))),
+                 round.sum(RotationalInertia{}, b.yy, x.shift * (i.y.x + d.y.x)),
+                 b.zz,
+                 round.sum(RotationalInertia{}, b.xy, x.shift * (i.x.x - d.y.y)),
+                 round.sum(RotationalInertia{}, b.xz, -(x.shift * d.z.y)),
+                 round.sum(RotationalInertia{}, b.yz, x.shift * d.z.x)};
     return ArticulatedInertia{Axis::out(angular), Axis::out(i), Axis::out(linear)};
   }
 }
@@ -148,22 +148,22 @@ constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Articul
 /// Rigid or composite body: at most 16M 15A with step A off-line, one multiplication less where m p is a constant.
 /// McMillan and Orin 1995, Table II (spatial inertia); parallel-axis shift of first moment and inertia.
 template <class Axis, class C, class S, class L, class Turn, class M, class H, class J, class Rounding = Plain>
-constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const RigidInertia<M, H, J>& body,
-                         const Rounding& round = {}) {
+AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const RigidInertia<M, H, J>& body,
+                                      const Rounding& round = {}) {
   using namespace quantity;
   if constexpr (AxialScrew<Axis, C, S, L, Turn>::is_identity) {
     return body;
   } else {
-    const auto j = detail::turn(double_angle(x), x, Axis::in(body.inertia));
-    const auto turned_h = Axis::in(to_parent(x, body.first_moment));
-    const auto hz = round.sum(FirstMoment{}, turned_h.z, x.shift * body.mass);
-    const auto growth = x.shift * (turned_h.z + hz);
-    const Sym3 inertia{round.sum(RotationalInertia{}, j.xx, growth),
-                       round.sum(RotationalInertia{}, j.yy, growth),
-                       j.zz,
-                       j.xy,
-                       round.sum(RotationalInertia{}, j.xz, -(x.shift * turned_h.x)),
-                       round.sum(RotationalInertia{}, j.yz, -(x.shift * turned_h.y))};
+    auto j = detail::turn(double_angle(x), x, Axis::in(body.inertia));
+    auto turned_h = Axis::in(to_parent(x, body.first_moment));
+    auto hz = round.sum(FirstMoment{}, turned_h.z, x.shift * body.mass);
+    auto growth = x.shift * (turned_h.z + hz);
+    Sym3 inertia{round.sum(RotationalInertia{}, j.xx, growth),
+                 round.sum(RotationalInertia{}, j.yy, growth),
+                 j.zz,
+                 j.xy,
+                 round.sum(RotationalInertia{}, j.xz, -(x.shift * turned_h.x)),
+                 round.sum(RotationalInertia{}, j.yz, -(x.shift * turned_h.y))};
     return RigidInertia{body.mass, Axis::out(Vec3{turned_h.x, turned_h.y, hz}), Axis::out(inertia)};
   }
 }

@@ -14,11 +14,11 @@ struct RigidInertia {
   J inertia{};
 
   template <class A, class B, class C>
-  constexpr operator RigidInertia<A, B, C>() const {
+  AXIAL_INLINE constexpr operator RigidInertia<A, B, C>() const {
     return {mass, first_moment, inertia};
   }  // NOLINT(google-explicit-constructor)
   template <class T>
-  constexpr RigidInertia<T, Vec3<T>, Sym3<T>> dense() const {
+  AXIAL_INLINE constexpr RigidInertia<T, Vec3<T>, Sym3<T>> dense() const {
     return *this;
   }
 };
@@ -26,7 +26,7 @@ template <class M, class H, class J>
 RigidInertia(M, H, J) -> RigidInertia<M, H, J>;
 
 template <class A, class B, class C, class D, class E, class F>
-constexpr auto operator+(const RigidInertia<A, B, C>& a, const RigidInertia<D, E, F>& b) {
+AXIAL_INLINE constexpr auto operator+(const RigidInertia<A, B, C>& a, const RigidInertia<D, E, F>& b) {
   return RigidInertia{a.mass + b.mass, a.first_moment + b.first_moment, a.inertia + b.inertia};
 }
 
@@ -39,11 +39,11 @@ struct ArticulatedInertia {
   A22 linear{};
 
   template <class A, class B, class C>
-  constexpr operator ArticulatedInertia<A, B, C>() const {
+  AXIAL_INLINE constexpr operator ArticulatedInertia<A, B, C>() const {
     return {angular, coupling, linear};
   }  // NOLINT(google-explicit-constructor)
   template <class T>
-  constexpr ArticulatedInertia<Sym3<T>, Mat3<Vec3<T>>, Sym3<T>> dense() const {
+  AXIAL_INLINE constexpr ArticulatedInertia<Sym3<T>, Mat3<Vec3<T>>, Sym3<T>> dense() const {
     return *this;
   }
 };
@@ -51,13 +51,13 @@ template <class A11, class A12, class A22>
 ArticulatedInertia(A11, A12, A22) -> ArticulatedInertia<A11, A12, A22>;
 
 template <class A, class B, class C, class D, class E, class F>
-constexpr auto operator+(const ArticulatedInertia<A, B, C>& a, const ArticulatedInertia<D, E, F>& b) {
+AXIAL_INLINE constexpr auto operator+(const ArticulatedInertia<A, B, C>& a, const ArticulatedInertia<D, E, F>& b) {
   return ArticulatedInertia{a.angular + b.angular, a.coupling + b.coupling, a.linear + b.linear};
 }
 
 /// The 6x6 form of a rigid body's inertia.
 template <class M, class H, class J>
-constexpr auto articulated(const RigidInertia<M, H, J>& body) {
+AXIAL_INLINE constexpr auto articulated(const RigidInertia<M, H, J>& body) {
   const auto& h = body.first_moment;
   const Zero o{};
   return ArticulatedInertia{body.inertia, Mat3{Vec3{o, -h.z, h.y}, Vec3{h.z, o, -h.x}, Vec3{-h.y, h.x, o}},

@@ -13,11 +13,11 @@ struct Mat3 {
   R3 z{};
 
   template <class A, class B, class C>
-  constexpr operator Mat3<A, B, C>() const {
+  AXIAL_INLINE constexpr operator Mat3<A, B, C>() const {
     return {x, y, z};
   }  // NOLINT(google-explicit-constructor)
   template <class T>
-  constexpr Mat3<Vec3<T>> dense() const {
+  AXIAL_INLINE constexpr Mat3<Vec3<T>> dense() const {
     return *this;
   }
 };
@@ -35,11 +35,11 @@ struct Sym3 {
   YZ yz{};
 
   template <class A, class B, class C, class D, class E, class F>
-  constexpr operator Sym3<A, B, C, D, E, F>() const {
+  AXIAL_INLINE constexpr operator Sym3<A, B, C, D, E, F>() const {
     return {xx, yy, zz, xy, xz, yz};
   }  // NOLINT(google-explicit-constructor)
   template <class T>
-  constexpr Sym3<T> dense() const {
+  AXIAL_INLINE constexpr Sym3<T> dense() const {
     return *this;
   }
 };
@@ -47,27 +47,28 @@ template <class A, class B, class C, class D, class E, class F>
 Sym3(A, B, C, D, E, F) -> Sym3<A, B, C, D, E, F>;
 
 template <class A, class B, class C, class V>
-constexpr auto operator*(const Mat3<A, B, C>& m, const V& v) -> decltype(Vec3{dot(m.x, v), dot(m.y, v), dot(m.z, v)}) {
+AXIAL_INLINE constexpr auto operator*(const Mat3<A, B, C>& m, const V& v)
+    -> decltype(Vec3{dot(m.x, v), dot(m.y, v), dot(m.z, v)}) {
   return Vec3{dot(m.x, v), dot(m.y, v), dot(m.z, v)};
 }
 template <class A, class B, class C, class D, class E, class F>
-constexpr auto operator+(const Mat3<A, B, C>& m, const Mat3<D, E, F>& n) {
+AXIAL_INLINE constexpr auto operator+(const Mat3<A, B, C>& m, const Mat3<D, E, F>& n) {
   return Mat3{m.x + n.x, m.y + n.y, m.z + n.z};
 }
 
 template <class A, class B, class C, class D, class E, class F, class X, class Y, class Z>
-constexpr auto operator*(const Sym3<A, B, C, D, E, F>& s, const Vec3<X, Y, Z>& v) {
+AXIAL_INLINE constexpr auto operator*(const Sym3<A, B, C, D, E, F>& s, const Vec3<X, Y, Z>& v) {
   return Vec3{s.xx * v.x + s.xy * v.y + s.xz * v.z, s.xy * v.x + s.yy * v.y + s.yz * v.z,
               s.xz * v.x + s.yz * v.y + s.zz * v.z};
 }
 template <class A, class B, class C, class D, class E, class F, class G, class H, class I, class J, class K, class L>
-constexpr auto operator+(const Sym3<A, B, C, D, E, F>& s, const Sym3<G, H, I, J, K, L>& t) {
+AXIAL_INLINE constexpr auto operator+(const Sym3<A, B, C, D, E, F>& s, const Sym3<G, H, I, J, K, L>& t) {
   return Sym3{s.xx + t.xx, s.yy + t.yy, s.zz + t.zz, s.xy + t.xy, s.xz + t.xz, s.yz + t.yz};
 }
 
 /// Transpose of m times v.
 template <class A, class B, class C, class V>
-constexpr auto transpose_times(const Mat3<A, B, C>& m, const V& v) {
+AXIAL_INLINE constexpr auto transpose_times(const Mat3<A, B, C>& m, const V& v) {
   return Vec3{m.x.x * v.x + m.y.x * v.y + m.z.x * v.z, m.x.y * v.x + m.y.y * v.y + m.z.y * v.z,
               m.x.z * v.x + m.y.z * v.y + m.z.z * v.z};
 }

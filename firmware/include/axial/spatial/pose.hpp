@@ -13,11 +13,11 @@ struct Pose {
   P position{};
 
   template <class A, class B>
-  constexpr operator Pose<A, B>() const {
+  AXIAL_INLINE constexpr operator Pose<A, B>() const {
     return {rotation, position};
   }  // NOLINT(google-explicit-constructor)
   template <class T>
-  constexpr Pose<Mat3<Vec3<T>>, Vec3<T>> dense() const {
+  AXIAL_INLINE constexpr Pose<Mat3<Vec3<T>>, Vec3<T>> dense() const {
     return *this;
   }
 };
@@ -26,19 +26,19 @@ Pose(R, P) -> Pose<R, P>;
 
 /// Column z of a matrix: the axis of a joint, in the axes of the frame that the pose is given in.
 template <class A, class B, class C>
-constexpr auto z_column(const Mat3<A, B, C>& m) {
+AXIAL_INLINE constexpr auto z_column(const Mat3<A, B, C>& m) {
   return Vec3{m.x.z, m.y.z, m.z.z};
 }
 /// Column x of a matrix.
 template <class A, class B, class C>
-constexpr auto x_column(const Mat3<A, B, C>& m) {
+AXIAL_INLINE constexpr auto x_column(const Mat3<A, B, C>& m) {
   return Vec3{m.x.x, m.y.x, m.z.x};
 }
 
 /// Pose of C in A from the poses of B in A and of C in B.
 template <class R, class P, class S, class Q>
-constexpr auto operator*(const Pose<R, P>& ab, const Pose<S, Q>& bc) {
-  const auto row = [&](const auto& r) { return transpose_times(bc.rotation, r); };
+AXIAL_INLINE constexpr auto operator*(const Pose<R, P>& ab, const Pose<S, Q>& bc) {
+  auto row = [&](const auto& r) { return transpose_times(bc.rotation, r); };
   return Pose{Mat3{row(ab.rotation.x), row(ab.rotation.y), row(ab.rotation.z)},
               ab.position + ab.rotation * bc.position};
 }

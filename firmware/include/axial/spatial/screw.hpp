@@ -10,11 +10,11 @@ namespace axial {
 /// The z axis as the axis of a screw: operands stay as they are.
 struct ZAxis {
   template <class V>
-  static constexpr const V& in(const V& v) {
+  AXIAL_INLINE static constexpr const V& in(const V& v) {
     return v;
   }
   template <class V>
-  static constexpr const V& out(const V& v) {
+  AXIAL_INLINE static constexpr const V& out(const V& v) {
     return v;
   }
 };
@@ -23,27 +23,27 @@ struct ZAxis {
 /// operator is written once.
 struct XAxis {
   template <class A, class B, class C>
-  static constexpr auto in(const Vec3<A, B, C>& v) {
+  AXIAL_INLINE static constexpr auto in(const Vec3<A, B, C>& v) {
     return Vec3{v.y, v.z, v.x};
   }
   template <class A, class B, class C>
-  static constexpr auto out(const Vec3<A, B, C>& v) {
+  AXIAL_INLINE static constexpr auto out(const Vec3<A, B, C>& v) {
     return Vec3{v.z, v.x, v.y};
   }
   template <class A, class B, class C>
-  static constexpr auto in(const Mat3<A, B, C>& m) {
+  AXIAL_INLINE static constexpr auto in(const Mat3<A, B, C>& m) {
     return Mat3{in(m.y), in(m.z), in(m.x)};
   }
   template <class A, class B, class C>
-  static constexpr auto out(const Mat3<A, B, C>& m) {
+  AXIAL_INLINE static constexpr auto out(const Mat3<A, B, C>& m) {
     return Mat3{out(m.z), out(m.x), out(m.y)};
   }
   template <class A, class B, class C, class D, class E, class F>
-  static constexpr auto in(const Sym3<A, B, C, D, E, F>& s) {
+  AXIAL_INLINE static constexpr auto in(const Sym3<A, B, C, D, E, F>& s) {
     return Sym3{s.yy, s.zz, s.xx, s.yz, s.xy, s.xz};
   }
   template <class A, class B, class C, class D, class E, class F>
-  static constexpr auto out(const Sym3<A, B, C, D, E, F>& s) {
+  AXIAL_INLINE static constexpr auto out(const Sym3<A, B, C, D, E, F>& s) {
     return Sym3{s.zz, s.xx, s.yy, s.xz, s.yz, s.xy};
   }
 };
@@ -63,11 +63,11 @@ struct AxialScrew {
   static constexpr bool is_identity = std::is_same_v<C, One> && is_zero_v<S> && is_zero_v<L>;
 
   template <class T>
-  constexpr AxialScrew<Axis, T, T, T> dense() const {
+  AXIAL_INLINE constexpr AxialScrew<Axis, T, T, T> dense() const {
     return {cos, sin, shift};
   }
   template <class Known>
-  constexpr AxialScrew<Axis, C, S, L, Known> with_turn(Known) const {
+  AXIAL_INLINE constexpr AxialScrew<Axis, C, S, L, Known> with_turn(Known) const {
     return {cos, sin, shift};
   }
 };
@@ -77,46 +77,46 @@ template <class C, class S, class L>
 using ZScrew = AxialScrew<ZAxis, C, S, L>;
 
 template <class C, class S, class L>
-constexpr XScrew<C, S, L> x_screw(const C& cos, const S& sin, const L& shift) {
+AXIAL_INLINE constexpr XScrew<C, S, L> x_screw(const C& cos, const S& sin, const L& shift) {
   return {cos, sin, shift};
 }
 template <class C, class S, class L>
-constexpr ZScrew<C, S, L> z_screw(const C& cos, const S& sin, const L& shift) {
+AXIAL_INLINE constexpr ZScrew<C, S, L> z_screw(const C& cos, const S& sin, const L& shift) {
   return {cos, sin, shift};
 }
 
 /// Free vector from the child's axes to the parent's: at most 4M 2A (Table II, Cartesian vectors).
 template <class Axis, class C, class S, class L, class Turn, class X, class Y, class Z>
-constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Vec3<X, Y, Z>& vector) {
-  const auto v = Axis::in(vector);
+AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Vec3<X, Y, Z>& vector) {
+  auto v = Axis::in(vector);
   return Axis::out(Vec3{turned(x.cos * v.x - x.sin * v.y), turned(x.sin * v.x + x.cos * v.y), v.z});
 }
 /// Free vector from the parent's axes to the child's: at most 4M 2A.
 template <class Axis, class C, class S, class L, class Turn, class X, class Y, class Z>
-constexpr auto to_child(const AxialScrew<Axis, C, S, L, Turn>& x, const Vec3<X, Y, Z>& vector) {
-  const auto v = Axis::in(vector);
+AXIAL_INLINE constexpr auto to_child(const AxialScrew<Axis, C, S, L, Turn>& x, const Vec3<X, Y, Z>& vector) {
+  auto v = Axis::in(vector);
   return Axis::out(Vec3{turned(x.cos * v.x + x.sin * v.y), turned(x.cos * v.y - x.sin * v.x), v.z});
 }
 
 /// u x p, p the screw's translation: linear motion that an angular motion u gives the child's origin; 2M.
 template <class Axis, class C, class S, class L, class Turn, class X, class Y, class Z>
-constexpr auto cross_shift(const AxialScrew<Axis, C, S, L, Turn>& x, const Vec3<X, Y, Z>& u) {
+AXIAL_INLINE constexpr auto cross_shift(const AxialScrew<Axis, C, S, L, Turn>& x, const Vec3<X, Y, Z>& u) {
   return Axis::out(cross_z(Axis::in(u), x.shift));
 }
 
 /// Motion vector from the parent's frame to the child's, v_child = X v_parent: at most 10M 6A (Table II, spatial
 /// vectors).
 template <class Axis, class C, class S, class L, class Turn, class W, class V, class Rounding = Plain>
-constexpr auto to_child(const AxialScrew<Axis, C, S, L, Turn>& x, const MotionVector<W, V>& m,
-                        const Rounding& round = {}) {
-  const auto linear = round.sum(quantity::LinearAcceleration{}, m.linear, cross_shift(x, m.angular));
+AXIAL_INLINE constexpr auto to_child(const AxialScrew<Axis, C, S, L, Turn>& x, const MotionVector<W, V>& m,
+                                     const Rounding& round = {}) {
+  auto linear = round.sum(quantity::LinearAcceleration{}, m.linear, cross_shift(x, m.angular));
   return MotionVector{to_child(x, m.angular), to_child(x, linear)};
 }
 /// Force vector from the child's frame to the parent's, f_parent = X^T f_child: at most 10M 6A.
 template <class Axis, class C, class S, class L, class Turn, class N, class F, class Rounding = Plain>
-constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const ForceVector<N, F>& f,
-                         const Rounding& round = {}) {
-  const auto moment = round.sum(quantity::Moment{}, f.moment, -cross_shift(x, f.force));
+AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const ForceVector<N, F>& f,
+                                      const Rounding& round = {}) {
+  auto moment = round.sum(quantity::Moment{}, f.moment, -cross_shift(x, f.force));
   return ForceVector{to_parent(x, moment), to_parent(x, f.force)};
 }
 

@@ -14,11 +14,11 @@ struct MotionVector {
   V linear{};
 
   template <class A, class B>
-  constexpr operator MotionVector<A, B>() const {
+  AXIAL_INLINE constexpr operator MotionVector<A, B>() const {
     return {angular, linear};
   }  // NOLINT(google-explicit-constructor)
   template <class T>
-  constexpr MotionVector<Vec3<T>, Vec3<T>> dense() const {
+  AXIAL_INLINE constexpr MotionVector<Vec3<T>, Vec3<T>> dense() const {
     return *this;
   }
 };
@@ -32,11 +32,11 @@ struct ForceVector {
   F force{};
 
   template <class A, class B>
-  constexpr operator ForceVector<A, B>() const {
+  AXIAL_INLINE constexpr operator ForceVector<A, B>() const {
     return {moment, force};
   }  // NOLINT(google-explicit-constructor)
   template <class T>
-  constexpr ForceVector<Vec3<T>, Vec3<T>> dense() const {
+  AXIAL_INLINE constexpr ForceVector<Vec3<T>, Vec3<T>> dense() const {
     return *this;
   }
 };
@@ -44,15 +44,15 @@ template <class N, class F>
 ForceVector(N, F) -> ForceVector<N, F>;
 
 template <class A, class B, class C, class D>
-constexpr auto operator+(const MotionVector<A, B>& u, const MotionVector<C, D>& v) {
+AXIAL_INLINE constexpr auto operator+(const MotionVector<A, B>& u, const MotionVector<C, D>& v) {
   return MotionVector{u.angular + v.angular, u.linear + v.linear};
 }
 template <class A, class B, class C, class D>
-constexpr auto operator+(const ForceVector<A, B>& u, const ForceVector<C, D>& v) {
+AXIAL_INLINE constexpr auto operator+(const ForceVector<A, B>& u, const ForceVector<C, D>& v) {
   return ForceVector{u.moment + v.moment, u.force + v.force};
 }
 template <class A, class B, class C, class D>
-constexpr auto operator-(const ForceVector<A, B>& u, const ForceVector<C, D>& v) {
+AXIAL_INLINE constexpr auto operator-(const ForceVector<A, B>& u, const ForceVector<C, D>& v) {
   return ForceVector{u.moment - v.moment, u.force - v.force};
 }
 

@@ -13,12 +13,12 @@ struct Vec3 {
   Z z{};
 
   template <class A, class B, class C>
-  constexpr operator Vec3<A, B, C>() const {
+  AXIAL_INLINE constexpr operator Vec3<A, B, C>() const {
     return {x, y, z};
   }  // NOLINT(google-explicit-constructor): zeros become numbers
   /// The same vector as plain numbers.
   template <class T>
-  constexpr Vec3<T, T, T> dense() const {
+  AXIAL_INLINE constexpr Vec3<T, T, T> dense() const {
     return *this;
   }
 };
@@ -28,39 +28,39 @@ Vec3(X, Y, Z) -> Vec3<X, Y, Z>;
 using ZeroVec3 = Vec3<Zero, Zero, Zero>;
 
 template <class A, class B, class C, class D, class E, class F>
-constexpr auto operator+(const Vec3<A, B, C>& u, const Vec3<D, E, F>& v) {
+AXIAL_INLINE constexpr auto operator+(const Vec3<A, B, C>& u, const Vec3<D, E, F>& v) {
   return Vec3{u.x + v.x, u.y + v.y, u.z + v.z};
 }
 template <class A, class B, class C, class D, class E, class F>
-constexpr auto operator-(const Vec3<A, B, C>& u, const Vec3<D, E, F>& v) {
+AXIAL_INLINE constexpr auto operator-(const Vec3<A, B, C>& u, const Vec3<D, E, F>& v) {
   return Vec3{u.x - v.x, u.y - v.y, u.z - v.z};
 }
 template <class A, class B, class C>
-constexpr auto operator-(const Vec3<A, B, C>& v) {
+AXIAL_INLINE constexpr auto operator-(const Vec3<A, B, C>& v) {
   return Vec3{-v.x, -v.y, -v.z};
 }
 template <class S, class A, class B, class C, std::enable_if_t<is_scalar_v<S>, int> = 0>
-constexpr auto operator*(const S& s, const Vec3<A, B, C>& v) {
+AXIAL_INLINE constexpr auto operator*(const S& s, const Vec3<A, B, C>& v) {
   return Vec3{s * v.x, s * v.y, s * v.z};
 }
 
 template <class A, class B, class C, class D, class E, class F>
-constexpr auto dot(const Vec3<A, B, C>& u, const Vec3<D, E, F>& v) {
+AXIAL_INLINE constexpr auto dot(const Vec3<A, B, C>& u, const Vec3<D, E, F>& v) {
   return u.x * v.x + u.y * v.y + u.z * v.z;
 }
 template <class A, class B, class C, class D, class E, class F>
-constexpr auto cross(const Vec3<A, B, C>& u, const Vec3<D, E, F>& v) {
+AXIAL_INLINE constexpr auto cross(const Vec3<A, B, C>& u, const Vec3<D, E, F>& v) {
   return Vec3{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
 /// The vector (0, 0, s): a quantity about or along the joint axis.
 template <class S>
-constexpr auto along_z(const S& s) {
+AXIAL_INLINE constexpr auto along_z(const S& s) {
   return Vec3{Zero{}, Zero{}, s};
 }
 /// v x z s, the cross product with a multiple of the joint axis.
 template <class A, class B, class C, class S>
-constexpr auto cross_z(const Vec3<A, B, C>& v, const S& s) {
+AXIAL_INLINE constexpr auto cross_z(const Vec3<A, B, C>& v, const S& s) {
   return Vec3{v.y * s, -(v.x * s), Zero{}};
 }
 
