@@ -25,6 +25,7 @@ class Kernels(harness.BoardTest):
         for robot, n in harness.ROBOTS.items():
             with self.subTest(robot):
                 seen = collections.Counter()
+                counts = collections.defaultdict(set)
                 for row in self.rows(robot):
                     if len(row) < 5 or row[0] in ("state", "board"):
                         continue
@@ -36,8 +37,17 @@ class Kernels(harness.BoardTest):
                     for value in bits:
                         self.assertTrue(math.isfinite(struct.unpack(letter, bytes.fromhex(value))[0]), row)
                     seen[kernel, scalar] += 1
+                    counts[kernel, scalar].add(int(count))
                 self.assertEqual(set(seen.values()), {STATES})
                 self.assertGreaterEqual(len(seen), 7)
+                self.check_constant_time(counts)
+
+    def check_constant_time(self, counts):
+        """No branch depends on data: one count for all states. Library routines of soft arithmetic do branch on data."""
+        hard = {"float"} if self.board == "stm32f405" else set()
+        for (kernel, scalar), seen in counts.items():
+            if scalar in hard:
+                self.assertEqual(len(seen), 1, f"{kernel}: {sorted(seen)}")
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 
 #include <axial/dynamics/reach.hpp>
 #include <axial/model/link_view.hpp>
+#include <axial/scalar/select.hpp>
 #include <axial/spatial/inertia.hpp>
 
 namespace axial {
@@ -39,7 +40,7 @@ AXIAL_INLINE constexpr auto axis_gain(const Link& link, const I& inertia, const 
     if constexpr (Link::unrolled)
       return gain;
     else
-      return rotor > J(Zero{}) ? gain : J(One{});
+      return select(rotor > J(Zero{}), gain, J(One{}));
   }
 }
 
@@ -168,8 +169,7 @@ template <class T, class Scale>
 AXIAL_INLINE constexpr Resistance<T> resistance(const T& d, const Scale& scale) {
   const T eps = NumberTraits<T>::epsilon();
   const bool left = d > T(eps * eps * scale);
-  const T inverse = reciprocal(left ? d : T(One{}));
-  return {left ? inverse : T(Zero{}), !(d > T(T(Int<16>{}) * eps * scale))};
+  return {select(left, reciprocal(d), T(Zero{})), !(d > T(T(Int<16>{}) * eps * scale))};
 }
 
 /// Reflection of an articulated body (inertia, bias p) across its joint, driven by the effort tau; D = I_ss + rotor.

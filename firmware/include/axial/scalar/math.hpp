@@ -1,14 +1,14 @@
 // constexpr helpers that C++17's <cmath> does not have.
 #pragma once
 
-#include <axial/scalar/structural.hpp>
+#include <axial/scalar/select.hpp>
 
 namespace axial {
 
 /// |x|.
 template <class T>
-constexpr T magnitude(const T& x) {
-  return x < T(Zero{}) ? -x : x;
+AXIAL_INLINE constexpr T magnitude(const T& x) {
+  return select(x < T(Zero{}), T(-x), x);
 }
 
 /// Square root by Newton's iteration, within 1 ulp; NaN for negative arguments. Meant for constants: it loops.

@@ -1,6 +1,7 @@
 // Congruences by one axial screw: inertias from the child's frame to the parent's, X^T N X.
 #pragma once
 
+#include <axial/scalar/select.hpp>
 #include <axial/spatial/inertia.hpp>
 #include <axial/spatial/screw.hpp>
 
@@ -33,12 +34,12 @@ AXIAL_INLINE constexpr auto pick(std::false_type, const A&, const B& no) {
 }
 template <class A, class B>
 AXIAL_INLINE constexpr auto pick(bool condition, const A& yes, const B& no) {
-  if constexpr (std::is_same_v<A, B>)
-    return condition ? yes : no;
+  if constexpr (std::is_same_v<A, B> && is_structural_v<A>)
+    return yes;
   else if constexpr (is_structural_v<A>)
-    return condition ? B(yes) : no;
+    return select(condition, B(yes), no);
   else
-    return condition ? yes : A(no);
+    return select(condition, yes, A(no));
 }
 
 template <class Axis, class C, class S, class L, class Turn, class SS>

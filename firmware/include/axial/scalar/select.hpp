@@ -1,0 +1,39 @@
+// Choices that compile to the same instructions whichever way they go.
+#pragma once
+
+#include <axial/scalar/structural.hpp>
+
+namespace axial {
+
+namespace detail {
+template <class T, std::size_t bytes = sizeof(T)>
+struct BitsOf;
+template <class T>
+struct BitsOf<T, 4> {
+  using type = std::uint32_t;
+};
+template <class T>
+struct BitsOf<T, 8> {
+  using type = std::uint64_t;
+};
+}  // namespace detail
+
+/// yes or no, by the bits of a float or double and a mask: a conditional expression may become a branch.
+template <class T, std::enable_if_t<std::is_floating_point_v<T> && sizeof(T) <= 8, int> = 0>
+AXIAL_INLINE constexpr T select(bool condition, const T& yes, const T& no) {
+  using Bits = typename detail::BitsOf<T>::type;
+  const Bits y = __builtin_bit_cast(Bits, yes), n = __builtin_bit_cast(Bits, no);
+  return __builtin_bit_cast(T, static_cast<Bits>(n ^ ((y ^ n) & (Bits{0} - static_cast<Bits>(condition)))));
+}
+/// The same for other numbers.
+template <class T, std::enable_if_t<!std::is_floating_point_v<T> || (sizeof(T) > 8), int> = 0>
+AXIAL_INLINE constexpr T select(bool condition, const T& yes, const T& no) {
+  return condition ? yes : no;
+}
+/// The same for an index.
+AXIAL_INLINE constexpr int select(bool condition, int yes, int no) {
+  const int mask = -static_cast<int>(condition);
+  return (yes & mask) | (no & ~mask);
+}
+
+}  // namespace axial
