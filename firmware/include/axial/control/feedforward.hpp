@@ -24,10 +24,9 @@ namespace detail {
 // Keeps efforts inside the declared ones; names the first joint that was clamped.
 template <class S, class T>
 constexpr Status clamp_efforts(Efforts<robot_of<S>, T>& tau) {
-  constexpr auto limits = declared_limits<robot_of<S>, T>();
   Status status;
   for (int i = joint_count<S>; i-- > 0;) {
-    const T most = limits.joints[i].effort;
+    const T most = limits_of<robot_of<S>, T>.joints[i].effort;
     const T clamped = tau[i] > most ? most : tau[i] < -most ? -most : tau[i];
     if (clamped < tau[i] || clamped > tau[i]) status = {Status::Code::effort_limit, i};
     tau[i] = clamped;

@@ -45,17 +45,38 @@ constexpr Limits<Robot, T> declared_limits() {
   return all;
 }
 
-/// First thing that is wrong with a request, joint by joint: not finite, or outside the declared limits.
+/// The declared limits as a constant, so that nothing is copied at run time.
+template <class Robot, class T>
+inline constexpr Limits<Robot, T> limits_of = declared_limits<Robot, T>();
+
+namespace detail {
+
+// NaN is not inside; unlimited joints have the largest number as limit, so infinity is not inside either.
+template <class T>
+constexpr bool inside(const T& x, const T& low, const T& high) {
+  return x >= low && x <= high;
+}
+
+// What is wrong with a joint of which something is.
+template <class L, class T>
+constexpr Status::Code complaint(const L& l, const T& q, const T& qd, const T& qdd) {
+  using Code = Status::Code;
+  if (!(is_finite(q) && is_finite(qd) && is_finite(qdd))) return Code::not_finite;
+  if (!inside(q, l.position_min, l.position_max)) return Code::position_limit;
+  return inside(qd, -l.speed, l.speed) ? Code::acceleration_limit : Code::speed_limit;
+}
+
+}  // namespace detail
+
+/// First joint with which something is wrong in a request, and what: not finite, or outside the declared limits.
 template <class S, class T>
 constexpr Status check_request(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                const Accelerations<robot_of<S>, T>& qdd) {
-  constexpr auto limits = declared_limits<robot_of<S>, T>();
   for (int i = 0; i < joint_count<S>; ++i) {
-    const auto& l = limits.joints[i];
-    if (!(is_finite(q[i]) && is_finite(qd[i]) && is_finite(qdd[i]))) return {Status::Code::not_finite, i};
-    if (q[i] < l.position_min || q[i] > l.position_max) return {Status::Code::position_limit, i};
-    if (qd[i] < -l.speed || qd[i] > l.speed) return {Status::Code::speed_limit, i};
-    if (qdd[i] < -l.acceleration || qdd[i] > l.acceleration) return {Status::Code::acceleration_limit, i};
+    const auto& l = limits_of<robot_of<S>, T>.joints[i];
+    if (!(detail::inside(q[i], l.position_min, l.position_max) && detail::inside(qd[i], -l.speed, l.speed) &&
+          detail::inside(qdd[i], -l.acceleration, l.acceleration)))
+      return {detail::complaint(l, q[i], qd[i], qdd[i]), i};
   }
   return {};
 }
