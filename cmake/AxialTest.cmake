@@ -4,8 +4,13 @@
 # <folder>.<Suite.Test> with the folder below tests/ as its label.
 include(GoogleTest)
 
+set(AXIAL_TESTS_LEFT_OUT "" CACHE STRING "Test programs that this build does without")
+
 function(axial_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "LIBS;DEFINES")
+  if(name IN_LIST AXIAL_TESTS_LEFT_OUT)
+    return()
+  endif()
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 300)
   endif()
