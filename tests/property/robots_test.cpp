@@ -161,6 +161,28 @@ TYPED_TEST(Robot, LoopedEqualsUnrolled) {
   }
 }
 
+// Regrouping moves inertia between links; no joint feels it.
+TYPED_TEST(Robot, BaseParametersGiveTheSameTorquesAndAccelerations) {
+  using namespace axial;
+  using R = TypeParam;
+  using FullSet = Scene<R, Gravity, RotorInertia, FullParameters>;
+  using BaseSet = Scene<R, Gravity, RotorInertia, BaseParameters>;
+  oracle::RandomChains random(seed);
+  for (int k = 0; k < 200; ++k) {
+    const auto state = random_state<R>(random);
+    const auto q = joints<R, double>(state.q), qd = joints<R, double>(state.qd), qdd = joints<R, double>(state.qdd);
+    const auto tau = inverse_dynamics<FullSet>(q, qd, qdd);
+    EXPECT_LE(oracle::relative_error(property::vector(inverse_dynamics<BaseSet>(q, qd, qdd)), property::vector(tau)),
+              1e-13);
+    EXPECT_LE(
+        oracle::relative_error(property::matrix(mass_matrix<BaseSet>(q)), property::matrix(mass_matrix<FullSet>(q))),
+        1e-13);
+    const auto base = forward_dynamics<BaseSet>(q, qd, tau);
+    EXPECT_LE(oracle::relative_error(oracle::Vector<double>(base.values, base.values + R::chain.size), state.qdd),
+              1e-10);
+  }
+}
+
 TYPED_TEST(Robot, MassMatrixIsPositiveDefinite) {
   using R = TypeParam;
   oracle::RandomChains random(seed);

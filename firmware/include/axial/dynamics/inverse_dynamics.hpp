@@ -135,7 +135,7 @@ constexpr Efforts<robot_of<S>, T> inverse_dynamics(const Positions<robot_of<S>, 
                                                    const Accelerations<robot_of<S>, T>& qdd,
                                                    const Inputs<S, T>& in = {}) {
   Efforts<robot_of<S>, T> tau{};
-  rnea::run(links_of<S, T>(), in, q, qd, qdd, tau);
+  rnea::run(links_of<S, T, BaseParameters>(), in, q, qd, qdd, tau);
   return tau;
 }
 
@@ -143,7 +143,7 @@ constexpr Efforts<robot_of<S>, T> inverse_dynamics(const Positions<robot_of<S>, 
 template <class S, class T>
 constexpr Efforts<robot_of<S>, T> gravity_torque(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   Efforts<robot_of<S>, T> tau{};
-  rnea::run(links_of<S, T>(), in, q, NoMotion{}, NoMotion{}, tau);
+  rnea::run(links_of<S, T, BaseParameters>(), in, q, NoMotion{}, NoMotion{}, tau);
   return tau;
 }
 
@@ -152,7 +152,7 @@ template <class S, class T>
 constexpr Efforts<robot_of<S>, T> bias_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                               const Inputs<S, T>& in = {}) {
   Efforts<robot_of<S>, T> tau{};
-  rnea::run(links_of<S, T>(), in, q, qd, NoMotion{}, tau);
+  rnea::run(links_of<S, T, BaseParameters>(), in, q, qd, NoMotion{}, tau);
   return tau;
 }
 

@@ -97,7 +97,7 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
 template <class S, class T>
 constexpr MassMatrix<robot_of<S>, T> mass_matrix(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   MassMatrix<robot_of<S>, T> m{};
-  crba::run(links_of<S, T>(), in, q, m);
+  crba::run(links_of<S, T, BaseParameters>(), in, q, m);
   return m;
 }
 template <int N, class... F, class T, class M = Model<N, F...>>

@@ -55,4 +55,18 @@ struct Looped {
   struct Input {};
 };
 
+/// Inertial parameters regrouped at compile time (base_parameters.hpp): the default of inverse dynamics, its gravity
+/// and bias parts, and the mass matrix. Naming it makes forward dynamics use them too: cheaper, but links become
+/// differences of large numbers, so only short, well-conditioned arms stay exact.
+struct BaseParameters {
+  template <class T>
+  struct Input {};
+};
+
+/// Every link's own inertial parameters, for all algorithms: the default of forward dynamics.
+struct FullParameters {
+  template <class T>
+  struct Input {};
+};
+
 }  // namespace axial

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include <axial/model/base_parameters.hpp>
 #include <axial/model/joints.hpp>
 #include <axial/model/link_constants.hpp>
 #include <axial/scalar/rounding.hpp>
@@ -11,27 +12,29 @@
 
 namespace axial {
 
-/// Kind of a joint as a type.
-struct Revolute {};
-struct Prismatic {};
-
 /// Index of a link as a type, usable as an int.
 template <int I>
 using Index = std::integral_constant<int, I>;
 
 namespace detail {
 
-template <class Robot, int... I>
-AXIAL_INLINE constexpr auto all_constants(std::integer_sequence<int, I...>) {
-  struct Table {
-    LinkConstants<double> links[sizeof...(I)];
-  };
-  return Table{{link_constants(Robot::chain.links[I], Robot::chain.parent(I))...}};
+template <int N>
+struct ConstantsTable {
+  LinkConstants<double> links[N];
+};
+
+template <class Robot, class Parameters, int... I>
+constexpr auto all_constants(std::integer_sequence<int, I...>) {
+  constexpr int size = sizeof...(I);
+  ConstantsTable<size> table{{link_constants(Robot::chain.links[I], Robot::chain.parent(I))...}};
+  if constexpr (std::is_same_v<Parameters, BaseParameters>) regroup(table.links, size);
+  return table;
 }
 
 /// The derived constants of a robot, computed by the compiler.
-template <class Robot>
-inline constexpr auto robot_constants = all_constants<Robot>(std::make_integer_sequence<int, Robot::chain.size>{});
+template <class Robot, class Parameters = FullParameters>
+inline constexpr auto robot_constants =
+    all_constants<Robot, Parameters>(std::make_integer_sequence<int, Robot::chain.size>{});
 
 template <class T>
 using Member = T LinkConstants<T>::*;
@@ -103,8 +106,8 @@ class LinkAccess {
 }  // namespace detail
 
 /// Link I of a scene's robot: every constant that is 0 or +-1 is a type, the rest are literals of T.
-template <class SceneType, int I, class T>
-class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T>, double>, public Plain {
+template <class SceneType, int I, class T, class Parameters>
+class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Parameters>, double>, public Plain {
  public:
   using Scene = SceneType;
   static constexpr bool unrolled = true;
@@ -112,18 +115,18 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T>, double
 
   template <detail::Member<double> M>
   AXIAL_INLINE static constexpr auto get() {
-    return literal<T>([] { return detail::robot_constants<typename Scene::Robot>.links[I].*M; });
+    return literal<T>([] { return detail::robot_constants<typename Scene::Robot, Parameters>.links[I].*M; });
   }
   /// Whether a constant turn is nearer to a quarter turn than to none, as a type.
   template <detail::Member<double> Sine>
   AXIAL_INLINE static constexpr auto beyond_45_degrees() {
-    constexpr double sine = detail::robot_constants<typename Scene::Robot>.links[I].*Sine;
+    constexpr double sine = detail::robot_constants<typename Scene::Robot, Parameters>.links[I].*Sine;
     return std::bool_constant<(sine * sine > 0.5)>{};
   }
   /// Calls f with the kind of this joint.
   template <class F>
   AXIAL_INLINE static constexpr auto on_joint(const F& f) {
-    if constexpr (detail::robot_constants<typename Scene::Robot>.links[I].prismatic)
+    if constexpr (detail::robot_constants<typename Scene::Robot, Parameters>.links[I].prismatic)
       return f(Prismatic{});
     else
       return f(Revolute{});

@@ -7,7 +7,7 @@
 namespace axial {
 
 /// All links of a scene's robot, each with its own type.
-template <class SceneType, class ScalarType>
+template <class SceneType, class ScalarType, class Parameters>
 struct StaticLinks {
   using Scene = SceneType;
   using Scalar = ScalarType;
@@ -18,7 +18,7 @@ struct StaticLinks {
   AXIAL_INLINE static constexpr int size() { return capacity; }
   template <int I>
   AXIAL_INLINE static constexpr auto link(Index<I>) {
-    return StaticLink<Scene, I, Scalar>{};
+    return StaticLink<Scene, I, Scalar, Parameters>{};
   }
   template <int I>
   static constexpr int parent_of = Scene::Robot::chain.parent(I);
@@ -104,30 +104,39 @@ class TableLinks {
 
 namespace detail {
 
-template <class Robot, class T, int... I>
+template <class Robot, class T, class Parameters, int... I>
 AXIAL_INLINE constexpr auto converted_table(std::integer_sequence<int, I...>) {
   struct Table {
     LinkConstants<T> links[sizeof...(I)];
   };
-  return Table{{converted<T>(robot_constants<Robot>.links[I])...}};
+  return Table{{converted<T>(robot_constants<Robot, Parameters>.links[I])...}};
 }
-template <class Robot, class T>
-inline constexpr auto robot_table = converted_table<Robot, T>(std::make_integer_sequence<int, Robot::chain.size>{});
+template <class Robot, class T, class Parameters>
+inline constexpr auto robot_table =
+    converted_table<Robot, T, Parameters>(std::make_integer_sequence<int, Robot::chain.size>{});
 template <class Robot>
 inline constexpr Mounting robot_mounting{Robot::chain.gravity, Robot::chain.base.pose, Robot::chain.tool.pose};
 
 }  // namespace detail
 
+/// The parameters that an algorithm computes with: its default, unless the scene names FullParameters or
+/// BaseParameters.
+template <class Scene, class Default>
+using parameters_of =
+    std::conditional_t<Scene::template has<FullParameters>, FullParameters,
+                       std::conditional_t<Scene::template has<BaseParameters>, BaseParameters, Default>>;
+
 /// The links of a scene (or of a bare robot) over numbers T, in the form that the scene asks for.
-template <class S, class T>
+template <class S, class T, class DefaultParameters = FullParameters>
 AXIAL_INLINE constexpr auto links_of() {
   using Scene = scene_of<S>;
   using Robot = typename Scene::Robot;
+  using Parameters = parameters_of<Scene, DefaultParameters>;
   if constexpr (Scene::template has<Looped>) {
-    return TableLinks<Scene, T, T, Robot::chain.size>(detail::robot_table<Robot, T>.links, Robot::chain.size,
-                                                      detail::robot_mounting<Robot>);
+    return TableLinks<Scene, T, T, Robot::chain.size>(detail::robot_table<Robot, T, Parameters>.links,
+                                                      Robot::chain.size, detail::robot_mounting<Robot>);
   } else {
-    return StaticLinks<Scene, T>{};
+    return StaticLinks<Scene, T, Parameters>{};
   }
 }
 

@@ -6,7 +6,8 @@
 
 namespace axial {
 
-/// Robot with exactly the named features: Gravity, RotorInertia, Friction, TipWrench, Payload, Looped.
+/// Robot with exactly the named features: Gravity, RotorInertia, Friction, TipWrench, Payload, Looped, BaseParameters,
+/// FullParameters.
 template <class RobotType, class... Features>
 struct Scene {
   using Robot = RobotType;

@@ -1,0 +1,51 @@
+// Base inertial parameters: what the joint torques can feel, regrouped by the compiler so that most entries vanish.
+#pragma once
+
+#include <axial/model/link_constants.hpp>
+#include <axial/spatial/congruence.hpp>
+
+namespace axial {
+
+namespace detail {
+
+using Body = RigidInertia<double, Vec3<double>, Sym3<double>>;
+
+constexpr void add(LinkConstants<double>& link, const Body& body) {
+  link.mass += body.mass;
+  link.hx += body.first_moment.x, link.hy += body.first_moment.y, link.hz += body.first_moment.z;
+  link.jxx += body.inertia.xx, link.jyy += body.inertia.yy, link.jzz += body.inertia.zz;
+  link.jxy += body.inertia.xy, link.jxz += body.inertia.xz, link.jyz += body.inertia.yz;
+}
+
+// A body that is symmetric about a revolute joint's axis turns about it unseen: it may sit on either side of the joint.
+// Takes mass, hz and diag(Jyy, Jyy, 0) from the link; returns them in the parent's frame.
+constexpr Body give_up(Revolute, LinkConstants<double>& link) {
+  const double j = link.jyy;
+  const Body symmetric{link.mass, {0.0, 0.0, link.hz}, {j, j, 0.0, 0.0, 0.0, 0.0}};
+  link.mass = link.hz = link.jyy = 0.0, link.jxx -= j;
+  const auto shifted = to_parent(z_screw(1.0, 0.0, link.d), symmetric);
+  return to_parent(x_screw(link.cos_alpha, link.sin_alpha, link.a), shifted);
+}
+// A prismatic link turns as its parent does: its inertia about its own origin belongs to the parent.
+constexpr Body give_up(Prismatic, LinkConstants<double>& link) {
+  const Sym3<double> own{link.jxx, link.jyy, link.jzz, link.jxy, link.jxz, link.jyz};
+  link.jxx = link.jyy = link.jzz = link.jxy = link.jxz = link.jyz = 0.0;
+  const auto turned_z = to_parent(z_screw(link.cos_theta, link.sin_theta, 0.0), own);
+  return {0.0, {}, to_parent(x_screw(link.cos_alpha, link.sin_alpha, 0.0), turned_z)};
+}
+
+}  // namespace detail
+
+/// Regroups the parameters of a chain in place, from the tips to the base (links sorted so that parents come first).
+/// The joint torques of a chain on a fixed base do not change. Source: Khalil and Dombre 2002, chapter 9; Gautier and
+/// Khalil 1990, in closed form for each joint.
+constexpr void regroup(LinkConstants<double>* links, int size) {
+  for (int i = size; i-- > 0;) {
+    auto& link = links[i];
+    const auto body = link.prismatic ? detail::give_up(Prismatic{}, link) : detail::give_up(Revolute{}, link);
+    if (link.parent >= 0) detail::add(links[link.parent], body);
+    link.jzz_jyy = link.jzz - link.jyy, link.jxx_jzz = link.jxx - link.jzz, link.jyy_jxx = link.jyy - link.jxx;
+  }
+}
+
+}  // namespace axial
