@@ -139,10 +139,11 @@ class Counting {
   constexpr int node_in(Trace& trace) const {
     return trace_ != nullptr ? node_ : trace.record({Kind::constant, -1, -1, value_});
   }
-  constexpr Counting apply(Kind kind, double folded) const {
+  // Not inlined: a kernel is thousands of operations, and nobody times a count.
+  [[gnu::noinline]] constexpr Counting apply(Kind kind, double folded) const {
     return trace_ == nullptr ? constant(folded) : Counting(*trace_, {kind, node_, -1, 0.0});
   }
-  static constexpr Counting combine(Kind kind, Counting a, Counting b, double folded) {
+  [[gnu::noinline]] static constexpr Counting combine(Kind kind, Counting a, Counting b, double folded) {
     Trace* const trace = a.trace_ != nullptr ? a.trace_ : b.trace_;
     if (trace == nullptr) return constant(folded);
     return Counting(*trace, {kind, a.node_in(*trace), b.node_in(*trace), 0.0});
