@@ -135,7 +135,7 @@ AXIAL_INLINE constexpr Status run(const Links& links, const Input& in, const Q& 
                                   A& qdd) {
   using T = typename Links::Scalar;
   const TipLoads<typename Links::Scene, Input> loads(in);
-  auto screws = map_links(links, [&](auto i) AXIAL_INLINE { return links.link(i).z(q[i]); });
+  auto screws = joint_screws(links, in, q);
   auto velocities = outward(links, base_velocity, [&](auto i, const auto& parent) AXIAL_INLINE {
     auto link = links.link(i);
     return link.on_joint([&](auto joint)

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <axial/dynamics/gyration.hpp>
+#include <axial/dynamics/joint_axis.hpp>
+#include <axial/dynamics/joint_screws.hpp>
 #include <axial/dynamics/loads.hpp>
-#include <axial/dynamics/passes.hpp>
 #include <axial/model/model.hpp>
 
 namespace axial {
@@ -78,16 +79,6 @@ AXIAL_INLINE constexpr auto newton_euler(const Link& link, const Body& body, con
   return ForceVector{moment, force};
 }
 
-/// Component of a force along the joint.
-template <class F>
-AXIAL_INLINE constexpr auto along_joint(Revolute, const F& f) {
-  return f.moment.z;
-}
-template <class F>
-AXIAL_INLINE constexpr auto along_joint(Prismatic, const F& f) {
-  return f.force.z;
-}
-
 template <class F>
 struct Left {
   F sent{};
@@ -99,7 +90,7 @@ Left(F) -> Left<F>;
 template <class Links, class Input, class Q, class V, class A, class Tau>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Tau& tau) {
   const TipLoads<typename Links::Scene, Input> loads(in);
-  auto screws = map_links(links, [&](auto i) AXIAL_INLINE { return links.link(i).z(q[i]); });
+  auto screws = joint_screws(links, in, q);
   auto motions = outward(links, base_motion(links.base_acceleration()), [&](auto i, const auto& parent) AXIAL_INLINE {
     auto link = links.link(i);
     return link.on_joint([&](auto joint)

@@ -50,10 +50,8 @@ AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, cons
     if constexpr (parent >= 0) {
       auto link = links.link(j);
       auto at_parent = to_parent(link.x(), to_parent(screws[j], force, link), link);
-      m(i, parent) =
-          static_cast<typename Links::Scalar>(links.link(Index<parent>{}).on_joint([&](auto joint) AXIAL_INLINE {
-            return rnea::along_joint(joint, at_parent);
-          }));
+      m(i, parent) = static_cast<typename Links::Scalar>(
+          links.link(Index<parent>{}).on_joint([&](auto joint) AXIAL_INLINE { return along_joint(joint, at_parent); }));
       climb(links, screws, at_parent, i, Index<parent>{}, m);
     }
   } else {
@@ -62,7 +60,7 @@ AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, cons
       auto link = links.link(k);
       carried = to_parent(link.x(), to_parent(screws[k], carried, link), link);
       const int parent = links.parent_index(k);
-      m(i, parent) = links.link(parent).on_joint([&](auto joint) { return rnea::along_joint(joint, carried); });
+      m(i, parent) = links.link(parent).on_joint([&](auto joint) { return along_joint(joint, carried); });
     }
   }
 }
@@ -72,7 +70,7 @@ template <class Links, class Input, class Q, class Matrix>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Matrix& m) {
   using T = typename Links::Scalar;
   const TipLoads<typename Links::Scene, Input> loads(in);
-  auto screws = map_links(links, [&](auto i) AXIAL_INLINE { return links.link(i).z(q[i]); });
+  auto screws = joint_screws(links, in, q);
   auto own = [&](auto i) AXIAL_INLINE { return links.link(i).shape(loads.body(links.link(i))); };
   auto bodies = inward(links, own, [&](auto i, const auto& body) AXIAL_INLINE {
     auto link = links.link(i);
@@ -83,7 +81,7 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
     auto force =
         link.on_joint([&](auto joint) AXIAL_INLINE { return link.shape(unit_force(joint, bodies[i].composite)); });
     m(i, i) = link.on_joint([&](auto joint) AXIAL_INLINE {
-      return static_cast<T>(link.sum(quantity::JointInertia{}, rnea::along_joint(joint, force), link.rotor()));
+      return static_cast<T>(link.sum(quantity::JointInertia{}, along_joint(joint, force), link.rotor()));
     });
     climb(links, screws, force, i, i, m);
   });

@@ -1,6 +1,7 @@
 // An articulated body seen across its joint: the reflected inertia N, the gain K and the bias that passes through.
 #pragma once
 
+#include <axial/dynamics/joint_axis.hpp>
 #include <axial/dynamics/reach.hpp>
 #include <axial/model/link_view.hpp>
 #include <axial/scalar/select.hpp>
@@ -144,14 +145,6 @@ template <class K, class KS>
 AXIAL_INLINE constexpr auto gain_vector(Prismatic, const K& k, const KS& axis) {
   return MotionVector{k.angular, Vec3{k.linear.x, k.linear.y, axis}};
 }
-template <class P>
-AXIAL_INLINE constexpr auto axis_force(Revolute, const P& p) {
-  return p.moment.z;
-}
-template <class P>
-AXIAL_INLINE constexpr auto axis_force(Prismatic, const P& p) {
-  return p.force.z;
-}
 
 }  // namespace detail
 
@@ -185,7 +178,7 @@ AXIAL_INLINE constexpr auto reflection(Joint joint, const Link& link, const I& i
   MotionVector k{link.sum(Gain{}, inverse * column.angular), link.sum(Gain{}, inverse * column.linear)};
   auto axis = detail::axis_gain(link, own, rotor, inverse);
   auto n = reflected(joint, link, inertia, column, k, axis, rotor);
-  auto held = detail::axis_force(joint, p);
+  auto held = along_joint(joint, p);
   auto u = link.sum(JointEffort{}, tau, -held);
   auto passed = link.sum(JointEffort{}, (rotor * inverse) * held, axis * tau);
   return Reflection{n, passed_bias(joint, link, p, n, zeta, k, u, passed), detail::gain_vector(joint, k, axis),
@@ -196,16 +189,6 @@ AXIAL_INLINE constexpr auto reflection(Joint joint, const Link& link, const I& i
 template <class K, class M>
 AXIAL_INLINE constexpr auto gain_times(const K& k, const M& motion) {
   return dot(k.angular, motion.angular) + dot(k.linear, motion.linear);
-}
-
-/// A joint acceleration as a motion of its link.
-template <class A>
-AXIAL_INLINE constexpr auto along_axis(Revolute, const A& qdd) {
-  return MotionVector{along_z(qdd), ZeroVec3{}};
-}
-template <class A>
-AXIAL_INLINE constexpr auto along_axis(Prismatic, const A& qdd) {
-  return MotionVector{ZeroVec3{}, along_z(qdd)};
 }
 
 }  // namespace axial

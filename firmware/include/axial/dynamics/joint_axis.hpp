@@ -1,0 +1,29 @@
+// What a spatial vector has along a joint's axis, which is the z axis of the link's frame.
+#pragma once
+
+#include <axial/model/link_constants.hpp>
+#include <axial/spatial/spatial_vector.hpp>
+
+namespace axial {
+
+/// Component of a force along the joint: the moment about its axis, or the force along it.
+template <class F>
+AXIAL_INLINE constexpr auto along_joint(Revolute, const F& f) {
+  return f.moment.z;
+}
+template <class F>
+AXIAL_INLINE constexpr auto along_joint(Prismatic, const F& f) {
+  return f.force.z;
+}
+
+/// A joint acceleration as a motion of its link.
+template <class A>
+AXIAL_INLINE constexpr auto along_axis(Revolute, const A& qdd) {
+  return MotionVector{along_z(qdd), ZeroVec3{}};
+}
+template <class A>
+AXIAL_INLINE constexpr auto along_axis(Prismatic, const A& qdd) {
+  return MotionVector{ZeroVec3{}, along_z(qdd)};
+}
+
+}  // namespace axial
