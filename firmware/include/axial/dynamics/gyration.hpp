@@ -28,7 +28,9 @@ AXIAL_INLINE constexpr auto products(const W& w, const Rounding& round) {
 template <class W, class DW, class P, class Rounding>
 AXIAL_INLINE constexpr auto rotation_acceleration(const W& w, const DW& dw, const P& p, const Rounding& round) {
   using quantity::AngularAcceleration;
-  auto xx = w.x * w.x, yy = w.y * w.y, zz = w.z * w.z;
+  auto xx = w.x * w.x;
+  auto yy = w.y * w.y;
+  auto zz = w.z * w.z;
   const AngularAcceleration q{};
   return Mat3{Vec3{round.sum(q, -yy, -zz), round.sum(q, p.z, -dw.z), round.sum(q, p.y, dw.y)},
               Vec3{round.sum(q, p.z, dw.z), round.sum(q, -xx, -zz), round.sum(q, p.x, -dw.x)},

@@ -57,8 +57,9 @@ template <class Step, int I, class Parent>
 using StepResult = std::decay_t<decltype(std::declval<const Step&>()(Index<I>{}, std::declval<const Parent&>()))>;
 
 // The type of every slot of an outward pass, found link by link.
-template <class Links, class Root, class Step, class Found, int I>
+template <class Links, class Root, class Step, class Found, int Rest>
 struct Outward {
+  static constexpr int I = Links::capacity - Rest;
   template <int P>
   static const auto& parent(Index<P> p, const Root& root, const Found& found) {
     if constexpr (P < 0)
@@ -68,10 +69,10 @@ struct Outward {
   }
   using Parent = decltype(parent(Index<Links::template parent_of<I>>{}, std::declval<Root>(), std::declval<Found>()));
   using type =
-      typename Outward<Links, Root, Step, typename Found::template Append<StepResult<Step, I, Parent>>, I + 1>::type;
+      typename Outward<Links, Root, Step, typename Found::template Append<StepResult<Step, I, Parent>>, Rest - 1>::type;
 };
 template <class Links, class Root, class Step, class Found>
-struct Outward<Links, Root, Step, Found, Links::capacity> {
+struct Outward<Links, Root, Step, Found, 0> {
   using type = Found;
 };
 
@@ -85,7 +86,7 @@ AXIAL_INLINE constexpr const auto& value_or_root(Index<P> parent, const Root& ro
 
 template <class Links, class Root, class Step, int... I>
 AXIAL_INLINE constexpr auto outward_unrolled(const Root& root, const Step& step, std::integer_sequence<int, I...>) {
-  typename Outward<Links, Root, Step, Slots<>, 0>::type values{};
+  typename Outward<Links, Root, Step, Slots<>, Links::capacity>::type values{};
   ((values[Index<I>{}] = step(Index<I>{}, value_or_root(Index<Links::template parent_of<I>>{}, root, values))), ...);
   return values;
 }
@@ -160,14 +161,14 @@ AXIAL_INLINE constexpr auto loaded(NoLoad, const W& load) {
   return load;
 }
 
+template <class Pass, int I>
+using LeftBy = decltype(std::declval<const Pass&>().template leave_type<I>());
+
 // The pass over a tree of types: what the children of link I, from child C on, send to it.
 template <class Links, class Own, class Joint>
 struct Inward {
   const Own& own;
   const Joint& joint;
-
-  template <int I>
-  using Left = decltype(std::declval<Inward>().template leave_type<I>());
 
   template <int I, int C>
   AXIAL_INLINE constexpr auto loads_type() const {
@@ -196,7 +197,7 @@ struct Inward {
   template <int... I>
   AXIAL_INLINE constexpr auto run(std::integer_sequence<int, I...>) const {
     constexpr int last = Links::capacity - 1;
-    Slots<Left<I>...> values{};
+    Slots<LeftBy<Inward, I>...> values{};
     ((values[Index<last - I>{}] =
           joint(Index<last - I>{}, loaded(own(Index<last - I>{}), loads<last - I, last - I + 1>(values)))),
      ...);

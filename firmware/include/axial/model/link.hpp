@@ -40,6 +40,13 @@ struct LinkParameters {
 
 /// Fluent builder of LinkParameters; every call returns a changed copy. Start with revolute() or prismatic().
 class Link {
+  template <class Change>
+  constexpr Link with(Change change) const {
+    Link changed = *this;
+    change(changed.p_);
+    return changed;
+  }  // before its uses: clang needs it for constants
+
  public:
   constexpr explicit Link(JointType type) { p_.type = type; }
 
@@ -132,13 +139,6 @@ class Link {
   }
 
  private:
-  template <class Change>
-  constexpr Link with(Change change) const {
-    Link changed = *this;
-    change(changed.p_);
-    return changed;
-  }
-
   LinkParameters p_;
 };
 

@@ -27,9 +27,14 @@ class Trace {
 
   constexpr int input() { return push({Kind::input, -1, -1, 0.0}); }
   constexpr int record(const Node& node) {
-    for (int i = size_; i-- > 0;)
-      if (same(nodes_[i], node)) return i;
-    return push(node);
+    std::uint32_t slot = hash(node);
+    while (slots_[slot] != 0) {
+      if (same(nodes_[slots_[slot] - 1], node)) return slots_[slot] - 1;
+      slot = (slot + 1) % slots;
+    }
+    const int index = push(node);
+    slots_[slot] = index + 1;
+    return index;
   }
   /// Marks a value as an output of the kernel.
   constexpr void need(int node) { live_[node] = true; }
@@ -51,7 +56,15 @@ class Trace {
 
  private:
   static constexpr int capacity = 12288;
+  static constexpr std::uint32_t slots = 32768;
 
+  static constexpr std::uint32_t hash(const Node& n) {
+    std::uint64_t h = static_cast<std::uint64_t>(n.kind) + 8 * static_cast<std::uint64_t>(n.left + 1);
+    h = h * 0x9e3779b97f4a7c15u + static_cast<std::uint64_t>(n.right + 1);
+    h = h * 0x9e3779b97f4a7c15u + __builtin_bit_cast(std::uint64_t, n.value + 0.0);
+    h *= 0x9e3779b97f4a7c15u;
+    return static_cast<std::uint32_t>(h >> 49);
+  }
   static constexpr bool same(const Node& a, const Node& b) {
     return a.kind != Kind::input && a.kind == b.kind && a.left == b.left && a.right == b.right &&
            !(a.value < b.value) && !(b.value < a.value);
@@ -90,6 +103,7 @@ class Trace {
   }
 
   Node nodes_[capacity] = {};
+  int slots_[slots] = {};  // open addressing: 1 + node, 0 where free
   bool live_[capacity] = {};
   int size_ = 0;
 };

@@ -88,7 +88,8 @@ AXIAL_INLINE constexpr auto turn(const A& twice, const Screw& x, const Sym3<XX, 
 // R M R^T about z for a general M, step D of Table I: 12M 14A, 8M 10A with a zero row.
 template <class A, class Screw, class R1, class R2, class R3>
 AXIAL_INLINE constexpr auto turn(const A& twice, const Screw& x, const Mat3<R1, R2, R3>& m) {
-  auto difference = m.x.x - m.y.y, sum = m.x.y + m.y.x;
+  auto difference = m.x.x - m.y.y;
+  auto sum = m.x.y + m.y.x;
   auto k1 = turned(difference * twice.small + sum * twice.sc);
   auto k2 = turned(difference * twice.sc - sum * twice.small);
   auto plane = z_screw(x.cos, x.sin, Zero{});
