@@ -1,10 +1,10 @@
-#include <kdl/chain.hpp>
 #include <kdl/chaindynparam.hpp>
 #include <kdl/chainfdsolver_recursive_newton_euler.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainidsolver_recursive_newton_euler.hpp>
 #include <kdl/chainjnttojacsolver.hpp>
 #include <oracle/kdl_chain.hpp>
+#include <oracle/kdl_model.hpp>
 #include <stdexcept>
 
 namespace oracle {
@@ -36,22 +36,18 @@ KDL::RigidBodyInertia kdl_inertia(const Link<double>& link) {
   return KDL::RigidBodyInertia(link.mass, kdl(link.com), about_com);
 }
 
-KDL::Joint kdl_joint(const Link<double>& link) {
-  const auto axis = link.type == Joint::revolute ? KDL::Joint::RotZ : KDL::Joint::TransZ;
+// A row's x-screw stands in the segment before it; only the first link's stands in its own joint.
+KDL::Joint kdl_joint(const Link<double>& link, const KDL::Frame& first) {
   const double scale = 1.0, offset = 0.0, rotor = link.gear * link.gear * link.rotor_inertia;
-  return KDL::Joint(axis, scale, offset, rotor);
+  const bool turns = link.type == Joint::revolute;
+  if (first == KDL::Frame::Identity())
+    return KDL::Joint(turns ? KDL::Joint::RotZ : KDL::Joint::TransZ, scale, offset, rotor);
+  return KDL::Joint(first.p, first.M.UnitZ(), turns ? KDL::Joint::RotAxis : KDL::Joint::TransAxis, scale, offset,
+                    rotor);
 }
 
-KDL::Chain kdl(const Chain<double>& chain) {
-  KDL::Chain result;
-  for (int i = 0; i < chain.size(); ++i) {
-    if (chain[i].parent != i - 1) throw std::invalid_argument("KdlChain: serial chains only");
-    const auto x_screw = KDL::Frame::DH_Craig1989(chain[i].a, chain[i].alpha, 0.0, 0.0);
-    const auto z_screw = KDL::Frame::DH_Craig1989(0.0, 0.0, chain[i].d, chain[i].theta);
-    result.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), x_screw));
-    result.addSegment(KDL::Segment(kdl_joint(chain[i]), z_screw, kdl_inertia(chain[i])));
-  }
-  return result;
+KDL::Frame x_screw(const Chain<double>& chain, int i) {
+  return i < chain.size() ? KDL::Frame::DH_Craig1989(chain[i].a, chain[i].alpha, 0.0, 0.0) : KDL::Frame::Identity();
 }
 
 void check(int error) {
@@ -60,10 +56,24 @@ void check(int error) {
 
 }  // namespace
 
+KDL::Chain to_kdl(const Chain<double>& chain) {
+  KDL::Chain result;
+  KDL::Frame first = x_screw(chain, 0);
+  for (int i = 0; i < chain.size(); ++i) {
+    if (chain[i].parent != i - 1) throw std::invalid_argument("to_kdl: serial chains only");
+    const auto next = x_screw(chain, i + 1);
+    const auto z_screw = KDL::Frame::DH_Craig1989(0.0, 0.0, chain[i].d, chain[i].theta);
+    const auto joint = kdl_joint(chain[i], first);
+    result.addSegment(KDL::Segment(joint, first * z_screw * next, next.Inverse() * kdl_inertia(chain[i])));
+    first = KDL::Frame::Identity();
+  }
+  return result;
+}
+
 struct KdlChain::Solvers {
   explicit Solvers(const Chain<double>& chain)
       : source(chain),
-        model(kdl(chain)),
+        model(to_kdl(chain)),
         parameters(model, kdl(chain.gravity)),
         inverse(model, kdl(chain.gravity)),
         forward(model, kdl(chain.gravity)),
@@ -114,7 +124,7 @@ Jacobian<double> KdlChain::tool_jacobian(const Vector<double>& q) const {
 }
 
 Matrix<double> KdlChain::mass_matrix(const Vector<double>& q) const {
-  KDL::JntSpaceInertiaMatrix H(solvers_->joints());
+  KDL::JntSpaceInertiaMatrix H(static_cast<int>(solvers_->joints()));
   check(solvers_->parameters.JntToMass(kdl(q), H));
   const int n = static_cast<int>(H.rows());
   Matrix<double> M(n, n);

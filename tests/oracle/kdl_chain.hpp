@@ -7,8 +7,8 @@
 
 namespace oracle {
 
-/// Each MDH row is two KDL segments: a fixed one for the x-screw, then the joint with its z-screw. KDL has rotor
-/// inertia (as joint inertia), tip wrench and gravity; friction is added by the caller.
+/// Built by to_kdl (kdl_model.hpp). KDL has rotor inertia (as joint inertia), tip wrench and gravity; friction is added
+/// by the caller.
 class KdlChain {
  public:
   explicit KdlChain(const Chain<double>& chain);

@@ -1,0 +1,34 @@
+// What races: one algorithm of one implementation over a fixed set of states. Plain arrays only, so that translation
+// units compiled for different processors can meet here.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+namespace bench {
+
+enum class Algorithm { inverse_dynamics, gravity, bias, mass_matrix, forward_dynamics };
+
+inline const char* name_of(Algorithm algorithm) {
+  constexpr const char* names[] = {"inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics"};
+  return names[static_cast<int>(algorithm)];
+}
+
+/// Joint values of a number of states, one state after the other; tau gives the acceleration qdd.
+struct States {
+  int joints = 0, count = 0;
+  std::vector<double> q, qd, qdd, tau;
+};
+
+class Contender {
+ public:
+  virtual ~Contender() = default;
+  /// Evaluates every state once. This is what is timed: the states are held in the contender's own types.
+  virtual void cycle() = 0;
+  /// Result of one state: N values, or the N x N mass matrix row by row.
+  virtual std::vector<double> result(int state) = 0;
+};
+
+using Contenders = std::vector<std::unique_ptr<Contender>>;
+
+}  // namespace bench
