@@ -53,28 +53,35 @@ AXIAL_INLINE constexpr T horner(const T (&coefficients)[N], T t) {
   return sum;
 }
 
-// x = quadrant pi/2 + r + low, |r| <= pi/4.
-template <class T>
+// x = quadrant pi/2 + r + low, |r| <= pi/4. What float would gain from `low` is less than half of its last place, so
+// there it is zero by type.
+template <class T, class Low>
 struct Reduced {
-  T r, low;
+  T r;
+  Low low;
   typename TrigonometricConstants<T>::Bits quadrant;
 };
 
 template <class T>
-AXIAL_INLINE constexpr Reduced<T> reduce(T x) {
+AXIAL_INLINE constexpr auto reduce(T x) {
   using C = TrigonometricConstants<T>;
   const T shifted = x * C::two_over_pi + C::rounder;
   const T k = shifted - C::rounder;
+  const auto quadrant = __builtin_bit_cast(typename C::Bits, shifted);
   const T first = x - k * C::pieces[0];
   const T second = first - k * C::pieces[1];
-  const T low = ((first - second) - k * C::pieces[1]) - k * C::pieces[2];
-  const T r = second + low;
-  return {r, (second - r) + low, __builtin_bit_cast(typename C::Bits, shifted)};
+  if constexpr (sizeof(T) <= sizeof(float)) {
+    return Reduced<T, Zero>{second - k * C::pieces[2], {}, quadrant};
+  } else {
+    const T low = ((first - second) - k * C::pieces[1]) - k * C::pieces[2];
+    const T r = second + low;
+    return Reduced<T, T>{r, (second - r) + low, quadrant};
+  }
 }
 
 // cos(r + low). In double the rounding of 1 - t/2 is put back, which keeps it within 1 ulp; float saves the operations.
-template <class T>
-AXIAL_INLINE constexpr T cosine_near_zero(T r, T t, T low) {
+template <class T, class Low>
+AXIAL_INLINE constexpr T cosine_near_zero(T r, T t, Low low) {
   const T tail = t * horner(TrigonometricConstants<T>::cosine, t);
   if constexpr (sizeof(T) <= sizeof(float)) {
     return T(1) + t * (T(-0.5) + tail);
@@ -87,12 +94,12 @@ AXIAL_INLINE constexpr T cosine_near_zero(T r, T t, T low) {
 // Exchanges the pair in odd quadrants and sets the signs, with integer masks instead of branches.
 template <class T, class Bits>
 AXIAL_INLINE constexpr SinCos<T> into_quadrant(T sine, T cosine, Bits quadrant) {
-  constexpr int sign_shift = static_cast<int>(sizeof(Bits)) * 8 - 2;
-  const Bits odd = Bits(0) - (quadrant & 1u);
+  constexpr int sign = static_cast<int>(sizeof(Bits)) * 8 - 1;
+  const Bits odd = Bits(0) - (quadrant & 1u), half = quadrant >> 1;
   const Bits s = __builtin_bit_cast(Bits, sine), c = __builtin_bit_cast(Bits, cosine);
   const Bits exchange = (s ^ c) & odd;
-  const Bits sine_bits = (s ^ exchange) ^ ((quadrant & 2u) << sign_shift);
-  const Bits cosine_bits = (c ^ exchange) ^ (((quadrant + 1u) & 2u) << sign_shift);
+  const Bits sine_bits = (s ^ exchange) ^ (half << sign);
+  const Bits cosine_bits = (c ^ exchange) ^ ((half ^ quadrant) << sign);
   return {__builtin_bit_cast(T, sine_bits), __builtin_bit_cast(T, cosine_bits)};
 }
 
