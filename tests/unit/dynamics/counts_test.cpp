@@ -1,6 +1,7 @@
 // What the algorithms cost: exact operation counts of generic chains, so that a change of the kernels shows here.
 #include <gtest/gtest.h>
 
+#include <axial/dynamics/cost.hpp>
 #include <ostream>
 
 #include "generic_robots.hpp"
@@ -19,17 +20,18 @@ constexpr int general = 37;  // a twist that is no multiple of 90 degrees
 
 template <class R>
 axial::Operations id() {
-  return operations<R>(Algorithm::inverse_dynamics);
+  return axial::cost<R>(axial::algorithm::inverse_dynamics);
 }
 template <class R>
-axial::Operations fd() {
-  return operations<R>(Algorithm::forward_dynamics);
+axial::Operations aba() {
+  using namespace axial;
+  return cost<axial::Scene<R, Gravity, RotorInertia, ArticulatedBody>>(axial::algorithm::forward_dynamics);
 }
 
 // McMillan and Orin 1995: [(224N - 259)M, (205N - 248)A], divisions among the multiplications.
 template <int N>
 void expect_at_most_the_paper() {
-  const auto ours = fd<Robot<N, general>>();
+  const auto ours = aba<Robot<N, general>>();
   EXPECT_LE(ours.mul + ours.div, 224 * N - 259) << N;
   EXPECT_LE(ours.add, 205 * N - 248) << N;
 }
@@ -44,38 +46,39 @@ TEST(Counts, InverseDynamicsBySixTwists) {
 }
 
 TEST(Counts, ArticulatedBodiesBySixTwists) {
-  EXPECT_EQ((fd<Robot<6, 0>>()), (axial::Operations{195, 183, 5, 5}));
-  EXPECT_EQ((fd<Robot<6, 90>>()), (axial::Operations{755, 761, 5, 5}));
-  EXPECT_EQ((fd<Robot<6, -90>>()), (axial::Operations{755, 761, 5, 5}));
-  EXPECT_EQ((fd<Robot<6, general>>()), (axial::Operations{959, 911, 5, 5}));
+  EXPECT_EQ((aba<Robot<6, 0>>()), (axial::Operations{195, 183, 5, 5}));
+  EXPECT_EQ((aba<Robot<6, 90>>()), (axial::Operations{755, 761, 5, 5}));
+  EXPECT_EQ((aba<Robot<6, -90>>()), (axial::Operations{755, 761, 5, 5}));
+  EXPECT_EQ((aba<Robot<6, general>>()), (axial::Operations{959, 911, 5, 5}));
 }
 
 TEST(Counts, PrismaticTip) {
   EXPECT_EQ((id<Robot<4, 0, true>>()), (axial::Operations{61, 49, 0, 2}));
   EXPECT_EQ((id<Robot<4, general, true>>()), (axial::Operations{222, 183, 0, 2}));
-  EXPECT_EQ((fd<Robot<4, 0, true>>()), (axial::Operations{88, 74, 2, 2}));
-  EXPECT_EQ((fd<Robot<4, general, true>>()), (axial::Operations{485, 462, 3, 2}));
+  EXPECT_EQ((aba<Robot<4, 0, true>>()), (axial::Operations{88, 74, 2, 2}));
+  EXPECT_EQ((aba<Robot<4, general, true>>()), (axial::Operations{485, 462, 3, 2}));
 }
 
 TEST(Counts, MassMatrix) {
-  EXPECT_EQ((operations<Robot<6, 0>>(Algorithm::mass_matrix)), (axial::Operations{79, 72, 0, 5}));
-  EXPECT_EQ((operations<Robot<6, general>>(Algorithm::mass_matrix)), (axial::Operations{366, 301, 0, 5}));
+  EXPECT_EQ((axial::cost<Robot<6, 0>>(axial::algorithm::mass_matrix)), (axial::Operations{79, 72, 0, 5}));
+  EXPECT_EQ((axial::cost<Robot<6, general>>(axial::algorithm::mass_matrix)), (axial::Operations{366, 301, 0, 5}));
 }
 
 // Without regrouping every link's ten parameters are felt.
 TEST(Counts, FullParametersCostMore) {
   using S = axial::Scene<Robot<6, general>, axial::Gravity, axial::FullParameters>;
   EXPECT_EQ(id<S>(), (axial::Operations{437, 376, 0, 5}));
-  EXPECT_EQ(operations<S>(Algorithm::mass_matrix), (axial::Operations{366, 323, 0, 5}));
+  EXPECT_EQ(axial::cost<S>(axial::algorithm::mass_matrix), (axial::Operations{366, 323, 0, 5}));
 }
 
 TEST(Counts, WhatIsNotAskedIsNotComputed) {
   using R = Robot<6, general>;
-  EXPECT_EQ(operations<R>(Algorithm::gravity), (axial::Operations{86, 51, 0, 5}));
-  EXPECT_EQ((operations<Robot<6, 0>>(Algorithm::gravity)), (axial::Operations{0, 0, 0, 0}));  // gravity along the axes
-  const auto whole = operations<R>(Algorithm::inverse_dynamics), bias = operations<R>(Algorithm::bias);
+  EXPECT_EQ(axial::cost<R>(axial::algorithm::gravity), (axial::Operations{86, 51, 0, 5}));
+  EXPECT_EQ((axial::cost<Robot<6, 0>>(axial::algorithm::gravity)),
+            (axial::Operations{0, 0, 0, 0}));  // gravity along the axes
+  const auto whole = axial::cost<R>(axial::algorithm::inverse_dynamics), bias = axial::cost<R>(axial::algorithm::bias);
   EXPECT_LT(bias.mul + bias.add, whole.mul + whole.add);
-  const auto weightless = operations<axial::Scene<R, axial::RotorInertia>>(Algorithm::inverse_dynamics);
+  const auto weightless = axial::cost<axial::Scene<R, axial::RotorInertia>>(axial::algorithm::inverse_dynamics);
   EXPECT_LT(weightless.mul + weightless.add, whole.mul + whole.add);
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <axial/axial.hpp>
-#include <axial/scalar/counting.hpp>
 
 namespace generic {
 
@@ -34,42 +33,5 @@ template <int N, int AlphaDeg, bool PrismaticTip = false>
 struct Robot {
   static constexpr auto chain = generic::chain<N>(AlphaDeg, PrismaticTip);
 };
-
-enum class Algorithm { inverse_dynamics, gravity, bias, mass_matrix, forward_dynamics };
-
-/// Operations of one algorithm for a robot or scene.
-template <class S>
-axial::Operations operations(Algorithm algorithm) {
-  static axial::Trace trace;
-  trace = axial::Trace{};
-  using R = axial::robot_of<S>;
-  axial::Joints<R, axial::Counting> q{}, qd{}, qdd{}, out{};
-  for (auto* values : {&q, &qd, &qdd})
-    for (auto& x : values->values)
-      x = axial::Counting(trace);
-  switch (algorithm) {
-    case Algorithm::inverse_dynamics:
-      out = axial::inverse_dynamics<S>(q, qd, qdd);
-      break;
-    case Algorithm::gravity:
-      out = axial::gravity_torque<S>(q);
-      break;
-    case Algorithm::bias:
-      out = axial::bias_torque<S>(q, qd);
-      break;
-    case Algorithm::forward_dynamics:
-      out = axial::forward_dynamics<S>(q, qd, qdd);
-      break;
-    case Algorithm::mass_matrix: {
-      const auto m = axial::mass_matrix<S>(q);
-      for (const auto& x : m.values)
-        x.need();
-    }
-  }
-  if (algorithm != Algorithm::mass_matrix)
-    for (const auto& x : out.values)
-      x.need();
-  return trace.operations();
-}
 
 }  // namespace generic

@@ -109,9 +109,16 @@ struct Left {
 template <class G, class U, class Z, class S>
 Left(G, U, Z, bool, S) -> Left<G, U, Z, S>;
 
+template <class Link, class Z>
+AXIAL_INLINE constexpr auto kept(const Link& link, const Z& zeta) {
+  if constexpr (std::is_same_v<Z, MotionVector<ZeroVec3, ZeroVec3>>)
+    return zeta;  // at rest, for every link
+  else
+    return link.shape(zeta);
+}
 template <class Link, class G, class U, class Z, class S>
 AXIAL_INLINE constexpr auto shaped(const Link& link, const Left<G, U, Z, S>& left) {
-  return Left{link.shape(left.gain), link.shape(left.free), link.shape(left.zeta), left.singular,
+  return Left{link.shape(left.gain), link.shape(left.free), kept(link, left.zeta), left.singular,
               link.shape(left.sent)};
 }
 
@@ -129,33 +136,76 @@ AXIAL_INLINE constexpr auto reflect(Kind joint, const Link& link, const Screw& s
   return Left{r.gain, r.free, velocity.zeta, r.singular, sent};
 }
 
-/// The algorithm over any form of links; writes one acceleration a joint.
-template <class Links, class Input, class Q, class V, class Tau, class A>
-AXIAL_INLINE constexpr Status run(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
-                                  A& qdd) {
+/// What drives a moving structure: joint speeds, the base's acceleration, forces from outside.
+template <class Links, class Input, class V>
+struct InMotion {
+  const Links& links;
+  const Input& in;
+  const V& qd;
+
+  template <class I>
+  AXIAL_INLINE constexpr auto speed(I i) const {
+    return qd[i];
+  }
+  template <class Screws>
+  AXIAL_INLINE constexpr auto velocities(const Screws& screws) const {
+    return outward(links, base_velocity, [&](auto i, const auto& parent) AXIAL_INLINE {
+      auto link = links.link(i);
+      return link.on_joint([&](auto joint)
+                               AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i])); });
+    });
+  }
+  template <class Link>
+  AXIAL_INLINE constexpr auto external(const Link& link) const {
+    return TipLoads<typename Links::Scene, Input>(in).wrench(link);
+  }
+  AXIAL_INLINE constexpr auto base() const { return MotionVector{ZeroVec3{}, links.base_acceleration()}; }
+};
+
+/// The same structure at rest, weightless and free of outside forces: its answer to efforts alone.
+struct AtRest {
+  struct Velocities {
+    template <class I>
+    AXIAL_INLINE constexpr auto operator[](I) const {
+      return base_velocity;
+    }
+  };
+  template <class I>
+  AXIAL_INLINE constexpr Zero speed(I) const {
+    return {};
+  }
+  template <class Screws>
+  AXIAL_INLINE constexpr Velocities velocities(const Screws&) const {
+    return {};
+  }
+  template <class Link>
+  AXIAL_INLINE constexpr auto external(const Link&) const {
+    return ForceVector<ZeroVec3, ZeroVec3>{};
+  }
+  AXIAL_INLINE constexpr auto base() const { return MotionVector<ZeroVec3, ZeroVec3>{}; }
+};
+
+/// The algorithm over any form of links and the screws at q; writes one acceleration a joint.
+template <class Links, class Input, class Screws, class Situation, class Tau, class A>
+AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in, const Screws& screws,
+                                            const Situation& situation, const Tau& tau, A& qdd) {
   using T = typename Links::Scalar;
   const TipLoads<typename Links::Scene, Input> loads(in);
-  auto screws = joint_screws(links, in, q);
-  auto velocities = outward(links, base_velocity, [&](auto i, const auto& parent) AXIAL_INLINE {
-    auto link = links.link(i);
-    return link.on_joint([&](auto joint)
-                             AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i])); });
-  });
+  auto velocities = situation.velocities(screws);
   auto own = [&](auto i) AXIAL_INLINE {
     auto link = links.link(i);
     auto body = loads.body(link);
     auto differences = loaded_differences<typename Links::Scene>(link, body);
-    return link.shape(alone(link, body, differences, velocities[i], loads.wrench(link)));
+    return link.shape(alone(link, body, differences, velocities[i], situation.external(link)));
   };
   auto joints = inward(links, own, [&](auto i, const auto& tree) AXIAL_INLINE {
     auto link = links.link(i);
     return link.on_joint([&](auto joint) AXIAL_INLINE {
-      return shaped(link, reflect(joint, link, screws[i], tree, velocities[i], tau[i], qd[i]));
+      return shaped(link, reflect(joint, link, screws[i], tree, velocities[i], tau[i], situation.speed(i)));
     });
   });
   int singular = -1;
-  MotionVector base{ZeroVec3{}, links.base_acceleration()};
-  outward(links, base, [&](auto i, const auto& parent) AXIAL_INLINE {
+  outward(links, situation.base(), [&](auto i, const auto& parent) AXIAL_INLINE {
     auto link = links.link(i);
     const auto& left = joints[i];
     auto moved = to_child(screws[i], to_child(link.x(), parent, link), link) + left.zeta;
@@ -167,6 +217,25 @@ AXIAL_INLINE constexpr Status run(const Links& links, const Input& in, const Q& 
     });
   });
   return {singular < 0 ? Status::Code::ok : Status::Code::near_singular, singular};
+}
+
+/// The classical form: one inward pass carries inertia and bias.
+template <class Links, class Input, class Q, class V, class Tau, class A>
+AXIAL_INLINE constexpr Status run(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
+                                  A& qdd) {
+  auto screws = joint_screws(links, in, q);
+  return accelerations(links, in, screws, InMotion<Links, Input, V>{links, in, qd}, tau, qdd);
+}
+
+/// The split form: the bias torque by RNEA over `bias_links`, then the structure at rest under what is left of tau.
+template <class Links, class BiasLinks, class Input, class Q, class V, class Tau, class A>
+AXIAL_INLINE constexpr Status run_split(const Links& links, const BiasLinks& bias_links, const Input& in, const Q& q,
+                                        const V& qd, const Tau& tau, A& qdd) {
+  auto screws = joint_screws(links, in, q);
+  Tau rest{};
+  rnea::efforts(bias_links, in, screws, qd, NoMotion{}, rest);
+  for_each_link(links, [&](auto i) AXIAL_INLINE { rest[i] = tau[i] - rest[i]; });
+  return accelerations(links, in, screws, AtRest{}, rest, qdd);
 }
 
 }  // namespace aba

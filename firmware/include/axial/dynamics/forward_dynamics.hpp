@@ -2,10 +2,44 @@
 #pragma once
 
 #include <axial/dynamics/articulated_body.hpp>
+#include <axial/dynamics/composite_body.hpp>
+#include <axial/dynamics/route.hpp>
 
 namespace axial {
 
-/// Accelerations for given efforts, by the articulated-body algorithm (articulated_body.hpp) on full parameters.
+namespace detail {
+
+template <Route route, class Scene, class T, class Input, class Q, class V, class Tau, class A>
+AXIAL_INLINE constexpr Status solve(const Input& in, const Q& q, const V& qd, const Tau& tau, A& qdd) {
+  if constexpr (route == Route::composite_body)
+    return crba::run_solve(links_of<Scene, T, BaseParameters>(), in, q, qd, tau, qdd);
+  else if constexpr (route == Route::split_articulated_body)
+    return aba::run_split(links_of<Scene, T>(), links_of<Scene, T, BaseParameters>(), in, q, qd, tau, qdd);
+  else
+    return aba::run(links_of<Scene, T>(), in, q, qd, tau, qdd);
+}
+
+/// A run-time model has full parameters and no compile-time choice: ABA unless its features name another form.
+template <class Scene>
+inline constexpr Route model_route = Scene::template has<CompositeBody>          ? Route::composite_body
+                                     : Scene::template has<SplitArticulatedBody> ? Route::split_articulated_body
+                                                                                 : Route::articulated_body;
+
+template <Route route, class Links, class Input, class Q, class V, class Tau, class A>
+AXIAL_INLINE constexpr Status solve_model(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
+                                          A& qdd) {
+  if constexpr (route == Route::composite_body)
+    return crba::run_solve(links, in, q, qd, tau, qdd);
+  else if constexpr (route == Route::split_articulated_body)
+    return aba::run_split(links, links, in, q, qd, tau, qdd);
+  else
+    return aba::run(links, in, q, qd, tau, qdd);
+}
+
+}  // namespace detail
+
+/// Accelerations for given efforts, by the route that forward_dynamics_route<S> names: ABA on full parameters
+/// (articulated_body.hpp), its split form, or composite bodies on base parameters (composite_body.hpp).
 /// In: q (rad or m), qd, tau (N m or N); `in` carries the run-time inputs that the scene names.
 /// Out: rad/s^2 or m/s^2, indexed by joint, and a status: near_singular names a joint whose articulated inertia is lost
 /// in the rounding of the composite one; it is solved all the same, or held (acceleration 0) where nothing is left of
@@ -20,7 +54,7 @@ constexpr ForwardDynamics<robot_of<S>, T> forward_dynamics(const Positions<robot
       "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "
       "each joint a mass, an inertia about the joint axis, or rotor_inertia()");
   ForwardDynamics<robot_of<S>, T> result{};
-  result.status = aba::run(links_of<S, T>(), in, q, qd, tau, result);
+  result.status = detail::solve<forward_dynamics_route<S>, scene_of<S>, T>(in, q, qd, tau, result);
   return result;
 }
 template <int N, class... F, class T, class M = Model<N, F...>>
@@ -28,7 +62,8 @@ constexpr ForwardDynamics<M, T> forward_dynamics(const Model<N, F...>& model, co
                                                  const Velocities<M, T>& qd, const Efforts<M, T>& tau,
                                                  const Inputs<M, T>& in = {}) {
   ForwardDynamics<M, T> result{};
-  result.status = aba::run(model.template links<T>(), in, q, qd, tau, result);
+  result.status =
+      detail::solve_model<detail::model_route<scene_of<M>>>(model.template links<T>(), in, q, qd, tau, result);
   return result;
 }
 

@@ -86,11 +86,11 @@ struct Left {
 template <class F>
 Left(F) -> Left<F>;
 
-/// The algorithm over any form of links; tau[i] is written for every joint.
-template <class Links, class Input, class Q, class V, class A, class Tau>
-AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Tau& tau) {
+/// The algorithm over any form of links and the screws at q; tau[i] is written for every joint.
+template <class Links, class Input, class Screws, class V, class A, class Tau>
+AXIAL_INLINE constexpr void efforts(const Links& links, const Input& in, const Screws& screws, const V& qd,
+                                    const A& qdd, Tau& tau) {
   const TipLoads<typename Links::Scene, Input> loads(in);
-  auto screws = joint_screws(links, in, q);
   auto motions = outward(links, base_motion(links.base_acceleration()), [&](auto i, const auto& parent) AXIAL_INLINE {
     auto link = links.link(i);
     return link.on_joint([&](auto joint)
@@ -111,6 +111,10 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
     return Left{link.shape(to_parent(link.x(), to_parent(screws[i], force, link), link))};
   };
   inward(links, own, joint);
+}
+template <class Links, class Input, class Q, class V, class A, class Tau>
+AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Tau& tau) {
+  efforts(links, in, joint_screws(links, in, q), qd, qdd, tau);
 }
 
 }  // namespace rnea

@@ -14,6 +14,10 @@ struct MassMatrix {
   T values[size * (size + 1) / 2];
 
   AXIAL_INLINE constexpr T& operator()(int i, int j) { return values[at(i, j)]; }
+  template <class V>
+  AXIAL_INLINE constexpr void set(int i, int j, const V& value) {
+    values[at(i, j)] = static_cast<T>(value);
+  }
   AXIAL_INLINE constexpr const T& operator()(int i, int j) const { return values[at(i, j)]; }
 
  private:
@@ -42,16 +46,17 @@ AXIAL_INLINE constexpr auto unit_force(Prismatic, const B& body) {
   return ForceVector{Vec3{h.y, -h.x, Zero{}}, Vec3{Zero{}, Zero{}, body.mass}};
 }
 
-/// Carries the force of joint i from link j towards the base and writes the row M(i, .) on its way.
-template <class Links, class Screws, class F, class J, class Matrix>
-AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, const F& force, int i, J j, Matrix& m) {
+/// Carries the force of joint i from link j towards the base and sets the row M(i, .) on its way.
+template <class Links, class Screws, class F, class I, class J, class Matrix>
+AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, const F& force, I i, J j, Matrix& m) {
   if constexpr (Links::unrolled) {
     constexpr int parent = Links::template parent_of<J::value>;
     if constexpr (parent >= 0) {
       auto link = links.link(j);
       auto at_parent = to_parent(link.x(), to_parent(screws[j], force, link), link);
-      m(i, parent) = static_cast<typename Links::Scalar>(
-          links.link(Index<parent>{}).on_joint([&](auto joint) AXIAL_INLINE { return along_joint(joint, at_parent); }));
+      links.link(Index<parent>{}).on_joint([&](auto joint) AXIAL_INLINE {
+        m.set(i, parent, along_joint(joint, at_parent));
+      });
       climb(links, screws, at_parent, i, Index<parent>{}, m);
     }
   } else {
@@ -60,17 +65,16 @@ AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, cons
       auto link = links.link(k);
       carried = to_parent(link.x(), to_parent(screws[k], carried, link), link);
       const int parent = links.parent_index(k);
-      m(i, parent) = links.link(parent).on_joint([&](auto joint) { return along_joint(joint, carried); });
+      links.link(parent).on_joint([&](auto joint) { m.set(i, parent, along_joint(joint, carried)); });
     }
   }
 }
 
-/// The algorithm over any form of links; writes the entries of joints that move each other, the rest stay as they are.
-template <class Links, class Input, class Q, class Matrix>
-AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Matrix& m) {
-  using T = typename Links::Scalar;
+/// The algorithm over any form of links and the screws at q: sets the entries of joints that move each other, the rest
+/// stay as they are. `m.set(i, j, value)` sees structural zeros as such.
+template <class Links, class Input, class Screws, class Matrix>
+AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const Screws& screws, Matrix& m) {
   const TipLoads<typename Links::Scene, Input> loads(in);
-  auto screws = joint_screws(links, in, q);
   auto own = [&](auto i) AXIAL_INLINE { return links.link(i).shape(loads.body(links.link(i))); };
   auto bodies = inward(links, own, [&](auto i, const auto& body) AXIAL_INLINE {
     auto link = links.link(i);
@@ -80,11 +84,15 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
     auto link = links.link(i);
     auto force =
         link.on_joint([&](auto joint) AXIAL_INLINE { return link.shape(unit_force(joint, bodies[i].composite)); });
-    m(i, i) = link.on_joint([&](auto joint) AXIAL_INLINE {
-      return static_cast<T>(link.sum(quantity::JointInertia{}, along_joint(joint, force), link.rotor()));
+    link.on_joint([&](auto joint) AXIAL_INLINE {
+      m.set(i, i, link.sum(quantity::JointInertia{}, along_joint(joint, force), link.rotor()));
     });
     climb(links, screws, force, i, i, m);
   });
+}
+template <class Links, class Input, class Q, class Matrix>
+AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Matrix& m) {
+  entries(links, in, joint_screws(links, in, q), m);
 }
 
 }  // namespace crba

@@ -97,6 +97,11 @@ AXIAL_INLINE constexpr void each_unrolled(const F& f, std::integer_sequence<int,
 }
 
 template <class Links, class F, int... I>
+AXIAL_INLINE constexpr void each_inwards_unrolled(const F& f, std::integer_sequence<int, I...>) {
+  (f(Index<Links::capacity - 1 - I>{}), ...);
+}
+
+template <class Links, class F, int... I>
 AXIAL_INLINE constexpr auto map_unrolled(const F& f, std::integer_sequence<int, I...>) {
   return Slots<std::decay_t<decltype(f(Index<I>{}))>...>{{{f(Index<I>{})}...}};
 }
@@ -111,6 +116,32 @@ AXIAL_INLINE constexpr void for_each_link(const Links& links, const F& f) {
   } else {
     for (int i = 0; i < links.size(); ++i)
       f(i);
+  }
+}
+
+/// Calls f(i) for every link, from the tips to the base.
+template <class Links, class F>
+AXIAL_INLINE constexpr void for_each_link_inwards(const Links& links, const F& f) {
+  if constexpr (Links::unrolled) {
+    detail::each_inwards_unrolled<Links>(f, typename Links::Indices{});
+  } else {
+    for (int i = links.size(); i-- > 0;)
+      f(i);
+  }
+}
+
+/// Calls f(j) for every link between link i and the base, from its parent on.
+template <class Links, class I, class F>
+AXIAL_INLINE constexpr void for_each_ancestor(const Links& links, I i, const F& f) {
+  if constexpr (Links::unrolled) {
+    constexpr int parent = Links::template parent_of<I::value>;
+    if constexpr (parent >= 0) {
+      f(Index<parent>{});
+      for_each_ancestor(links, Index<parent>{}, f);
+    }
+  } else {
+    for (int j = links.parent_index(i); j >= 0; j = links.parent_index(j))
+      f(j);
   }
 }
 

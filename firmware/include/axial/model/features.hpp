@@ -69,4 +69,24 @@ struct FullParameters {
   struct Input {};
 };
 
+/// Forward dynamics by the articulated-body algorithm of McMillan and Orin 1995: exact whatever the conditioning.
+struct ArticulatedBody {
+  template <class T>
+  struct Input {};
+};
+
+/// Forward dynamics by the bias torque and an articulated-body pass of the structure at rest: loses less in narrow
+/// number systems where speeds and gravity are moderate.
+struct SplitArticulatedBody {
+  template <class T>
+  struct Input {};
+};
+
+/// Forward dynamics by the bias torque, composite bodies and an elimination that follows the tree: the cheapest for
+/// short, well-conditioned arms.
+struct CompositeBody {
+  template <class T>
+  struct Input {};
+};
+
 }  // namespace axial

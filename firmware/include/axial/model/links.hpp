@@ -7,10 +7,11 @@
 namespace axial {
 
 /// All links of a scene's robot, each with its own type.
-template <class SceneType, class ScalarType, class Parameters>
+template <class SceneType, class ScalarType, class ParametersType>
 struct StaticLinks {
   using Scene = SceneType;
   using Scalar = ScalarType;
+  using Parameters = ParametersType;
   static constexpr bool unrolled = true;
   static constexpr int capacity = Scene::Robot::chain.size;
   using Indices = std::make_integer_sequence<int, capacity>;

@@ -1,0 +1,151 @@
+// What an algorithm costs for a scene, known to the compiler:
+// static_assert(total(cost<Scene>(algorithm::inverse_dynamics)) < 800, "my control tick").
+#pragma once
+
+#include <axial/closed_form/scara.hpp>
+#include <axial/dynamics/forward_dynamics.hpp>
+#include <axial/dynamics/kinematics.hpp>
+#include <axial/scalar/counting.hpp>
+
+namespace axial {
+
+/// The algorithms by name, for cost<Scene>() and for whoever runs them all. Each has `name` and
+/// `run<S>(q, qd, x, in)`, x being accelerations or efforts, over any number system.
+namespace algorithm {
+
+struct InverseDynamics {
+  static constexpr const char* name = "inverse_dynamics";
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J& qd, const J& qdd, const In& in) {
+    return axial::inverse_dynamics<S>(q, qd, qdd, in);
+  }
+};
+struct Bias {
+  static constexpr const char* name = "bias";
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J& qd, const J&, const In& in) {
+    return axial::bias_torque<S>(q, qd, in);
+  }
+};
+struct Gravity {
+  static constexpr const char* name = "gravity";
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J&, const J&, const In& in) {
+    return axial::gravity_torque<S>(q, in);
+  }
+};
+struct MassMatrix {
+  static constexpr const char* name = "mass_matrix";
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J&, const J&, const In& in) {
+    return axial::mass_matrix<S>(q, in);
+  }
+};
+struct ForwardDynamics {
+  static constexpr const char* name = "forward_dynamics";
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J& qd, const J& tau, const In& in) {
+    return axial::forward_dynamics<S>(q, qd, tau, in);
+  }
+};
+struct ForwardKinematics {
+  static constexpr const char* name = "forward_kinematics";
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J&, const J&, const In&) {
+    return axial::forward_kinematics<S>(q);
+  }
+};
+struct Jacobian {
+  static constexpr const char* name = "jacobian";
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J&, const J&, const In&) {
+    return axial::jacobian<S>(q);
+  }
+};
+/// Only for robots of the SCARA's structure.
+struct ClosedForm {
+  static constexpr const char* name = "closed_form";
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J& qd, const J& qdd, const In&) {
+    return closed_form::scara_torque<robot_of<S>>(q, qd, qdd);
+  }
+};
+
+inline constexpr InverseDynamics inverse_dynamics;
+inline constexpr Bias bias;
+inline constexpr Gravity gravity;
+inline constexpr MassMatrix mass_matrix;
+inline constexpr ForwardDynamics forward_dynamics;
+inline constexpr ForwardKinematics forward_kinematics;
+inline constexpr Jacobian jacobian;
+inline constexpr ClosedForm closed_form;
+
+}  // namespace algorithm
+
+namespace detail {
+
+template <class V>
+constexpr void need(const V& values) {
+  for (const auto& value : values)
+    value.need();
+}
+constexpr void need(const Vec3<Counting>& v) { v.x.need(), v.y.need(), v.z.need(); }
+constexpr void need(const WorldPose<Counting>& p) {
+  need(p.rotation.x), need(p.rotation.y), need(p.rotation.z), need(p.position);
+}
+
+template <class S>
+constexpr void need_all(const Joints<S, Counting>& result) {
+  need(result.values);
+}
+template <class S>
+constexpr void need_all(const MassMatrix<S, Counting>& result) {
+  need(result.values);
+}
+template <class S>
+constexpr void need_all(const ForwardKinematics<S, Counting>& result) {
+  need(result.tool);
+}
+template <class S>
+constexpr void need_all(const Jacobian<S, Counting>& result) {
+  for (const auto& column : result.columns)
+    need(column.angular), need(column.linear);
+}
+
+// Run-time inputs count as such; the overloads find the members that the scene's features have.
+constexpr void traced(Counting& value, Trace& trace) { value = Counting(trace); }
+constexpr void traced(Vec3<Counting>& v, Trace& trace) { traced(v.x, trace), traced(v.y, trace), traced(v.z, trace); }
+constexpr void traced(Sym3<Counting>& s, Trace& trace) {
+  traced(s.xx, trace), traced(s.yy, trace), traced(s.zz, trace);
+  traced(s.xy, trace), traced(s.xz, trace), traced(s.yz, trace);
+}
+template <class In>
+constexpr void trace_inputs(In& in, Trace& trace) {
+  if constexpr (std::is_base_of_v<Payload::Input<Counting>, In>) {
+    traced(in.payload.mass, trace), traced(in.payload.com, trace), traced(in.payload.inertia_com, trace);
+  }
+  if constexpr (std::is_base_of_v<TipWrench::Input<Counting>, In>) {
+    traced(in.tip_wrench.moment, trace), traced(in.tip_wrench.force, trace);
+  }
+}
+
+}  // namespace detail
+
+/// Multiplications, additions, divisions and sine-cosine pairs of an algorithm (`algorithm::inverse_dynamics`, ...) for
+/// a scene or robot. Counted as an optimising compiler leaves them: see Operations. The robot's constants count as
+/// numbers, whatever their values; 0 and +-1 cost nothing. Constant expression; clang's default limit of steps
+/// (-fconstexpr-steps) suits about ten joints.
+template <class S, class Algorithm>
+constexpr Operations cost(Algorithm) {
+  Trace trace;
+  Joints<robot_of<S>, Counting> q{}, qd{}, x{};
+  for (auto* joints : {&q, &qd, &x})
+    for (auto& value : joints->values)
+      value = Counting(trace);
+  Inputs<S, Counting> in{};
+  detail::trace_inputs(in, trace);
+  detail::need_all(Algorithm::template run<S>(q, qd, x, in));
+  return trace.operations();
+}
+
+}  // namespace axial
