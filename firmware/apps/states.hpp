@@ -54,14 +54,16 @@ constexpr Reach<Robot> make_reach() {
   return reach;
 }
 
+template <class Robot>
+inline constexpr Reach<Robot> reach_of = make_reach<Robot>();
+
 /// The next state. Every value is a float, also where T is double.
 template <class Robot, class T>
-MotionState<Robot, T> next_state(Random& random) {
-  static constexpr Reach<Robot> reach = make_reach<Robot>();
+constexpr MotionState<Robot, T> next_state(Random& random) {
   constexpr float inside = 0.999f;  // rounding must not leave the limits
   MotionState<Robot, T> state{};
   for (int i = 0; i < joint_count<Robot>; ++i) {
-    const auto& joint = reach.joints[i];
+    const auto& joint = reach_of<Robot>.joints[i];
     state.q[i] = static_cast<T>(joint.middle + joint.position * (inside * random.symmetric()));
     state.qd[i] = static_cast<T>(joint.speed * (inside * random.symmetric()));
     state.qdd[i] = static_cast<T>(joint.acceleration * (inside * random.symmetric()));

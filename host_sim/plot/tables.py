@@ -2,7 +2,7 @@
 
 usage: tables.py DATA_FOLDER DOCUMENT.md...
 
-DATA_FOLDER holds report.json, provenance.json and demo-<robot>-<board>.json. In each document whatever stands between
+DATA_FOLDER holds report.json, provenance.json, demo-<robot>-<board>.json, size.json and size_provenance.json. In each document whatever stands between
 <!-- table NAME --> and <!-- end --> is replaced by the table of that name (a key of TABLES).
 """
 
@@ -20,6 +20,7 @@ class Data:
     def __init__(self, folder):
         self.report = load(folder / "report.json")
         self.provenance = load(folder / "provenance.json")
+        self.size, self.size_provenance = load(folder / "size.json"), load(folder / "size_provenance.json")
         self.demos = [load(file) for file in sorted(folder.glob("demo-*.json"))]
 
 
@@ -91,7 +92,65 @@ def everything(data):
     return markdown(header, rows)
 
 
-TABLES = {"provenance": provenance, "demo": demo, "instructions": instructions, "errors": errors,
+def size_rows(data, **wanted):
+    return [row for row in data.size if all(row[name] == value for name, value in wanted.items())]
+
+
+def size_of(data, board):
+    """A row a kernel: unrolled beside compact."""
+    figures = {"instructions": "instructions", "cycles": "cycles_estimated", "flash": "flash_bytes", "stack": "stack_bytes"}
+    header = [f"{board}, unrolled and compact"] + [f"{name}, {form}" for name in figures for form in ("u", "c")]
+    rows = []
+    for row in sorted(size_rows(data, board=board, scene="bare", contract="off", variant="unrolled"),
+                      key=lambda row: row["robot"]):
+        same = {name: row[name] for name in ("board", "robot", "scene", "algorithm", "contract")}
+        compact = size_rows(data, variant="compact", **same)
+        cells = [grouped(each[name]) if each else "" for name in figures.values()
+                 for each in (row, compact[0] if compact else None)]
+        rows.append([f"{row['robot']}, {row['algorithm'].replace('_', ' ')}"] + cells)
+    return markdown(header, rows)
+
+
+def size_scenes(data):
+    """What a feature adds to the bare scene."""
+    header = ["board, robot, algorithm", "figure"]
+    bare = [row for row in size_rows(data, scene="bare", contract="off", variant="unrolled")
+            if row["algorithm"] in ("inverse_dynamics", "forward_dynamics")]
+    scenes = unique(row["scene"] for row in data.size)
+    rows = []
+    for row in bare:
+        same = {name: row[name] for name in ("board", "robot", "algorithm", "contract", "variant")}
+        others = {other["scene"]: other for other in size_rows(data, **same)}
+        if len(others) < 2:
+            continue
+        for name in ("instructions", "flash_bytes"):
+            rows.append([f"{row['board']}, {row['robot']}, {row['algorithm'].replace('_', ' ')}", name.replace("_", " ")] +
+                        [grouped(row[name])] + [f"{others[scene][name] - row[name]:+d}" for scene in scenes[1:]])
+    return markdown(header + [scene.replace("_", " ") for scene in scenes], rows)
+
+
+def size_contract(data):
+    """Fused multiply-adds against separate ones."""
+    header = ["unrolled, bare", "instructions, off", "fast", "estimated cycles, off", "fast", "flash, off", "fast"]
+    rows = []
+    for fast in size_rows(data, contract="fast", variant="unrolled", scene="bare"):
+        off = size_rows(data, **{name: fast[name] for name in ("board", "robot", "scene", "algorithm", "variant")}, contract="off")
+        rows.append([f"{fast['board']}, {fast['robot']}, {fast['algorithm'].replace('_', ' ')}"] +
+                    [grouped(row[name]) for name in ("instructions", "cycles_estimated", "flash_bytes")
+                     for row in (off[0], fast)])
+    return markdown(header, rows)
+
+
+def size_provenance(data):
+    lines = [f"- `{board}`: `{flags}`\n" for board, flags in data.size_provenance["flags"].items()]
+    return (f"Measured in QEMU at commit `{data.size_provenance['commit']}` with {data.size_provenance['compiler']}:\n\n" +
+            "".join(lines))
+
+
+TABLES = {"size_provenance": size_provenance, "size_scenes": size_scenes, "size_contract": size_contract,
+          "size_stm32f405": lambda data: size_of(data, "stm32f405"),
+          "size_stm32f100": lambda data: size_of(data, "stm32f100"),
+          "provenance": provenance, "demo": demo, "instructions": instructions, "errors": errors,
           "everything": everything}
 
 

@@ -1,0 +1,59 @@
+# shellcheck shell=bash
+# summary: flash, RAM, stack, instructions of every kernel, robot, scene and board; budgets that tests assert
+
+usage() {
+  cat <<'END'
+usage: ./axial size [options]
+Installs and builds what is missing: a small image for each combination of firmware/apps/size/matrix.txt. Tells for each
+its flash and static RAM (beside an image without a kernel), its worst-case stack, the instructions that a call executes
+in QEMU, and an estimate of cycles from them (doc/size.md). Prints a table, writes CSV, JSON and a picture.
+  --robot NAME        only this robot; likewise --board NAME, --scene NAME, --algorithm NAME
+  --quick             only the combinations that tests use
+  --output FOLDER     where the files go; default output/size
+  --json FILE         the rows once more, as an array of objects
+  --documents         alone: measures all anew and writes doc/data/size.*, doc/pictures/size.* and the tables of doc/size.md
+  --update-budgets    alone: writes tests/target/budgets.json, 2 % above what is measured now
+Exits non-zero when something can not be bounded or counts disagree.
+END
+}
+
+run() {
+  ensure_packages
+  case ${1:-} in
+    --documents)
+      (($# == 1)) || fail_usage "--documents stands alone; see ./axial size --help"
+      write_size_documents
+      ;;
+    --update-budgets)
+      (($# == 1)) || fail_usage "--update-budgets stands alone; see ./axial size --help"
+      build_probes --quick
+      size_py budgets --quick --scene bare "$AXIAL_ROOT/tests/target/budgets.json"
+      ;;
+    *)
+      build_probes "$@"
+      size_py measure "$@"
+      ;;
+  esac
+}
+
+size_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/size/size.py" "$@"; }
+
+# The chosen probes of the chosen boards. The first build of a board configures it, which lists its probes.
+build_probes() {
+  local board chosen targets
+  chosen=$(size_py boards "$@")
+  for board in $chosen; do
+    build "$board" size-empty-scara
+    read -ra targets < <(size_py targets "$@" --board "$board")
+    ((${#targets[@]} == 0)) || build "$board" "${targets[@]}"
+  done
+}
+
+write_size_documents() {
+  local doc=$AXIAL_ROOT/doc
+  build_probes
+  size_py measure --output "$doc/data"
+  size_py provenance "$doc/data/size_provenance.json"
+  mv "$doc"/data/size.{png,svg} "$doc/pictures/"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$doc/data" "$doc/size.md"
+}

@@ -1,0 +1,101 @@
+#pragma once
+/// What can be probed, by the names of matrix.txt: scenes, and algorithms on a scene.
+
+#include "argument.hpp"
+
+namespace axial::apps::size {
+
+namespace scenes {
+template <class Robot, class... Tags>
+using bare = Scene<Robot, Gravity, RotorInertia, Tags...>;
+template <class Robot, class... Tags>
+using without_gravity = Scene<Robot, RotorInertia, Tags...>;
+template <class Robot, class... Tags>
+using without_rotors = Scene<Robot, Gravity, Tags...>;
+template <class Robot, class... Tags>
+using friction = Scene<Robot, Gravity, RotorInertia, Friction, Tags...>;
+template <class Robot, class... Tags>
+using payload = Scene<Robot, Gravity, RotorInertia, Payload, Tags...>;
+template <class Robot, class... Tags>
+using tip_wrench = Scene<Robot, Gravity, RotorInertia, TipWrench, Tags...>;
+}  // namespace scenes
+
+/// The scene's run-time inputs, taken from the argument.
+template <class S>
+constexpr Inputs<S, float> inputs_of(const Argument<robot_of<S>>& a) {
+  Inputs<S, float> in{};
+  if constexpr (S::template has<Payload>) in.payload = a.payload;
+  if constexpr (S::template has<TipWrench>) in.tip_wrench = a.tip_wrench;
+  return in;
+}
+
+namespace algorithms {
+
+struct inverse_dynamics {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return axial::inverse_dynamics<S>(a.q, a.qd, a.qdd, inputs_of<S>(a));
+  }
+};
+
+struct gravity {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return gravity_torque<S>(a.q, inputs_of<S>(a));
+  }
+};
+
+struct bias {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return bias_torque<S>(a.q, a.qd, inputs_of<S>(a));
+  }
+};
+
+struct mass_matrix {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return axial::mass_matrix<S>(a.q, inputs_of<S>(a));
+  }
+};
+
+struct forward_dynamics {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return axial::forward_dynamics<S>(a.q, a.qd, a.tau, inputs_of<S>(a));
+  }
+};
+
+struct forward_kinematics {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return axial::forward_kinematics<S>(a.q).tool;
+  }
+};
+
+struct jacobian {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return axial::jacobian<S>(a.q);
+  }
+};
+
+struct closed_form {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return axial::closed_form::scara_torque<S>(a.q, a.qd, a.qdd);
+  }
+};
+
+/// A control step: inverse dynamics with limits. Its memory is static here, so that it shows as RAM.
+struct feedforward {
+  template <class S, class A>
+  static auto run(const A& a) {
+    static FeedforwardState<S, float> state{};
+    return axial::feedforward<S>(state, a.q, a.qd, a.qdd, inputs_of<S>(a));
+  }
+};
+
+}  // namespace algorithms
+
+}  // namespace axial::apps::size

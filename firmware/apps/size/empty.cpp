@@ -1,0 +1,3 @@
+/// The probe that measures nothing: what the harness itself costs, to subtract.
+
+extern "C" void axial_kernel(void*) {}

@@ -1,0 +1,88 @@
+"""Draws flash against instructions of every kernel, and what a scene's features add.
+
+usage: size.py SIZE.json   (writes SIZE.png and SIZE.svg beside it)
+"""
+
+import json
+import sys
+
+import matplotlib.pyplot as plt
+from matplotlib.lines import Line2D
+from matplotlib.ticker import StrMethodFormatter
+
+import style
+
+# Gravity and bias torque are parts of inverse dynamics: not drawn.
+MARKERS = {"inverse_dynamics": "o", "closed_form": "*", "mass_matrix": "s",
+           "forward_dynamics": "D", "forward_kinematics": "P", "jacobian": "X", "feedforward": "h"}
+SCENES = ["bare", "without_gravity", "without_rotors", "friction", "payload", "tip_wrench"]
+
+
+def main(json_file):
+    with open(json_file, encoding="utf-8") as file:
+        rows = [row for row in json.load(file) if row["contract"] == "off"]
+    boards, robots = unique(row["board"] for row in rows), unique(row["robot"] for row in rows)
+    style.use()
+    figure, grid = plt.subplots(2, len(boards), figsize=(max(4.5 * len(boards), 6), 8.4), squeeze=False,
+                                height_ratios=[1.5, 1])
+    for board, (kernels, scenes) in zip(boards, grid.T):
+        here = [row for row in rows if row["board"] == board]
+        draw_kernels(kernels, [row for row in here if row["scene"] == "bare" and marker_of(row)], robots)
+        kernels.set_title(f"{board} (hollow: compact)")
+        draw_scenes(scenes, [row for row in here if row["algorithm"] == "inverse_dynamics"], robots)
+        scenes.set_title("Inverse dynamics by scene")
+    grid[0, 0].set_ylabel("flash, bytes")
+    explain(figure, rows, robots)
+    figure.tight_layout(rect=(0, 0.075, 1, 1))
+    style.save(figure, json_file.removesuffix(".json"))
+
+
+def unique(values):
+    return list(dict.fromkeys(values))
+
+
+def draw_kernels(panel, rows, robots):
+    """Filled: unrolled; hollow: compact."""
+    panel.set_xscale("log")
+    panel.set_yscale("log")
+    panel.set_xlabel("instructions a call")
+    for row in rows:
+        colour = style.COLOURS[robots.index(row["robot"])]
+        panel.plot(row["instructions"], row["flash_bytes"], marker_of(row), color=colour, markersize=6, markeredgewidth=0.9,
+                   markerfacecolor=colour if row["variant"] == "unrolled" else "white", zorder=3)
+
+
+def marker_of(row):
+    """Routes of an algorithm share its marker."""
+    return next((marker for name, marker in MARKERS.items() if row["algorithm"].startswith(name)), None)
+
+
+def draw_scenes(panel, rows, robots):
+    rows = [row for row in rows if row["variant"] == "unrolled"]
+    shown = [robot for robot in robots if any(row["robot"] == robot and row["scene"] != "bare" for row in rows)]
+    scenes = [scene for scene in SCENES if any(row["scene"] == scene for row in rows)]
+    for at, robot in enumerate(shown):
+        found = {row["scene"]: row["instructions"] for row in rows if row["robot"] == robot}
+        bare = found.get("bare", 1)
+        panel.barh([i + 0.26 * (at - (len(shown) - 1) / 2) for i in range(len(scenes))],
+                   [100 * found.get(scene, 0) / bare for scene in scenes], height=0.24,
+                   color=style.COLOURS[robots.index(robot)])
+    panel.set_yticks(range(len(scenes)), [scene.replace("_", " ") for scene in scenes])
+    panel.invert_yaxis()
+    panel.xaxis.set_major_formatter(StrMethodFormatter("{x:.0f} %"))
+    panel.set_xlabel("instructions, relative to the bare scene")
+
+
+def explain(figure, rows, robots):
+    algorithms = [name for name in MARKERS if any(row["algorithm"].startswith(name) for row in rows)]
+    entries = [Line2D([], [], color=style.COLOURS[i], marker="s", linestyle="", label=robot)
+               for i, robot in enumerate(robots)]
+    entries += [Line2D([], [], color=style.INK, marker=MARKERS[name], linestyle="", label=name.replace("_", " "))
+                for name in algorithms]
+    figure.legend(handles=entries, loc="lower center", ncols=5)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    main(sys.argv[1])

@@ -1,0 +1,98 @@
+"""The figures of one probe: a row of ./axial size."""
+
+import collections
+import json
+import os
+import pathlib
+import re
+from typing import NamedTuple
+
+import cycles
+import execution
+import stack
+from image import Image
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+IMAGES = pathlib.Path(os.environ.get("AXIAL_IMAGES_ROOT", ROOT / "build"))
+KERNEL = "axial_kernel"
+RETURN = re.compile(r"^(bx|pop|ldr|ldmia)")
+
+
+class Probe(NamedTuple):
+    set: str
+    robot: str
+    scene: str
+    algorithm: str
+    variant: str
+    contract: str
+
+    @property
+    def name(self):
+        return "-".join(self[1:])
+
+
+def boards():
+    return sorted(file.parent.name for file in (ROOT / "hal/boards").glob("*/board.json"))
+
+
+def description(board):
+    return json.loads((ROOT / "hal/boards" / board / "board.json").read_text(encoding="utf-8"))
+
+
+def probes(board):
+    """What the build lists for a board."""
+    lines = (IMAGES / board / "probes/probes.txt").read_text(encoding="utf-8").splitlines()
+    return [Probe(*line.split()) for line in lines]
+
+
+def path_of(board, name):
+    path = IMAGES / board / "probes" / (name + ".elf")
+    if not path.exists():
+        raise FileNotFoundError(f"{path}: build it first (cmake --build build/{board} --target size-{name})")
+    return path
+
+
+class Figures:
+    """All that is known of one probe; `row()` has the fields that are published."""
+
+    def __init__(self, board, probe):
+        self.board, self.probe = board, probe
+        self.image = Image(path_of(board, probe.name))
+        self.empty = Image(path_of(board, "empty-" + probe.robot))
+        self.entry = self.image.functions[KERNEL]
+        self.depths = stack.StackDepth(self.image)
+        self.stack_bytes = self.depths.of(self.entry)
+        self._check_frame()
+        self._run()
+
+    def row(self):
+        low, high = min(self.counts), max(self.counts)
+        varying = {} if low == high else {"instructions_min": low, "instructions_max": high}
+        return {"board": self.board, "robot": self.probe.robot, "scene": self.probe.scene,
+                "algorithm": self.probe.algorithm, "scalar": "float", "variant": self.probe.variant,
+                "contract": self.probe.contract, "instructions": high, **varying, "cycles_estimated": self.cycles,
+                "flash_bytes": self.image.flash - self.empty.flash, "ram_bytes": self.image.ram - self.empty.ram,
+                "stack_bytes": self.stack_bytes}
+
+    def _check_frame(self):
+        """What the walk through the instructions found for the kernel is what the compiler wrote."""
+        folder = IMAGES / self.board / "firmware/apps/size/CMakeFiles"
+        file = folder / f"size-{self.probe.name}.dir/kernel.cpp.su"
+        wanted = stack.compiler_frames(file)[f"void {KERNEL}(void*)"]
+        if self.depths.own[self.entry] != wanted:
+            raise stack.Unbounded(f"{self.image.path}: {KERNEL} has {self.depths.own[self.entry]} bytes, "
+                                  f"the compiler says {wanted}")
+
+    def _run(self):
+        board = description(self.board)
+        runs = execution.run(board["qemu"], self.image.path, self.entry, self.depths.reached)
+        self.counts = [count for count, _ in runs]
+        self.cycles = max(self._cycles(executed, board["cpu"]) for _, executed in runs)
+
+    def _cycles(self, executed, cpu):
+        """The return is left out, as in the count."""
+        last = self.image.instructions[executed[-1]]
+        if not RETURN.match(last.name):
+            raise execution.Mismatch(f"{self.image.path}: the count ends at {last.name} {last.operands}, not at a return")
+        return sum(count * cycles.cycles(self.image.instructions[address], cpu)
+                   for address, count in collections.Counter(executed[:-1]).items())

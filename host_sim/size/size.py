@@ -1,0 +1,156 @@
+"""Flash, static RAM, worst-case stack, instructions and estimated cycles of the probes that a build lists.
+
+usage: size.py boards [choice]      prints the chosen boards
+       size.py targets [choice]     prints the build's targets of the chosen probes
+       size.py measure [choice] [--output FOLDER] [--json FILE]
+       size.py budgets FILE         writes budgets from measurements, a little above them
+       size.py provenance FILE      writes compiler, flags and commit
+choice: [--quick] [--robot NAME] [--board NAME] [--scene NAME] [--algorithm NAME]
+"""
+
+import argparse
+import concurrent.futures
+import csv
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import time
+
+import execution
+import measure
+import stack
+
+ALLOWANCE, STEP = 1.02, {"stack_bytes": 8}  # of a budget over what was measured: a share, at least a step
+BUDGETED = ("instructions", "flash_bytes", "stack_bytes")
+CHOICES = ("robot", "scene", "algorithm")
+SHOWN = ("instructions", "cycles_estimated", "flash_bytes", "ram_bytes", "stack_bytes")
+FIELDS = ("board", "robot", "scene", "algorithm", "scalar", "variant", "contract", "instructions", "instructions_min",
+          "instructions_max", *SHOWN[1:])
+
+
+def chosen(board, options):
+    return [probe for probe in measure.probes(board)
+            if (probe.set == "main" or not options.quick)
+            and all(getattr(options, name) in (None, getattr(probe, name)) for name in CHOICES)]
+
+
+def figures(work):
+    return measure.Figures(*work).row()
+
+
+def measure_all(work):
+    """Rows in the order of the work; a line on standard error now and then."""
+    rows, began = [], time.monotonic()
+    with concurrent.futures.ProcessPoolExecutor(os.cpu_count()) as pool:
+        for row in pool.map(figures, work):
+            rows.append(row)
+            if time.monotonic() - began > 10:
+                began = time.monotonic()
+                print(f"measuring: {len(rows)} of {len(work)}", file=sys.stderr, flush=True)
+    return rows
+
+
+def boards_of(options):
+    known = measure.boards()
+    if options.board not in (None, *known):
+        raise ValueError(f"unknown board '{options.board}'; there are: {', '.join(known)}")
+    return [options.board] if options.board else known
+
+
+def work_of(options):
+    return [(board, probe) for board in boards_of(options) for probe in chosen(board, options)]
+
+
+def some_work_of(options):
+    work = work_of(options)
+    if not work:
+        raise ValueError("no probe is called so; firmware/apps/size/matrix.txt lists what there is")
+    return work
+
+
+def print_table(rows):
+    header = ["board", "robot", "scene", "algorithm", "variant", "contract", *SHOWN]
+    cells = [header] + [[str(row[name]) for name in header] for row in rows]
+    widths = [max(len(line[i]) for line in cells) for i in range(len(header))]
+    for line in cells:
+        print("  ".join(cell.rjust(width) if i > 5 else cell.ljust(width)
+                        for i, (cell, width) in enumerate(zip(line, widths))).rstrip())
+
+
+def write_json(path, value):
+    pathlib.Path(path).write_text(json.dumps(value, indent=1) + "\n", encoding="utf-8")
+
+
+def run_measure(options):
+    rows = measure_all(some_work_of(options))
+    print_table(rows)
+    if options.json:
+        write_json(options.json, rows)
+    folder = pathlib.Path(options.output)
+    folder.mkdir(parents=True, exist_ok=True)
+    write_json(folder / "size.json", rows)
+    with open(folder / "size.csv", "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, FIELDS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    plot = measure.ROOT / "host_sim/plot/size.py"
+    subprocess.run([sys.executable, "-E", plot, folder / "size.json"], check=True)
+    print(f"written: {folder}/size.json, size.csv, size.png, size.svg")
+
+
+def run_boards(options):
+    print(*boards_of(options))
+
+
+def run_targets(options):
+    print(*("size-" + probe.name for _, probe in work_of(options)))
+
+
+def run_provenance(options):
+    """What the rows depend on: the compiler, the flags of each board, the commit."""
+    output = lambda *command: subprocess.run(command, check=True, capture_output=True, text=True).stdout.split("\n")[0]
+    flags = {board: next(line.partition("=")[2] for line in
+                         (measure.IMAGES / board / "CMakeCache.txt").read_text(encoding="utf-8").splitlines()
+                         if line.startswith("CMAKE_CXX_FLAGS:")) for board in boards_of(options)}
+    write_json(options.file, {"commit": output("git", "-C", str(measure.ROOT), "describe", "--always", "--dirty"),
+                              "compiler": output("arm-none-eabi-g++", "--version"), "flags": flags})
+
+
+def run_budgets(options):
+    work = some_work_of(options)
+    budgets = {f"{board}/{probe.name}": {name: max(math.ceil(row[name] * ALLOWANCE), row[name] + STEP.get(name, 1)) for name in BUDGETED}
+               for (board, probe), row in zip(work, measure_all(work))}
+    write_json(options.file, budgets)
+    print(f"written: {options.file} ({len(budgets)} budgets)")
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(usage=__doc__)
+    verbs = parser.add_subparsers(dest="verb", required=True)
+    for run in (run_boards, run_targets, run_measure, run_budgets, run_provenance):
+        verb = run.__name__.removeprefix("run_")
+        sub = verbs.add_parser(verb)
+        sub.set_defaults(run=run)
+        sub.add_argument("--quick", action="store_true")
+        for name in ("board", *CHOICES):
+            sub.add_argument("--" + name)
+        sub.add_argument("--json")
+        sub.add_argument("--output", default=measure.ROOT / "output/size")
+        if verb in ("budgets", "provenance"):
+            sub.add_argument("file")
+    return parser.parse_args(arguments)
+
+
+def main():
+    options = parse(sys.argv[1:])
+    try:
+        options.run(options)
+    except (ValueError, FileNotFoundError, stack.Unbounded, execution.Mismatch) as error:
+        sys.exit(f"size: {error}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,138 @@
+"""Worst-case stack of a function: every path through its instructions and through what it calls, library routines
+included. Whatever can not be bounded (an indirect call, a recursion, a frame of run-time size) is an error with a name.
+"""
+
+import re
+
+CONDITIONS = "eq|ne|cs|hs|cc|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le"
+BRANCH = re.compile(rf"^b({CONDITIONS})?(\.[nw])?$")
+COMPARE_AND_BRANCH = re.compile(r"^cbn?z$")
+CALL = re.compile(rf"^blx?({CONDITIONS})?$")
+CONDITIONAL = re.compile(rf"^(?:push|pop|bx|ldr|ldm(?:ia)?|mov|add|sub|vpush|vpop)({CONDITIONS})(\.[nw])?$")
+TARGET = re.compile(r"\b([0-9a-f]+) <")
+
+
+class Unbounded(Exception):
+    pass
+
+
+def registers(text):
+    """Bytes of a register list: {r4, r5, lr}, {s16-s21}, {d8}."""
+    total = 0
+    for item in text.strip("{} ").split(","):
+        first, _, last = item.strip().partition("-")
+        count = int(last[1:]) - int(first[1:]) + 1 if last else 1
+        total += count * (8 if first.startswith("d") else 4)
+    return total
+
+
+def growth(instruction):
+    """Bytes by which an instruction makes the stack grow; None where it can not be known."""
+    name, operands = instruction.name, instruction.operands
+    base = re.sub(rf"({CONDITIONS})?(\.[nw]|\.32|\.64)?$", "", name) if CONDITIONAL.match(name) else name.split(".")[0]
+    listed = operands[operands.find("{"):]
+    if base in ("push", "vpush"):
+        return registers(listed)
+    if base in ("pop", "vpop"):
+        return -registers(listed)
+    if operands.startswith("sp!"):
+        grows = base in ("stmdb", "vstmdb")
+        return registers(listed) if grows else -registers(listed) if base in ("ldmia", "ldm", "vldmia") else None
+    constant = re.match(r"^sp(?:, sp)?, #(\d+)$", operands)
+    if base in ("sub", "subw", "add", "addw") and operands.startswith("sp,"):
+        return None if not constant else int(constant[1]) * (1 if base.startswith("sub") else -1)
+    moved = re.search(r"\[sp, #(-?\d+)\]!$|\[sp\], #(-?\d+)$", operands)
+    if moved:
+        return -int(moved[1] or moved[2])
+    if re.match(r"^sp\b", operands) and base not in ("cmp", "tst", "cmn"):
+        return None
+    return 0
+
+
+class StackDepth:
+    """Depths of an image's functions, each found once."""
+
+    def __init__(self, image):
+        self.image = image
+        self.own = {}  # entry -> bytes without callees
+        self.reached = set()  # addresses of every instruction on some path
+        self._total, self._open = {}, []
+
+    def of(self, entry):
+        """Bytes below the caller's stack pointer, callees included."""
+        if entry in self._open:
+            names = [self.image.function_at(address) for address in self._open[self._open.index(entry):]]
+            raise Unbounded("recursion: " + " -> ".join(names))
+        if entry not in self._total:
+            self._open.append(entry)
+            self._total[entry] = self._walk(entry)
+            self._open.pop()
+        return self._total[entry]
+
+    def _walk(self, entry):
+        own = deepest = 0
+        pending, seen = [(entry, 0)], set()
+        while pending:
+            state = pending.pop()
+            if state in seen:
+                continue
+            seen.add(state)
+            if len(seen) > 200_000:
+                self._fail(state[0], "the stack grows in a loop")
+            after, callee, successors = self._step(*state)
+            own, deepest = max(own, after), max(deepest, after, state[1] + callee)
+            pending += [(address, depth) for address, depth in successors]
+        self.reached |= {address for address, _ in seen}
+        self.own[entry] = own
+        return deepest
+
+    def _step(self, address, depth):
+        """(depth after, depth of what it calls, [(next address, its depth)])."""
+        instruction = self.image.instructions.get(address)
+        if instruction is None:
+            self._fail(address, "no instruction there")
+        name, operands = instruction.name, instruction.operands
+        following = address + instruction.size
+        target = TARGET.search(operands)
+        grown = growth(instruction)
+        if grown is None:
+            self._fail(address, f"a frame of unknown size: {name} {operands}")
+        after = depth + grown
+        if CALL.match(name):
+            if not target:
+                self._fail(address, f"an indirect call: {name} {operands}")
+            return after, self.of(int(target[1], 16)), [(following, after)]
+        if BRANCH.match(name) or COMPARE_AND_BRANCH.match(name):
+            taken = [(int(target[1], 16), depth)]
+            return after, 0, taken + ([(following, depth)] if name not in ("b", "b.n", "b.w") else [])
+        if self._leaves(name, operands, address):
+            if after != 0:
+                self._fail(address, f"a return with {after} bytes still on the stack")
+            return depth, 0, [(following, depth)] if CONDITIONAL.match(name) else []
+        untaken = [(following, depth)] if grown and CONDITIONAL.match(name) else []
+        return after, 0, [(following, after)] + untaken
+
+    def _leaves(self, name, operands, address):
+        if re.match(rf"^bx({CONDITIONS})?$", name) or re.match(rf"^mov({CONDITIONS})?$", name) and operands.startswith("pc,"):
+            if not operands.endswith("lr"):
+                self._fail(address, f"an indirect branch: {name} {operands}")
+            return True
+        if name.startswith(("tbb", "tbh")) or re.match(r"^(ldr|add)\S*$", name) and operands.startswith("pc,") \
+                and not re.search(r"\[sp\], #\d+$", operands):
+            self._fail(address, f"an indirect branch: {name} {operands}")
+        return name.startswith(("pop", "ldm")) and re.search(r"\bpc\}", operands) is not None or operands.startswith("pc, [sp]")
+
+    def _fail(self, address, why):
+        raise Unbounded(f"{self.image.path}: {self.image.function_at(address)} at {address:#x}: {why}")
+
+
+def compiler_frames(file):
+    """{function as the compiler writes it: bytes} of a .su file; a frame of run-time size is refused."""
+    frames = {}
+    with open(file, encoding="utf-8") as lines:
+        for line in lines:
+            function, size, kind = line.rstrip("\n").split("\t")
+            if kind != "static":
+                raise Unbounded(f"{function}: its frame is {kind}")
+            frames[function.split(":", 3)[-1]] = int(size)
+    return frames

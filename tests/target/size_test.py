@@ -1,0 +1,151 @@
+"""Size and cost of the main kernels: inside their budgets, smaller where a scene leaves something out; and that the
+instruments behind ./axial size (host_sim/size) see what they should.
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import emulator
+import harness
+
+sys.path.insert(0, str(emulator.ROOT / "host_sim/size"))
+import cycles  # noqa: E402
+import execution  # noqa: E402
+import image  # noqa: E402
+import measure  # noqa: E402
+import size  # noqa: E402
+import stack  # noqa: E402
+
+BUDGETS = json.loads((pathlib.Path(__file__).parent / "budgets.json").read_text(encoding="utf-8"))
+
+
+def over_budget(row, budget):
+    return [f"{name}: {row[name]}, budget {most}" for name, most in budget.items() if row[name] > most]
+
+
+class Size(harness.BoardTest):
+    """Rows of the probes in the set `main`, measured once."""
+
+    @classmethod
+    def setUpClass(cls):
+        work = [(cls.board, probe) for probe in measure.probes(cls.board) if probe.set == "main"]
+        cls.rows = {probe: row for (_, probe), row in zip(work, size.measure_all(work))}
+
+    def row(self, robot, scene):
+        return self.rows[measure.Probe("main", robot, scene, "inverse_dynamics", "unrolled", "off")]
+
+    def test_every_main_kernel_has_a_budget(self):
+        budgeted = {name for name in BUDGETS if name.startswith(self.board + "/")}
+        self.assertEqual(budgeted, {f"{self.board}/{probe.name}" for probe in self.rows if probe.scene == "bare"})
+
+    def test_budgets(self):
+        """After a change that is worth its cost, ./axial size --update-budgets writes new ones."""
+        for probe, row in self.rows.items():
+            budget = BUDGETS.get(f"{self.board}/{probe.name}")
+            if budget:
+                with self.subTest(probe.name):
+                    self.assertEqual(over_budget(row, budget), [])
+
+    def test_a_regression_is_noticed(self):
+        """Negative control: one instruction, one byte over."""
+        row = self.row("scara", "bare")
+        for name in size.BUDGETED:
+            budget = {other: row[other] for other in size.BUDGETED}
+            self.assertEqual(over_budget(row, budget), [])
+            budget[name] -= 1
+            self.assertEqual(len(over_budget(row, budget)), 1, name)
+
+    def test_what_a_scene_leaves_out_costs_nothing(self):
+        """Gravity, rotors, friction and payload each cost instructions and flash, where the robot has them."""
+        for robot in ("puma560", "scara_rrpr", "scara"):
+            for less, more in (("without_gravity", "bare"), ("without_rotors", "bare"), ("bare", "friction"),
+                               ("bare", "payload")):
+                with self.subTest(robot=robot, less=less, more=more):
+                    left, right = self.row(robot, less), self.row(robot, more)
+                    for name in ("instructions", "flash_bytes"):
+                        if robot == "scara" and "payload" not in (less, more) and "without_gravity" not in (less, more):
+                            self.assertLessEqual(left[name], right[name], "it declares neither rotors nor friction")
+                        else:
+                            self.assertLess(left[name], right[name])
+
+    def test_no_static_memory(self):
+        for probe, row in self.rows.items():
+            self.assertEqual(row["ram_bytes"], 0, probe.name)
+
+    def test_a_fused_multiply_add_saves_instructions_not_cycles(self):
+        for probe, row in self.rows.items():
+            if probe.contract == "fast":
+                apart = self.rows[probe._replace(contract="off")]
+                self.assertLess(row["instructions"], apart["instructions"], probe.name)
+                self.assertGreater(row["cycles_estimated"], apart["cycles_estimated"], probe.name)
+
+
+class Stack(unittest.TestCase):
+    """The stack of small programs whose depth is known by construction."""
+
+    def depth(self, source):
+        flags = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16", "-O1", "-ffreestanding"]
+        with tempfile.TemporaryDirectory(prefix="axial-") as folder:
+            elf = pathlib.Path(folder) / "program.elf"
+            subprocess.run(["arm-none-eabi-gcc", *flags, "-x", "c", "-", "-nostdlib", "-Wl,-e,f", "-o", elf], check=True,
+                           input="#define APART __attribute__((noinline))\n" + source, text=True, capture_output=True)
+            program = image.Image(elf)
+            return stack.StackDepth(program).of(program.functions["f"])
+
+    def test_known_depths(self):
+        leaf = "int APART f(int a) { return a + 1; }"
+        self.assertEqual(self.depth(leaf), 0)
+        save = 'void APART f(void) { asm volatile("push {r4, r5, lr}\\n sub sp, #20\\n vpush {d8-d9}\\n' \
+               ' vpop {d8-d9}\\n add sp, #20\\n pop {r4, r5, pc}"); }'
+        self.assertEqual(self.depth(save), 12 + 20 + 16)
+
+    def test_the_deepest_callee_counts(self):
+        source = """
+            APART void g(void) { volatile char a[64]; a[0] = 1; }
+            APART void h(void) { volatile char a[256]; a[0] = 1; }
+            void f(void) { g(); h(); g(); }"""
+        self.assertEqual(self.depth(source), 8 + 256)
+
+    def test_what_can_not_be_bounded_is_refused(self):
+        for why, source in {
+            "recursion: f": "int APART f(int n) { return n < 2 ? n : f(n - 1) * 3 + f(n - 2); }",
+            "indirect call": "int APART f(int (*g)(int)) { return g(1) + g(2); }",
+            "unknown size": "void g(char* p) { asm volatile(\"\" :: \"r\"(p)); } void f(int n) { char a[n]; g(a); }",
+        }.items():
+            with self.subTest(why), self.assertRaisesRegex(stack.Unbounded, why):
+                self.depth(source)
+
+
+class Cycles(unittest.TestCase):
+    def test_rule(self):
+        rule = {"vmul.f32": 1, "vadd.f32": 1, "vfma.f32": 3, "vfnms.f32": 3, "vdiv.f32": 14, "vsqrt.f32": 14, "ldr": 2,
+                "vstr": 2, "str.w": 2, "b.n": 1, "vmov.f32": 1, "it": 1}
+        for name, wanted in rule.items():
+            self.assertEqual(cycles.cycles(image.Instruction(name, "s0, s1", 4), "cortex-m4f"), wanted, name)
+
+    def test_several_words(self):
+        for name, operands, wanted in (("push", "{r4, r5, lr}", 4), ("vldmia", "r0, {s4-s7}", 5), ("vpop", "{d8-d9}", 5),
+                                       ("ldrd", "r0, r1, [r2]", 3), ("vldr", "d7, [r2]", 3), ("ldmia.w", "sp!, {r4, pc}", 3)):
+            self.assertEqual(cycles.cycles(image.Instruction(name, operands, 4), "cortex-m3"), wanted, name)
+
+
+class Execution(unittest.TestCase):
+    def test_a_block_left_before_execution_is_not_counted(self):
+        log = ["Trace 0: 0x7f00 [00000000/08000010/00/00] f\n", "Stopped execution of TB chain before 0x7f00 [08000010] f\n",
+               "Trace 0: 0x7f00 [00000000/08000010/00/00] f\n", "Trace 0: 0x7f40 [00000000/08000012/00/00] f\n"]
+        self.assertEqual(execution.addresses(log), [0x8000010, 0x8000012])
+
+    def test_a_trace_that_disagrees_with_the_count_is_refused(self):
+        executed = [16, 18, 20] * 2
+        self.assertEqual(list(execution.calls("x", executed, 16, [2, 2])), [[16, 18, 20]] * 2)
+        for counts in ([2], [2, 3], [2, 2, 2]):
+            with self.assertRaises(execution.Mismatch):
+                list(execution.calls("x", executed, 16, counts))
+
+
+if __name__ == "__main__":
+    harness.main()
