@@ -116,24 +116,25 @@ def size_scenes(data):
     header = ["board, robot, algorithm", "figure"]
     bare = [row for row in size_rows(data, scene="bare", contract="off", variant="unrolled")
             if row["algorithm"] in ("inverse_dynamics", "forward_dynamics")]
-    scenes = unique(row["scene"] for row in data.size)
+    scenes = [scene for scene in unique(row["scene"] for row in data.size) if scene != "bare"]
     rows = []
-    for row in bare:
+    for row in sorted(bare, key=lambda row: (row["robot"], row["board"], row["algorithm"])):
         same = {name: row[name] for name in ("board", "robot", "algorithm", "contract", "variant")}
         others = {other["scene"]: other for other in size_rows(data, **same)}
         if len(others) < 2:
             continue
         for name in ("instructions", "flash_bytes"):
             rows.append([f"{row['board']}, {row['robot']}, {row['algorithm'].replace('_', ' ')}", name.replace("_", " ")] +
-                        [grouped(row[name])] + [f"{others[scene][name] - row[name]:+d}" for scene in scenes[1:]])
-    return markdown(header + [scene.replace("_", " ") for scene in scenes], rows)
+                        [grouped(row[name])] + [f"{others[scene][name] - row[name]:+d}" for scene in scenes])
+    return markdown(header + ["bare"] + [scene.replace("_", " ") for scene in scenes], rows)
 
 
 def size_contract(data):
     """Fused multiply-adds against separate ones."""
     header = ["unrolled, bare", "instructions, off", "fast", "estimated cycles, off", "fast", "flash, off", "fast"]
     rows = []
-    for fast in size_rows(data, contract="fast", variant="unrolled", scene="bare"):
+    for fast in sorted(size_rows(data, contract="fast", variant="unrolled", scene="bare"),
+                       key=lambda row: (row["board"], row["robot"])):
         off = size_rows(data, **{name: fast[name] for name in ("board", "robot", "scene", "algorithm", "variant")}, contract="off")
         rows.append([f"{fast['board']}, {fast['robot']}, {fast['algorithm'].replace('_', ' ')}"] +
                     [grouped(row[name]) for name in ("instructions", "cycles_estimated", "flash_bytes")
