@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What demo, test and report need, and how a Debian gets it.
+# What the verbs need, and how a Debian gets it.
 
 readonly PACKAGES=(
   build-essential cmake ninja-build                                            # host compiler and build
@@ -11,24 +11,26 @@ readonly PACKAGES=(
 )
 readonly COMMANDS=(g++ cmake ninja arm-none-eabi-g++ qemu-system-arm /usr/bin/python3)
 
+# ensure_packages [PACKAGE...]: PACKAGES and those.
 ensure_packages() {
+  local wanted=("${PACKAGES[@]}" "$@")
   if ! command -v dpkg-query >/dev/null; then
-    ensure_commands
+    ensure_commands "${wanted[@]}"
     return
   fi
   local missing
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_packages "${wanted[@]}")
   ((${#missing[@]} == 0)) && return
   command -v apt-get >/dev/null || fail "please install: ${missing[*]}"
   install_packages "${missing[@]}"
 }
 
 missing_packages() {
-  comm -23 <(printf '%s\n' "${PACKAGES[@]}" | LC_ALL=C sort) <(installed_packages | LC_ALL=C sort -u)
+  comm -23 <(printf '%s\n' "$@" | LC_ALL=C sort) <(installed_packages "$@" | LC_ALL=C sort -u)
 }
 
 installed_packages() {
-  dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${PACKAGES[@]}" 2>/dev/null | sed -n 's/^installed //p' || true
+  dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^installed //p' || true
 }
 
 # Not a Debian: whatever the names of the packages are there, these commands tell whether they are installed.
@@ -41,7 +43,7 @@ ensure_commands() {
   {
     echo "axial: not found: ${missing[*]}"
     echo "This system has no apt. Please install, under whatever names it has for these Debian 12 packages:"
-    printf '  %s\n' "${PACKAGES[@]}"
+    printf '  %s\n' "$@"
   } >&2
   exit 1
 }

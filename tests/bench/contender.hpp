@@ -23,8 +23,9 @@ struct States {
 class Contender {
  public:
   virtual ~Contender() = default;
-  /// Evaluates every state once. This is what is timed: the states are held in the contender's own types.
-  virtual void cycle() = 0;
+  /// Evaluates states first, ..., first + count - 1. This is what is timed: the states are held in the contender's own
+  /// types.
+  virtual void run(int first, int count) = 0;
   /// Result of one state: N values, or the N x N mass matrix row by row.
   virtual std::vector<double> result(int state) = 0;
 };

@@ -2,6 +2,7 @@
 #include <dart/dynamics/PrismaticJoint.hpp>
 #include <dart/dynamics/RevoluteJoint.hpp>
 #include <dart/dynamics/Skeleton.hpp>
+#include <iostream>
 #include <stdexcept>
 
 namespace bench {
@@ -38,7 +39,23 @@ dd::BodyNode* add(dd::Skeleton& skeleton, dd::BodyNode* parent, const oracle::Li
   return skeleton.createJointAndBodyNodePair<Joint>(parent, joint, body).second;
 }
 
+// DART warns of each massless link on std::cerr; that its results are right is checked later.
+class Silence {
+ public:
+  Silence() : before_(std::cerr.rdbuf(nullptr)) {}
+  ~Silence() {
+    std::cerr.rdbuf(before_);
+    std::cerr.clear();
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  std::streambuf* before_;
+};
+
 dd::SkeletonPtr skeleton_of(const oracle::Chain<double>& chain) {
+  const Silence silence;
   auto skeleton = dd::Skeleton::create();
   skeleton->setGravity(vector_of(chain.gravity));
   dd::BodyNode* parent = nullptr;
@@ -67,9 +84,9 @@ class Dart : public Contender {
       states_.push_back({values(states.q, k), values(states.qd, k), values(x, k)});
   }
 
-  void cycle() override {
-    for (const DartState& state : states_)
-      solve(state);
+  void run(int first, int count) override {
+    for (int k = first; k < first + count; ++k)
+      solve(states_[std::size_t(k)]);
   }
   std::vector<double> result(int state) override {
     solve(states_[std::size_t(state)]);

@@ -42,9 +42,9 @@ class Kdl : public Contender {
         none_(model_.getNrOfJoints()),
         answer_(model_.getNrOfJoints()) {}
 
-  void cycle() override {
-    for (const KdlState& state : states_)
-      solve(state);
+  void run(int first, int count) override {
+    for (int k = first; k < first + count; ++k)
+      solve(states_[std::size_t(k)]);
   }
   std::vector<double> result(int state) override {
     solve(states_[std::size_t(state)]);

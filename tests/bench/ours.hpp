@@ -53,8 +53,9 @@ class Ours : public Contender {
                          values(states, A == Algorithm::forward_dynamics ? states.tau : states.qdd, k)});
   }
 
-  void cycle() override {
-    for (std::size_t k = 0; k < states_.size(); ++k)
+  void run(int first, int count) override {
+    const auto begin = static_cast<std::size_t>(first), end = begin + static_cast<std::size_t>(count);
+    for (std::size_t k = begin; k < end; ++k)
       results_[k] = caller_.call(Choice<A>{}, states_[k].q, states_[k].qd, states_[k].x);
   }
   std::vector<double> result(int state) override {

@@ -25,14 +25,4 @@ Median median_of(std::vector<double> sample, double confidence) {
   return {(sample[(n - 1) / 2] + sample[n / 2]) / 2.0, sample[rank], sample[n - 1 - rank]};
 }
 
-double exponent_of(const std::vector<double>& x, const std::vector<double>& y) {
-  const double n = static_cast<double>(x.size());
-  double sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double u = std::log(x[i]), v = std::log(y[i]);
-    sx += u, sy += v, sxx += u * u, sxy += u * v;
-  }
-  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
-}
-
 }  // namespace bench

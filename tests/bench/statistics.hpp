@@ -17,7 +17,4 @@ Median median_of(std::vector<double> sample, double confidence = 0.95);
 /// Rank (from 0) of the lower order statistic of that interval; the upper one is count - 1 - rank.
 int interval_rank(int count, double confidence);
 
-/// Least-squares slope of log y over log x: the exponent of a power law. At least two different x, all positive.
-double exponent_of(const std::vector<double>& x, const std::vector<double>& y);
-
 }  // namespace bench

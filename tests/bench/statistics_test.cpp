@@ -56,12 +56,4 @@ TEST(BenchStatistics, IntervalCoversTheMedian) {
   EXPECT_LE(held, trials * 0.99);
 }
 
-TEST(BenchStatistics, ExponentOfAPowerLaw) {
-  const std::vector<double> x = {2, 4, 8, 16};
-  std::vector<double> cubes;
-  for (const double v : x)
-    cubes.push_back(5.0 * v * v * v);
-  EXPECT_NEAR(bench::exponent_of(x, cubes), 3.0, 1e-12);
-}
-
 }  // namespace
