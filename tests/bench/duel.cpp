@@ -20,7 +20,12 @@ double seconds_of(Contender& contender, int first, int count, int cycles) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-int times(double each, int most) { return std::clamp(static_cast<int>(std::lround(side / each)), 1, most); }
+int times(double each, int least, int most) {
+  return std::clamp(static_cast<int>(std::lround(side / each)), least, most);
+}
+
+// DART does not compute again what a state that it already has would give.
+constexpr int fewest_states = 2;
 
 }  // namespace
 
@@ -32,9 +37,9 @@ double disagreement(Duel& duel) {
 }
 
 void prepare(Duel& duel) {
-  duel.slice = times(seconds_of(*duel.theirs, 0, 1, 3) / 3, duel.states);
+  duel.slice = times(seconds_of(*duel.theirs, 0, fewest_states, 3) / 3 / fewest_states, fewest_states, duel.states);
   seconds_of(*duel.ours, 0, duel.slice, 3);
-  duel.cycles = times(seconds_of(*duel.ours, 0, duel.slice, 3) / 3, 10000);
+  duel.cycles = times(seconds_of(*duel.ours, 0, duel.slice, 3) / 3, 1, 10000);
 }
 
 double round(Duel& duel) {

@@ -47,7 +47,7 @@ run() {
   ensure_packages "${BENCH_PACKAGES[@]}"
   race_all
   if $documents; then
-    plot_speed tables.py "$output" "$AXIAL_ROOT/doc/speed.md"
+    plot_speed speed_tables.py "$output" "$AXIAL_ROOT/doc/speed.md"
   fi
 }
 

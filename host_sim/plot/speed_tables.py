@@ -1,0 +1,81 @@
+"""Writes the tables of the host benchmark into a document, as tables.py does with the others.
+
+usage: speed_tables.py DATA_FOLDER DOCUMENT.md
+
+DATA_FOLDER holds bench-gcc.json, bench-clang.json and bench-provenance.json.
+"""
+
+import json
+import pathlib
+import sys
+
+import speed
+from tables import MARKED, markdown
+
+
+class Data:
+    def __init__(self, folder):
+        self.speed = speed.load([folder / "bench-gcc.json", folder / "bench-clang.json"])
+        self.speed_provenance = json.loads((folder / "bench-provenance.json").read_text(encoding="utf-8"))
+
+
+def ratio(row):
+    return f"{row['ratio']:.1f} ({row['ratio_low']:.1f} to {row['ratio_high']:.1f})"
+
+
+def speed_provenance(data):
+    p = data.speed_provenance
+    return (f"Measured at commit `{p['commit']}` on one core of {p['processor']}.\n\n"
+            f"- our kernels: {' and '.join(p['compilers'])}, `{p['flags']}`\n"
+            f"- peers, as Debian built them: {', '.join(p['packages'])}\n")
+
+
+def speed_ratios(data):
+    """Double, robots against algorithms, a row a peer; the worse compiler."""
+    worst = speed.worse_compiler(row for row in data.speed if row["scalar"] == "double" and not speed.is_serial(row))
+    algorithms = [name for name in speed.ALGORITHMS if any(key[1] == name for key in worst)]
+    pairs = speed.unique((key[0], key[3]) for key in worst if not (key[3] == "kdl_vereshchagin"))
+    rows = [[f"{robot}, {speed.PEERS[peer]}"] +
+            [ratio(worst[robot, algorithm, "double", peer]) for algorithm in algorithms] for robot, peer in pairs]
+    return markdown(["robot, peer"] + [speed.ALGORITHMS[name].lower() for name in algorithms], rows)
+
+
+def speed_joints(data):
+    """Serial chains: ratio to every peer, the worse compiler."""
+    worst = speed.worse_compiler(row for row in data.speed if speed.is_serial(row))
+    columns = speed.unique((row["algorithm"], row["peer"]) for row in worst.values())
+    joints = sorted({(row["joints"], row["robot"]) for row in worst.values()})
+    rows = [[str(count)] + [ratio(worst[robot, algorithm, "double", peer]) for algorithm, peer in columns]
+            for count, robot in joints]
+    titles = [f"{speed.ALGORITHMS[algorithm].lower()}, {speed.PEERS[peer]}" for algorithm, peer in columns]
+    return markdown(["joints"] + titles, rows)
+
+
+def speed_exponents(data):
+    rows = [[f"{label}, {compiler}", f"{power:.2f}"] for (compiler, label), points in speed.curves(data.speed).items()
+            if (power := speed.exponent(points)) is not None]
+    return markdown(["forward dynamics of N joints, 8 to 64", "exponent of N"], rows)
+
+
+def speed_everything(data):
+    header = ["algorithm, robot, scalar, peer, compiler", "ratio", "95 % interval", "ns (noise)", "peer's ns (noise)"]
+    rows = [[f"{row['algorithm']}, {row['robot']}, {row['scalar']}, {row['peer']}, {row['compiler']}",
+             f"{row['ratio']:.2f}", f"{row['ratio_low']:.2f} to {row['ratio_high']:.2f}", f"{row['ns_noise']:.0f}",
+             f"{row['peer_ns_noise']:.0f}"] for row in data.speed]
+    return markdown(header, rows)
+
+
+TABLES = {"speed_provenance": speed_provenance, "speed_ratios": speed_ratios, "speed_joints": speed_joints,
+          "speed_exponents": speed_exponents, "speed_everything": speed_everything}
+
+
+def main(folder, document):
+    data, page = Data(pathlib.Path(folder)), pathlib.Path(document)
+    text = page.read_text(encoding="utf-8")
+    page.write_text(MARKED.sub(lambda match: match[1] + TABLES[match[2]](data) + match[3], text), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
