@@ -34,7 +34,7 @@ enum class Mode : std::uint8_t {
 enum class TorqueStatus : std::uint8_t {
   ok = 0,
   not_finite = 1,      ///< the set-point holds NaN or infinity; the last safe torque is repeated
-  outside_limits = 2,  ///< of position, speed or acceleration; the last safe torque is repeated
+  outside_limits = 2,  ///< of position, speed, acceleration or payload; the last safe torque is repeated
   effort_limited = 3,  ///< the torque was cut to the joint's effort limit
   watchdog = 4         ///< no set-point came in time; the last safe torque is repeated
 };

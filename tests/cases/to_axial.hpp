@@ -27,6 +27,9 @@ inline axial::LinkParameters to_axial(const oracle::Link<double>& link) {
   p.rotor_inertia = link.rotor_inertia, p.gear = link.gear;
   p.viscous = link.viscous;
   p.coulomb_forward = link.coulomb_forward, p.coulomb_backward = link.coulomb_backward;
+  p.static_friction = link.static_friction, p.stribeck_speed = link.stribeck_speed;
+  p.smooth_speed = link.smooth_speed;
+  p.spring_stiffness = link.spring_stiffness, p.spring_rest = link.spring_rest;
   return p;
 }
 

@@ -1,4 +1,4 @@
-// expect: payload
+// expect: add_the_feature_axial_Payload_to_the_scene
 #include <axial/axial.hpp>
 #include <robots/scara.hpp>
 

@@ -21,6 +21,9 @@ struct Link {
   T gear{T(1)};
   T viscous{};
   T coulomb_forward{}, coulomb_backward{};  ///< friction torque for qd > 0 (>= 0) and for qd < 0 (<= 0)
+  T static_friction{}, stribeck_speed{};    ///< breakaway torque in either direction (0: none), speed of half the fall
+  T smooth_speed{};                         ///< below which dry friction goes to 0 by a cubic (0: a step)
+  T spring_stiffness{}, spring_rest{};
 };
 
 template <class T>
@@ -63,6 +66,8 @@ template <class T>
 struct Load {
   bool friction = false;
   Wrench<T> tip{};
+  bool springs = false;
+  std::vector<Wrench<T>> links{};  ///< on every link, in its axes, about its origin; empty: none
 };
 
 }  // namespace oracle

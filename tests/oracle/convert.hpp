@@ -29,7 +29,10 @@ Wrench<To> convert(const Wrench<From>& w) {
 }
 template <class To, class From>
 Load<To> convert(const Load<From>& load) {
-  return {load.friction, convert<To>(load.tip)};
+  Load<To> result{load.friction, convert<To>(load.tip), load.springs, {}};
+  for (const auto& wrench : load.links)
+    result.links.push_back(convert<To>(wrench));
+  return result;
 }
 template <class To, class From>
 Matrix<To> convert(const Matrix<From>& A) {
@@ -54,7 +57,9 @@ Chain<To> convert(const Chain<From>& source) {
                             convert_angle<To>(l.theta), static_cast<To>(l.mass), convert<To>(l.com),
                             convert<To>(l.inertia), static_cast<To>(l.rotor_inertia), static_cast<To>(l.gear),
                             static_cast<To>(l.viscous), static_cast<To>(l.coulomb_forward),
-                            static_cast<To>(l.coulomb_backward)});
+                            static_cast<To>(l.coulomb_backward), static_cast<To>(l.static_friction),
+                            static_cast<To>(l.stribeck_speed), static_cast<To>(l.smooth_speed),
+                            static_cast<To>(l.spring_stiffness), static_cast<To>(l.spring_rest)});
   result.gravity = convert<To>(source.gravity);
   result.base = convert<To>(source.base), result.tool = convert<To>(source.tool);
   return result;

@@ -28,6 +28,9 @@ Link<T> link_from_axial(const axial::LinkParameters& p, int parent) {
   link.rotor_inertia = T(p.rotor_inertia), link.gear = T(p.gear);
   link.viscous = T(p.viscous);
   link.coulomb_forward = T(p.coulomb_forward), link.coulomb_backward = T(p.coulomb_backward);
+  link.static_friction = T(p.static_friction), link.stribeck_speed = T(p.stribeck_speed);
+  link.smooth_speed = T(p.smooth_speed);
+  link.spring_stiffness = T(p.spring_stiffness), link.spring_rest = T(p.spring_rest);
   return link;
 }
 

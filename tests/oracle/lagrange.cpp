@@ -224,29 +224,47 @@ template <class T>
 Vector<T> friction_torque(const Chain<T>& chain, const Vector<T>& qd) {
   Vector<T> friction = zeros(chain);
   for (int i = 0; i < chain.size(); ++i) {
+    const Link<T>& link = chain[i];
     const T rate = at(qd, i);
-    const T coulomb = rate > T(0) ? chain[i].coulomb_forward : rate < T(0) ? chain[i].coulomb_backward : T(0);
-    at(friction, i) = chain[i].viscous * rate + coulomb;
+    const int sign = rate > T(0) ? 1 : rate < T(0) ? -1 : 0;
+    const T coulomb = sign > 0 ? link.coulomb_forward : -link.coulomb_backward;
+    T dry = coulomb;
+    if (link.static_friction != T(0)) {
+      const T ratio = rate / link.stribeck_speed;
+      dry += (link.static_friction - coulomb) / (T(1) + ratio * ratio);
+    }
+    if (link.smooth_speed > T(0) && abs(rate) < link.smooth_speed) {
+      const T x = abs(rate) / link.smooth_speed;
+      dry *= x * (T(3) - x * x) / T(2);
+    }
+    at(friction, i) = link.viscous * rate + T(sign) * dry;
   }
   return friction;
 }
 
 template <class T>
-Vector<T> wrench_torque(const Chain<T>& chain, const Vector<T>& q, const Wrench<T>& wrench) {
+Vector<T> spring_torque(const Chain<T>& chain, const Vector<T>& q) {
+  Vector<T> spring = zeros(chain);
+  for (int i = 0; i < chain.size(); ++i)
+    at(spring, i) = chain[i].spring_stiffness * (at(q, i) - chain[i].spring_rest);
+  return spring;
+}
+
+template <class T>
+Vector<T> wrench_torque(const Chain<T>& chain, const Vector<T>& q, const Wrench<T>& wrench, int link) {
   const Configuration<T> configuration(chain, q);
-  const Pose<T> tip = link_poses(chain, q).back();
-  const Vec3<T> force = tip.rotation * wrench.force, moment = tip.rotation * wrench.moment;
-  const int last = chain.size() - 1;
+  const int k = link < 0 ? chain.size() - 1 : link;
+  const Pose<T> frame = link_poses(chain, q)[std::size_t(k)];
+  const Vec3<T> force = frame.rotation * wrench.force, moment = frame.rotation * wrench.moment;
   Vector<T> torque = zeros(chain);
-  for (int i = 0; i <= last; ++i)
-    at(torque, i) =
-        dot(configuration.linear(last, tip.position, i), force) + dot(configuration.angular(last, i), moment);
+  for (int i = 0; i <= k; ++i)
+    at(torque, i) = dot(configuration.linear(k, frame.position, i), force) + dot(configuration.angular(k, i), moment);
   return torque;
 }
 
 namespace {
 
-/// c + g + friction - J^T w: the torque that leaves the chain without acceleration.
+/// c + g + friction + springs - J^T w: the torque that leaves the chain without acceleration.
 template <class T>
 Vector<T> bias_torque(const Chain<T>& chain, const Vector<T>& q, const Vector<T>& qd, const Load<T>& load) {
   Vector<T> bias = coriolis_torque(chain, q, qd);
@@ -254,6 +272,16 @@ Vector<T> bias_torque(const Chain<T>& chain, const Vector<T>& q, const Vector<T>
   const Vector<T> friction = load.friction ? friction_torque(chain, qd) : zeros(chain);
   for (int i = 0; i < chain.size(); ++i)
     at(bias, i) += at(g, i) + at(friction, i) - at(tip, i);
+  if (load.springs) {
+    const Vector<T> spring = spring_torque(chain, q);
+    for (int i = 0; i < chain.size(); ++i)
+      at(bias, i) += at(spring, i);
+  }
+  for (int k = 0; k < static_cast<int>(load.links.size()); ++k) {
+    const Vector<T> pushed = wrench_torque(chain, q, load.links[std::size_t(k)], k);
+    for (int i = 0; i < chain.size(); ++i)
+      at(bias, i) -= at(pushed, i);
+  }
   return bias;
 }
 
@@ -313,7 +341,8 @@ T potential_energy(const Chain<T>& chain, const Vector<T>& q) {
   template Vector<T> coriolis_torque(const Chain<T>&, const Vector<T>&, const Vector<T>&);                   \
   template Vector<T> gravity_torque(const Chain<T>&, const Vector<T>&);                                      \
   template Vector<T> friction_torque(const Chain<T>&, const Vector<T>&);                                     \
-  template Vector<T> wrench_torque(const Chain<T>&, const Vector<T>&, const Wrench<T>&);                     \
+  template Vector<T> spring_torque(const Chain<T>&, const Vector<T>&);                                       \
+  template Vector<T> wrench_torque(const Chain<T>&, const Vector<T>&, const Wrench<T>&, int);                \
   template Vector<T> inverse_dynamics(const Chain<T>&, const Vector<T>&, const Vector<T>&, const Vector<T>&, \
                                       const Load<T>&);                                                       \
   template Vector<T> forward_dynamics(const Chain<T>&, const Vector<T>&, const Vector<T>&, const Vector<T>&, \

@@ -41,19 +41,25 @@ Vector<T> coriolis_torque(const Chain<T>& chain, const Vector<T>& q, const Vecto
 template <class T>
 Vector<T> gravity_torque(const Chain<T>& chain, const Vector<T>& q);
 
-/// Torque that overcomes friction: viscous qd + Coulomb by the sign of qd, 0 at rest.
+/// Torque that overcomes friction: viscous qd + dry friction by the sign of qd, 0 at rest. Dry friction falls from the
+/// static one as 1 / (1 + (qd/vs)^2) to the Coulomb one; below the smooth speed v0 it is taken times |x| (3 - x^2) / 2,
+/// x = qd/v0.
 template <class T>
 Vector<T> friction_torque(const Chain<T>& chain, const Vector<T>& qd);
 
-/// J^T w: torque that the tip wrench exerts on the joints.
+/// Torque that holds the springs across the joints.
 template <class T>
-Vector<T> wrench_torque(const Chain<T>& chain, const Vector<T>& q, const Wrench<T>& wrench);
+Vector<T> spring_torque(const Chain<T>& chain, const Vector<T>& q);
+
+/// J^T w: torque that a wrench on a link (by default the last) exerts on the joints.
+template <class T>
+Vector<T> wrench_torque(const Chain<T>& chain, const Vector<T>& q, const Wrench<T>& wrench, int link = -1);
 
 template <class T>
 Vector<T> inverse_dynamics(const Chain<T>& chain, const Vector<T>& q, const Vector<T>& qd, const Vector<T>& qdd,
                            const Load<T>& load = {});
 
-/// qdd of M qdd = tau - c - g - friction + J^T w.
+/// qdd of M qdd = tau - c - g - friction - springs + J^T w.
 template <class T>
 Vector<T> forward_dynamics(const Chain<T>& chain, const Vector<T>& q, const Vector<T>& qd, const Vector<T>& tau,
                            const Load<T>& load = {});

@@ -8,7 +8,7 @@
 
 namespace oracle {
 
-/// As inverse_dynamics, in O(N).
+/// As inverse_dynamics, in O(N), for loads without springs and with a tip wrench only.
 template <class T>
 Vector<T> recursive_inverse_dynamics(const Chain<T>& chain, const Vector<T>& q, const Vector<T>& qd,
                                      const Vector<T>& qdd, const Load<T>& load = {});

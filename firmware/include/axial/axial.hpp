@@ -5,6 +5,7 @@
 #include <axial/control/feedforward.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
+#include <axial/dynamics/joint_torque.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/model/consistency.hpp>

@@ -26,6 +26,22 @@ struct Weak {
   static constexpr auto chain = axial::chain(revolute().mass(1).com(1, 0, 0).effort_limit(0.5).acceleration_limit(10));
 };
 
+// The arm with a maximum of payload: 2 kg, its centre up to 0.25 m away, 0.01 kg m^2.
+struct Carrier {
+  static constexpr auto chain = [] {
+    auto c = R::chain;
+    c.payload_limit = payload_limit(2.0, 0.25, 0.01);
+    return c;
+  }();
+};
+using Carrying = Scene<Carrier, Gravity, RotorInertia, Friction, Payload, TipWrench>;
+
+template <class T>
+FeedforwardResult<Carrying, T> carry(FeedforwardState<Carrying, T>& state, const Inputs<Carrying, T>& in) {
+  return feedforward<Carrying>(state, Joints<Carrier, T>{T(0.125), T(-0.5), T(0.25), T(0.25), T(-0.5), T(0.5)},
+                               Joints<Carrier, T>{T(0.5)}, Joints<Carrier, T>{T(1)}, in);
+}
+
 }  // namespace
 
 TEST(Feedforward, IsInverseDynamicsForAGoodRequest) {
@@ -90,25 +106,56 @@ TEST(Feedforward, ClampsAndReportsEfforts) {
 }
 
 TEST(Feedforward, CarriesPayloadFrictionAndTipWrench) {
-  using S = Scene<R, Gravity, RotorInertia, Friction, Payload, TipWrench>;
-  FeedforwardState<S, double> state;
-  const Joints<R, double> q{0.1, -0.5, 0.3, 0.2, -0.4, 0.5}, qd{0.5, -0.4, 0.3, 0.2, -0.1, 0.6}, qdd{1, 1, 1, 1, 1, 1};
-  Inputs<S, double> in;
+  FeedforwardState<Carrying, double> state;
+  const Joints<Carrier, double> q{0.1, -0.5, 0.3, 0.2, -0.4, 0.5}, qd{0.5, -0.4, 0.3, 0.2, -0.1, 0.6},
+      qdd{1, 1, 1, 1, 1, 1};
+  Inputs<Carrying, double> in;
   in.payload = {1.5, {0.0, 0.01, 0.1}, {0.002, 0.002, 0.001, 0, 0, 0}};
   in.tip_wrench = {{0.1, 0.2, 0.3}, {1.0, 2.0, 3.0}};
-  const auto result = feedforward<S>(state, q, qd, qdd, in);
+  const auto result = feedforward<Carrying>(state, q, qd, qdd, in);
   EXPECT_TRUE(result.status.ok());
-  expect_status(feedforward<S>(state, q, qd, qdd,
-                               [&] {
-                                 auto x = in;
-                                 x.payload.mass = NAN;
-                                 return x;
-                               }())
-                    .status,
-                Code::not_finite, -1);
-  const auto bare = inverse_dynamics<R>(q, qd, qdd);
+  const auto bare = inverse_dynamics<Carrier>(q, qd, qdd);
   for (int i = 0; i < 6; ++i)
     EXPECT_NE(result.tau[i], bare[i]) << i;
+  in.tip_wrench.force.x = NAN;
+  expect_status(feedforward<Carrying>(state, q, qd, qdd, in).status, Code::not_finite, -1);
+}
+
+TEST(Feedforward, HoldsTheLastSafeOutputUnderAPayloadBeyondTheDeclaredOne) {
+  FeedforwardState<Carrying, double> state;
+  Inputs<Carrying, double> good;
+  good.payload = {1.5, {0.0, 0.01, 0.1}, {0.002, 0.002, 0.001, 0, 0, 0}};
+  const auto safe = carry(state, good).tau;
+  using Body = PayloadBody<double>;
+  double Body::*const mass = &Body::mass;
+  const double beyond[] = {2.0001, -0.0001, NAN, INFINITY, -INFINITY};
+  for (const double value : beyond) {
+    auto bad = good;
+    bad.payload.*mass = value;
+    expect_status(carry(state, bad).status, Code::payload_limit, -1);
+    for (double Vec3<double>::*axis : {&Vec3<double>::x, &Vec3<double>::y, &Vec3<double>::z}) {
+      bad = good, bad.payload.com.*axis = value < 0.0 ? -0.2501 : value;
+      const auto held = carry(state, bad);
+      expect_status(held.status, Code::payload_limit, -1);
+      for (int i = 0; i < 6; ++i)
+        EXPECT_EQ(held.tau[i], safe[i]);
+    }
+    using J = Sym3<double>;
+    for (double J::*entry : {&J::xx, &J::yy, &J::zz, &J::xy, &J::xz, &J::yz}) {
+      bad = good, bad.payload.inertia_com.*entry = value < 0.0 ? -0.0101 : value;
+      expect_status(carry(state, bad).status, Code::payload_limit, -1);
+    }
+  }
+}
+
+TEST(Feedforward, TheDeclaredPayloadItselfIsWithin) {
+  FeedforwardState<Carrying, float> state;
+  Inputs<Carrying, float> in;
+  const float diagonal = 0.25F / std::sqrt(3.0F);
+  in.payload = {2.0F, {diagonal, -diagonal, diagonal}, {0.01F, 0.01F, 0.01F, 0.01F, -0.01F, 0.01F}};
+  EXPECT_NE(carry(state, in).status.code, Code::payload_limit);
+  in.payload.com = {0.0F, 0.0F, -0.25F};
+  EXPECT_NE(carry(state, in).status.code, Code::payload_limit);
 }
 
 TEST(Finite, LooksAtTheBits) {

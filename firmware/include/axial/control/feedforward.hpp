@@ -41,18 +41,28 @@ constexpr bool all_finite(const Efforts<robot_of<S>, T>& tau) {
   return true;
 }
 
+// Everything about a request that can be wrong before anything is computed.
+template <class S, class T>
+constexpr Status check_all(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+                           const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in) {
+  if constexpr (scene_of<S>::template has<Payload>)
+    if (const Status payload = check_payload<S>(in.payload); !payload.ok()) return payload;
+  return check_request<S>(q, qd, qdd);
+}
+
 }  // namespace detail
 
 /// Feed-forward torque for a desired motion, safe against bad requests.
-/// In: desired q (rad or m), qd, qdd; `in` carries payload and tip wrench where the scene names them; friction is added
+/// In: desired q (rad or m), qd, qdd; `in` carries the run-time inputs that the scene names; friction is added
 /// where it names Friction. Out: efforts (N m or N) inside the declared effort limits.
-/// A request that is not finite or outside the declared limits, and run-time inputs that make the result not finite,
-/// give the last safe output and a status that names the joint; an effort beyond its limit is clamped and reported.
+/// A request that is not finite or outside the declared limits, a payload beyond the declared maximum (which the robot
+/// must declare: axial::payload_limit), and run-time inputs that make the result not finite, give the last safe output
+/// and a status that names the joint or the payload; an effort beyond its limit is clamped and reported.
 template <class S, class T>
 constexpr FeedforwardResult<S, T> feedforward(FeedforwardState<S, T>& state, const Positions<robot_of<S>, T>& q,
                                               const Velocities<robot_of<S>, T>& qd,
                                               const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
-  FeedforwardResult<S, T> result{state.last_safe, check_request<S>(q, qd, qdd)};
+  FeedforwardResult<S, T> result{state.last_safe, detail::check_all<S, T>(q, qd, qdd, in)};
   if (!result.status.ok()) return result;
   auto tau = inverse_dynamics<S>(q, qd, qdd, in);
   if (!detail::all_finite<S>(tau)) {

@@ -81,4 +81,23 @@ constexpr Status check_request(const Positions<robot_of<S>, T>& q, const Velocit
   return {};
 }
 
+/// Whether a run-time payload is within what the robot declares; NaN is not.
+template <class S, class T>
+constexpr Status check_payload(const PayloadBody<T>& load) {
+  constexpr PayloadLimit declared = robot_of<S>::chain.payload_limit;
+  static_assert(declared.declared,
+                "axial: a run-time payload is checked against the robot's declared maximum; add "
+                "axial::payload_limit(mass, com_reach, inertia) to its chain");
+  constexpr double slack = 1.0 + 4.0 * static_cast<double>(std::numeric_limits<T>::epsilon());  // squares are rounded
+  constexpr T zero(Zero{}), mass = limit<T>(declared.mass), inertia = limit<T>(declared.inertia);
+  constexpr T reach2 = limit<T>(declared.com_reach * declared.com_reach * slack);
+  const auto& j = load.inertia_com;
+  bool within = detail::inside(load.mass, zero, mass) && detail::inside(dot(load.com, load.com), zero, reach2);
+  within = within && detail::inside(j.xx, zero, inertia) && detail::inside(j.yy, zero, inertia) &&
+           detail::inside(j.zz, zero, inertia);
+  within = within && detail::inside(j.xy, -inertia, inertia) && detail::inside(j.xz, -inertia, inertia) &&
+           detail::inside(j.yz, -inertia, inertia);
+  return {within ? Status::Code::ok : Status::Code::payload_limit, -1};
+}
+
 }  // namespace axial

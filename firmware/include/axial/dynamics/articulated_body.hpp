@@ -34,7 +34,17 @@ struct Velocity {
 template <class W, class P, class U, class Z>
 Velocity(W, P, U, Z) -> Velocity<W, P, U, Z>;
 
-inline constexpr Velocity<ZeroVec3, ZeroVec3, Mat3<ZeroVec3>, MotionVector<ZeroVec3, ZeroVec3>> base_velocity{};
+inline constexpr Velocity<ZeroVec3, ZeroVec3, Mat3<ZeroVec3>, MotionVector<ZeroVec3, ZeroVec3>> at_rest{};
+
+/// The base: at rest unless the scene moves it.
+template <class Links, class Input>
+AXIAL_INLINE constexpr auto base_velocity(const Links& links, const Input& in) {
+  constexpr ZeroVec3 o;
+  auto first = links.link(Index<0>{});
+  auto w = base_angular_velocity(links, in);
+  auto p = products(w, first);
+  return Velocity{w, p, rotation_acceleration(w, o, p, first), MotionVector{o, o}};
+}
 
 template <class Link, class Screw, class Parent, class V>
 AXIAL_INLINE constexpr auto move(Revolute, const Link& link, const Screw& screw, const Parent& parent, const V& qd) {
@@ -123,43 +133,44 @@ AXIAL_INLINE constexpr auto shaped(const Link& link, const Left<G, U, Z, S>& lef
 }
 
 /// Inward step of a joint: reflects the subtree across it and brings the result to the parent's frame.
-template <class Kind, class Link, class Screw, class Tree, class Vel, class Tau, class V>
+template <class Kind, class Link, class Screw, class Tree, class Vel, class Tau>
 AXIAL_INLINE constexpr auto reflect(Kind joint, const Link& link, const Screw& screw, const Tree& tree,
-                                    const Vel& velocity, const Tau& tau, const V& qd) {
+                                    const Vel& velocity, const Tau& tau) {
   auto x = link.x();
-  auto effort = link.sum(quantity::JointEffort{}, tau, -friction_effort(link, qd));
-  auto r =
-      reflection(joint, link, tree.inertia, tree.bias, velocity.zeta, effort, singularity_scale(joint, tree.reach));
+  auto r = reflection(joint, link, tree.inertia, tree.bias, velocity.zeta, tau, singularity_scale(joint, tree.reach));
   Subtree sent{to_parent(x, to_parent(screw, r.inertia, link), link),
                to_parent(x, to_parent(screw, r.bias, link), link),
                seen_from(tree.reach, detail::absolute(x.shift) + detail::absolute(screw.shift))};
   return Left{r.gain, r.free, velocity.zeta, r.singular, sent};
 }
 
-/// What drives a moving structure: joint speeds, the base's acceleration, forces from outside.
-template <class Links, class Input, class V>
+/// What drives a moving structure: joint speeds, the base's motion, forces from outside, friction and springs.
+template <class Links, class Input, class Q, class V>
 struct InMotion {
   const Links& links;
   const Input& in;
+  const Q& q;
   const V& qd;
 
-  template <class I>
-  AXIAL_INLINE constexpr auto speed(I i) const {
-    return qd[i];
+  template <class I, class Link, class Tau>
+  AXIAL_INLINE constexpr auto effort(I i, const Link& link, const Tau& tau) const {
+    return link.sum(quantity::JointEffort{}, tau, -passive_effort(link, q[i], qd[i]));
   }
   template <class Screws>
   AXIAL_INLINE constexpr auto velocities(const Screws& screws) const {
-    return outward(links, base_velocity, [&](auto i, const auto& parent) AXIAL_INLINE {
+    return outward(links, base_velocity(links, in), [&](auto i, const auto& parent) AXIAL_INLINE {
       auto link = links.link(i);
       return link.on_joint([&](auto joint)
                                AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i])); });
     });
   }
-  template <class Link>
-  AXIAL_INLINE constexpr auto external(const Link& link) const {
-    return TipLoads<typename Links::Scene, Input>(in).wrench(link);
+  template <class I, class Link>
+  AXIAL_INLINE constexpr auto external(I i, const Link& link) const {
+    return TipLoads<typename Links::Scene, Input>(in).wrench(i, link);
   }
-  AXIAL_INLINE constexpr auto base() const { return MotionVector{ZeroVec3{}, links.base_acceleration()}; }
+  AXIAL_INLINE constexpr auto base() const {
+    return MotionVector{base_angular_acceleration(links, in), base_acceleration(links, in)};
+  }
 };
 
 /// The same structure at rest, weightless and free of outside forces: its answer to efforts alone.
@@ -167,19 +178,19 @@ struct AtRest {
   struct Velocities {
     template <class I>
     AXIAL_INLINE constexpr auto operator[](I) const {
-      return base_velocity;
+      return at_rest;
     }
   };
-  template <class I>
-  AXIAL_INLINE constexpr Zero speed(I) const {
-    return {};
+  template <class I, class Link, class Tau>
+  AXIAL_INLINE constexpr auto effort(I, const Link&, const Tau& tau) const {
+    return tau;
   }
   template <class Screws>
   AXIAL_INLINE constexpr Velocities velocities(const Screws&) const {
     return {};
   }
-  template <class Link>
-  AXIAL_INLINE constexpr auto external(const Link&) const {
+  template <class I, class Link>
+  AXIAL_INLINE constexpr auto external(I, const Link&) const {
     return ForceVector<ZeroVec3, ZeroVec3>{};
   }
   AXIAL_INLINE constexpr auto base() const { return MotionVector<ZeroVec3, ZeroVec3>{}; }
@@ -196,12 +207,13 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
     auto link = links.link(i);
     auto body = loads.body(link);
     auto differences = loaded_differences<typename Links::Scene>(link, body);
-    return link.shape(alone(link, body, differences, velocities[i], situation.external(link)));
+    return link.shape(alone(link, body, differences, velocities[i], situation.external(i, link)));
   };
   auto joints = inward(links, own, [&](auto i, const auto& tree) AXIAL_INLINE {
     auto link = links.link(i);
+    auto effort = situation.effort(i, link, tau[i]);
     return link.on_joint([&](auto joint) AXIAL_INLINE {
-      return shaped(link, reflect(joint, link, screws[i], tree, velocities[i], tau[i], situation.speed(i)));
+      return shaped(link, reflect(joint, link, screws[i], tree, velocities[i], effort));
     });
   });
   int singular = -1;
@@ -224,7 +236,7 @@ template <class Links, class Input, class Q, class V, class Tau, class A>
 AXIAL_INLINE constexpr Status run(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
                                   A& qdd) {
   auto screws = joint_screws(links, in, q);
-  return accelerations(links, in, screws, InMotion<Links, Input, V>{links, in, qd}, tau, qdd);
+  return accelerations(links, in, screws, InMotion<Links, Input, Q, V>{links, in, q, qd}, tau, qdd);
 }
 
 /// The split form: the bias torque by RNEA over `bias_links`, then the structure at rest under what is left of tau.
@@ -233,7 +245,7 @@ AXIAL_INLINE constexpr Status run_split(const Links& links, const BiasLinks& bia
                                         const V& qd, const Tau& tau, A& qdd) {
   auto screws = joint_screws(links, in, q);
   Tau rest{};
-  rnea::efforts(bias_links, in, screws, qd, NoMotion{}, rest);
+  rnea::efforts(bias_links, in, q, screws, qd, NoMotion{}, rest);
   for_each_link(links, [&](auto i) AXIAL_INLINE { rest[i] = tau[i] - rest[i]; });
   return accelerations(links, in, screws, AtRest{}, rest, qdd);
 }

@@ -31,11 +31,9 @@ struct Structure {
 template <class Links>
 constexpr auto structure_of() {
   using Scene = typename Links::Scene;
+  constexpr StaticLinks<Scene, double, typename Links::Parameters> links;
   Structure<Links::capacity> structure;
-  entries(StaticLinks<Scene, double, typename Links::Parameters>{}, Inputs<Scene, double>{},
-          joint_screws(StaticLinks<Scene, double, typename Links::Parameters>{}, Inputs<Scene, double>{},
-                       Positions<typename Scene::Robot, double>{}),
-          structure);
+  entries(links, Inputs<Scene, double>{}, map_links(links, [&](auto i) { return links.link(i).z(0.0); }), structure);
   structure.fill();
   return structure;
 }
@@ -95,7 +93,7 @@ template <class Links, class Input, class Q, class V, class Tau, class A>
 AXIAL_INLINE constexpr Status run_solve(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
                                         A& qdd) {
   auto screws = joint_screws(links, in, q);
-  rnea::efforts(links, in, screws, qd, NoMotion{}, qdd);
+  rnea::efforts(links, in, q, screws, qd, NoMotion{}, qdd);
   for_each_link(links, [&](auto i) AXIAL_INLINE { qdd[i] = tau[i] - qdd[i]; });
   MassMatrix<typename Links::Scene::Robot, typename Links::Scalar> m{};
   entries(links, in, screws, m);

@@ -51,15 +51,15 @@ struct ForwardDynamics {
 struct ForwardKinematics {
   static constexpr const char* name = "forward_kinematics";
   template <class S, class J, class In>
-  static constexpr auto run(const J& q, const J&, const J&, const In&) {
-    return axial::forward_kinematics<S>(q);
+  static constexpr auto run(const J& q, const J&, const J&, const In& in) {
+    return axial::forward_kinematics<S>(q, in);
   }
 };
 struct Jacobian {
   static constexpr const char* name = "jacobian";
   template <class S, class J, class In>
-  static constexpr auto run(const J& q, const J&, const J&, const In&) {
-    return axial::jacobian<S>(q);
+  static constexpr auto run(const J& q, const J&, const J&, const In& in) {
+    return axial::jacobian<S>(q, in);
   }
 };
 /// Only for robots of the SCARA's structure.
@@ -112,21 +112,41 @@ constexpr void need_all(const Jacobian<S, Counting>& result) {
     need(column.angular), need(column.linear);
 }
 
-// Run-time inputs count as such; the overloads find the members that the scene's features have.
-constexpr void traced(Counting& value, Trace& trace) { value = Counting(trace); }
-constexpr void traced(Vec3<Counting>& v, Trace& trace) { traced(v.x, trace), traced(v.y, trace), traced(v.z, trace); }
-constexpr void traced(Sym3<Counting>& s, Trace& trace) {
-  traced(s.xx, trace), traced(s.yy, trace), traced(s.zz, trace);
-  traced(s.xy, trace), traced(s.xz, trace), traced(s.yz, trace);
+// Run-time inputs count as such.
+constexpr void traced(Trace& trace, Counting& value) { value = Counting(trace); }
+template <class... Parts>
+constexpr void traced_all(Trace& trace, Parts&... parts);
+constexpr void traced(Trace& trace, Vec3<Counting>& v) { traced_all(trace, v.x, v.y, v.z); }
+constexpr void traced(Trace& trace, Sym3<Counting>& s) { traced_all(trace, s.xx, s.yy, s.zz, s.xy, s.xz, s.yz); }
+constexpr void traced(Trace& trace, ForceVector<Vec3<Counting>, Vec3<Counting>>& f) {
+  traced_all(trace, f.moment, f.force);
 }
-template <class In>
-constexpr void trace_inputs(In& in, Trace& trace) {
-  if constexpr (std::is_base_of_v<Payload::Input<Counting>, In>) {
-    traced(in.payload.mass, trace), traced(in.payload.com, trace), traced(in.payload.inertia_com, trace);
-  }
-  if constexpr (std::is_base_of_v<TipWrench::Input<Counting>, In>) {
-    traced(in.tip_wrench.moment, trace), traced(in.tip_wrench.force, trace);
-  }
+constexpr void traced(Trace& trace, SinCos<Counting>& pair) { traced_all(trace, pair.sin, pair.cos); }
+constexpr void traced(Trace& trace, PayloadBody<Counting>& body) {
+  traced_all(trace, body.mass, body.com, body.inertia_com);
+}
+constexpr void traced(Trace& trace, GivenMotion<Counting>& base) {
+  traced_all(trace, base.angular_velocity, base.angular_acceleration, base.linear_acceleration);
+}
+template <class S, class V>
+constexpr void traced(Trace& trace, Joints<S, V>& joints) {
+  for (auto& value : joints.values)
+    traced(trace, value);
+}
+template <class... Parts>
+constexpr void traced_all(Trace& trace, Parts&... parts) {
+  (traced(trace, parts), ...);
+}
+
+template <class S>
+constexpr void trace_inputs(Inputs<S, Counting>& in, Trace& trace) {
+  using Scene = scene_of<S>;
+  if constexpr (Scene::template has<axial::RuntimeGravity>) traced(trace, in.gravity);
+  if constexpr (Scene::template has<axial::BaseMotion>) traced(trace, in.base_motion);
+  if constexpr (Scene::template has<axial::TipWrench>) traced(trace, in.tip_wrench);
+  if constexpr (Scene::template has<axial::ExternalWrenches>) traced(trace, in.wrenches);
+  if constexpr (Scene::template has<axial::Payload>) traced(trace, in.payload);
+  if constexpr (Scene::template has<axial::SineCosines>) traced(trace, in.turns);
 }
 
 }  // namespace detail
@@ -143,7 +163,7 @@ constexpr Operations cost(Algorithm) {
     for (auto& value : joints->values)
       value = Counting(trace);
   Inputs<S, Counting> in{};
-  detail::trace_inputs(in, trace);
+  detail::trace_inputs<S>(in, trace);
   detail::need_all(Algorithm::template run<S>(q, qd, x, in));
   return trace.operations();
 }

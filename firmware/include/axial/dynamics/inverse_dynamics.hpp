@@ -1,10 +1,12 @@
 // Inverse dynamics: joint efforts from the motion, by recursive Newton-Euler (RNEA) with successive axial screws.
 #pragma once
 
+#include <axial/dynamics/drives.hpp>
 #include <axial/dynamics/gyration.hpp>
 #include <axial/dynamics/joint_axis.hpp>
 #include <axial/dynamics/joint_screws.hpp>
 #include <axial/dynamics/loads.hpp>
+#include <axial/dynamics/moving_base.hpp>
 #include <axial/model/model.hpp>
 
 namespace axial {
@@ -27,11 +29,14 @@ struct Motion {
 template <class W, class DW, class A, class P, class U>
 Motion(W, DW, A, P, U) -> Motion<W, DW, A, P, U>;
 
-/// The base at rest, accelerated against gravity.
-template <class A>
-AXIAL_INLINE constexpr auto base_motion(const A& acceleration) {
-  constexpr ZeroVec3 o;
-  return Motion{o, o, acceleration, o, Mat3<ZeroVec3>{}};
+/// The base: at rest unless the scene moves it, accelerated against gravity.
+template <class Links, class Input>
+AXIAL_INLINE constexpr auto base(const Links& links, const Input& in) {
+  auto first = links.link(Index<0>{});
+  auto w = base_angular_velocity(links, in);
+  auto dw = base_angular_acceleration(links, in);
+  auto p = products(w, first);
+  return Motion{w, dw, base_acceleration(links, in), p, rotation_acceleration(w, dw, p, first)};
 }
 
 /// Motion of a revolute link from its parent's (Luh, Walker and Paul 1980; Craig 2005, eqs. (6.45) to (6.47)).
@@ -79,6 +84,45 @@ AXIAL_INLINE constexpr auto newton_euler(const Link& link, const Body& body, con
   return ForceVector{moment, force};
 }
 
+/// Motions of all links, from the base outwards.
+template <class Links, class Input, class Screws, class V, class A>
+AXIAL_INLINE constexpr auto link_motions(const Links& links, const Input& in, const Screws& screws, const V& qd,
+                                         const A& qdd) {
+  return outward(links, base(links, in), [&](auto i, const auto& parent) AXIAL_INLINE {
+    auto link = links.link(i);
+    return link.on_joint([&](auto joint)
+                             AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i], qdd[i])); });
+  });
+}
+
+/// Force that moves link i with its payload, less what pushes it from outside.
+template <class Links, class Input, class Motions, class I>
+AXIAL_INLINE constexpr auto own_force(const Links& links, const Input& in, const Motions& motions, I i) {
+  const TipLoads<typename Links::Scene, Input> loads(in);
+  auto link = links.link(i);
+  auto body = loads.body(link);
+  auto differences = loaded_differences<typename Links::Scene>(link, body);
+  return link.shape(newton_euler(link, body, differences, motions[i]) - loads.wrench(i, link));
+}
+
+/// Effort of joint i that bears a force and drives its rotor, friction and spring.
+template <class Links, class I, class F, class Q, class V, class A>
+AXIAL_INLINE constexpr auto joint_effort(const Links& links, I i, const F& force, const Q& q, const V& qd,
+                                         const A& qdd) {
+  auto link = links.link(i);
+  return link.on_joint([&](auto kind) AXIAL_INLINE {
+    return static_cast<typename Links::Scalar>(link.sum(quantity::JointEffort{}, along_joint(kind, force),
+                                                        link.rotor() * qdd[i], passive_effort(link, q[i], qd[i])));
+  });
+}
+
+/// Force of link i as its parent bears it, in the parent's frame.
+template <class Links, class Screws, class I, class F>
+AXIAL_INLINE constexpr auto sent_force(const Links& links, const Screws& screws, I i, const F& force) {
+  auto link = links.link(i);
+  return link.shape(to_parent(link.x(), to_parent(screws[i], force, link), link));
+}
+
 template <class F>
 struct Left {
   F sent{};
@@ -87,34 +131,20 @@ template <class F>
 Left(F) -> Left<F>;
 
 /// The algorithm over any form of links and the screws at q; tau[i] is written for every joint.
-template <class Links, class Input, class Screws, class V, class A, class Tau>
-AXIAL_INLINE constexpr void efforts(const Links& links, const Input& in, const Screws& screws, const V& qd,
+template <class Links, class Input, class Q, class Screws, class V, class A, class Tau>
+AXIAL_INLINE constexpr void efforts(const Links& links, const Input& in, const Q& q, const Screws& screws, const V& qd,
                                     const A& qdd, Tau& tau) {
-  const TipLoads<typename Links::Scene, Input> loads(in);
-  auto motions = outward(links, base_motion(links.base_acceleration()), [&](auto i, const auto& parent) AXIAL_INLINE {
-    auto link = links.link(i);
-    return link.on_joint([&](auto joint)
-                             AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i], qdd[i])); });
-  });
-  auto own = [&](auto i) AXIAL_INLINE {
-    auto link = links.link(i);
-    auto body = loads.body(link);
-    auto differences = loaded_differences<typename Links::Scene>(link, body);
-    return link.shape(newton_euler(link, body, differences, motions[i]) - loads.wrench(link));
-  };
+  auto motions = link_motions(links, in, screws, qd, qdd);
+  auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, i); };
   auto joint = [&](auto i, const auto& force) AXIAL_INLINE {
-    auto link = links.link(i);
-    tau[i] = link.on_joint([&](auto kind) AXIAL_INLINE {
-      return static_cast<typename Links::Scalar>(link.sum(quantity::JointEffort{}, along_joint(kind, force),
-                                                          link.rotor() * qdd[i], friction_effort(link, qd[i])));
-    });
-    return Left{link.shape(to_parent(link.x(), to_parent(screws[i], force, link), link))};
+    tau[i] = joint_effort(links, i, force, q, qd, qdd);
+    return Left{sent_force(links, screws, i, force)};
   };
   inward(links, own, joint);
 }
 template <class Links, class Input, class Q, class V, class A, class Tau>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Tau& tau) {
-  efforts(links, in, joint_screws(links, in, q), qd, qdd, tau);
+  efforts(links, in, q, joint_screws(links, in, q), qd, qdd, tau);
 }
 
 }  // namespace rnea

@@ -2,13 +2,54 @@
 #pragma once
 
 #include <axial/dynamics/passes.hpp>
+#include <axial/model/model.hpp>
 
 namespace axial {
 
-/// z-screw of every joint at q (rad or m): one sine-cosine pair a revolute joint, shared by all that follows.
+/// z-screw of joint i at q (rad or m): one sine-cosine pair for a revolute joint; none where the scene names
+/// SineCosines and hands it in.
+template <class Links, class Input, class Q, class I>
+AXIAL_INLINE constexpr auto joint_screw(const Links& links, const Input& in, const Q& q, I i) {
+  if constexpr (Links::Scene::template has<SineCosines>)
+    return links.link(i).z(q[i], in.turns[i]);
+  else
+    return links.link(i).z(q[i]);
+}
+
+/// z-screws of all joints, shared by all that follows.
 template <class Links, class Input, class Q>
-AXIAL_INLINE constexpr auto joint_screws(const Links& links, const Input&, const Q& q) {
-  return map_links(links, [&](auto i) AXIAL_INLINE { return links.link(i).z(q[i]); });
+AXIAL_INLINE constexpr auto joint_screws(const Links& links, const Input& in, const Q& q) {
+  return map_links(links, [&](auto i) AXIAL_INLINE { return joint_screw(links, in, q, i); });
+}
+
+namespace detail {
+template <class Links, class Q, class Turns>
+AXIAL_INLINE constexpr void fill_turns(const Links& links, const Q& q, Turns& turns) {
+  using T = typename Links::Scalar;
+  for_each_link(links, [&](auto i) AXIAL_INLINE {
+    turns[i] = links.link(i).on_joint([&](auto joint) AXIAL_INLINE {
+      if constexpr (std::is_same_v<decltype(joint), Revolute>)
+        return sincos(T(q[i]));
+      else
+        return SinCos<T>{T(Zero{}), T(One{})};
+    });
+  });
+}
+}  // namespace detail
+
+/// Sine and cosine of every revolute joint's position (rad), for the input `turns` of scenes that name SineCosines:
+/// computed once, shared by several algorithms. A prismatic joint's pair is that of 0, and ignored.
+template <class S, class T>
+constexpr Joints<robot_of<S>, SinCos<T>> sine_cosines(const Positions<robot_of<S>, T>& q) {
+  Joints<robot_of<S>, SinCos<T>> turns{};
+  detail::fill_turns(links_of<S, T>(), q, turns);
+  return turns;
+}
+template <int N, class... F, class T, class M = Model<N, F...>>
+constexpr Joints<M, SinCos<T>> sine_cosines(const Model<N, F...>& model, const Positions<M, T>& q) {
+  Joints<M, SinCos<T>> turns{};
+  detail::fill_turns(model.template links<T>(), q, turns);
+  return turns;
 }
 
 }  // namespace axial

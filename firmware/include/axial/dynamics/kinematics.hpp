@@ -1,8 +1,7 @@
 // Forward kinematics and the geometric Jacobian.
 #pragma once
 
-#include <axial/dynamics/passes.hpp>
-#include <axial/model/model.hpp>
+#include <axial/dynamics/joint_screws.hpp>
 
 namespace axial {
 
@@ -37,12 +36,12 @@ AXIAL_INLINE constexpr auto place(const Link& link, const Screw& screw, const P&
                                  screw.shift * z_column(rotation))};
 }
 
-template <class Links, class Q, class Result>
-AXIAL_INLINE constexpr void run(const Links& links, const Q& q, Result& result) {
+template <class Links, class Input, class Q, class Result>
+AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Result& result) {
   using T = typename Links::Scalar;
   outward(links, links.base_pose(), [&](auto i, const auto& parent) AXIAL_INLINE {
     auto link = links.link(i);
-    auto pose = link.shape(place(link, link.z(q[i]), parent));
+    auto pose = link.shape(place(link, joint_screw(links, in, q, i), parent));
     result.frames[i] = pose.template dense<T>();
     return pose;
   });
@@ -75,30 +74,32 @@ AXIAL_INLINE constexpr void columns(const Links& links, const Poses& poses, Resu
 
 /// Poses of all frames and of the tool in the world. In: q (rad or m). Source: Craig 2005, eq. (3.6), as two screws.
 template <class S, class T>
-constexpr ForwardKinematics<robot_of<S>, T> forward_kinematics(const Positions<robot_of<S>, T>& q) {
+constexpr ForwardKinematics<robot_of<S>, T> forward_kinematics(const Positions<robot_of<S>, T>& q,
+                                                               const Inputs<S, T>& in = {}) {
   ForwardKinematics<robot_of<S>, T> result{};
-  kinematics::run(links_of<S, T>(), q, result);
+  kinematics::run(links_of<S, T>(), in, q, result);
   return result;
 }
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr ForwardKinematics<M, T> forward_kinematics(const Model<N, F...>& model, const Positions<M, T>& q) {
+constexpr ForwardKinematics<M, T> forward_kinematics(const Model<N, F...>& model, const Positions<M, T>& q,
+                                                     const Inputs<M, T>& in = {}) {
   ForwardKinematics<M, T> result{};
-  kinematics::run(model.template links<T>(), q, result);
+  kinematics::run(model.template links<T>(), in, q, result);
   return result;
 }
 
 /// Geometric Jacobian of the tool (m and dimensionless), in world axes, angular part first.
 /// Source: Craig 2005, chapter 5; column j is (z_j; z_j x (p_tool - p_j)), or (0; z_j) for a prismatic joint.
 template <class S, class T>
-constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q) {
+constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   Jacobian<robot_of<S>, T> result{};
-  kinematics::columns(links_of<S, T>(), forward_kinematics<S>(q), result);
+  kinematics::columns(links_of<S, T>(), forward_kinematics<S>(q, in), result);
   return result;
 }
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, const Positions<M, T>& q) {
+constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {}) {
   Jacobian<M, T> result{};
-  kinematics::columns(model.template links<T>(), forward_kinematics(model, q), result);
+  kinematics::columns(model.template links<T>(), forward_kinematics(model, q, in), result);
   return result;
 }
 

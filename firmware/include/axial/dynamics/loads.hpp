@@ -1,4 +1,4 @@
-// Loads that a scene adds to the links and joints: payload, tip wrench, friction, rotor.
+// Loads that a scene adds to the links: payload and wrenches.
 #pragma once
 
 #include <axial/model/links.hpp>
@@ -16,7 +16,7 @@ AXIAL_INLINE constexpr auto payload_inertia(const PayloadBody<T>& load) {
                            c.xy - h.x * load.com.y, c.xz - h.x * load.com.z, c.yz - h.y * load.com.z}};
 }
 
-/// Run-time inputs seen by the links: what the last link carries besides itself.
+/// Run-time inputs seen by the links: what they carry besides themselves.
 template <class Scene, class Input>
 class TipLoads {
  public:
@@ -30,9 +30,18 @@ class TipLoads {
     else
       return with_payload(link);
   }
-  /// Force that the environment exerts on a link; zero by type where the scene has no tip wrench.
+  /// Force that the environment exerts on link i; zero by type where the scene has none.
+  template <class I, class Link>
+  AXIAL_INLINE constexpr auto wrench(I i, const Link& link) const {
+    if constexpr (Scene::template has<ExternalWrenches>)
+      return in_.wrenches[i] + at_tip(link);
+    else
+      return at_tip(link);
+  }
+
+ private:
   template <class Link>
-  AXIAL_INLINE constexpr auto wrench(const Link& link) const {
+  AXIAL_INLINE constexpr auto at_tip(const Link& link) const {
     constexpr ForceVector<ZeroVec3, ZeroVec3> none;
     if constexpr (!Scene::template has<TipWrench>) {
       return none;
@@ -47,8 +56,6 @@ class TipLoads {
       return wrench;
     }
   }
-
- private:
   template <class Link>
   AXIAL_INLINE constexpr auto with_payload(const Link& link) const {
     if constexpr (Link::unrolled) {
@@ -74,19 +81,6 @@ AXIAL_INLINE constexpr auto loaded_differences(const Link& link, const Body& bod
     return link.inertia_differences();
   else
     return Vec3{j.zz - j.yy, j.xx - j.zz, j.yy - j.xx};
-}
-
-/// Friction effort of a joint at speed qd: viscous qd + Coulomb, 0 at rest; both directions are read, none is branched
-/// on.
-template <class Link, class V>
-AXIAL_INLINE constexpr auto friction_effort(const Link& link, const V& qd) {
-  if constexpr (!Link::Scene::template has<Friction> || is_zero_v<V>) {
-    return Zero{};
-  } else {
-    const V efforts[3] = {V(link.coulomb_backward()), V(Zero{}), V(link.coulomb_forward())};
-    const int direction = 1 + static_cast<int>(qd > V(Zero{})) - static_cast<int>(qd < V(Zero{}));
-    return link.viscous() * qd + efforts[direction];
-  }
 }
 
 }  // namespace axial

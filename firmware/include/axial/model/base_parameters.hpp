@@ -10,6 +10,10 @@ namespace detail {
 
 using Body = RigidInertia<double, Vec3<double>, Sym3<double>>;
 
+constexpr void set_differences(LinkConstants<double>& link) {
+  link.jzz_jyy = link.jzz - link.jyy, link.jxx_jzz = link.jxx - link.jzz, link.jyy_jxx = link.jyy - link.jxx;
+}
+
 constexpr void add(LinkConstants<double>& link, const Body& body) {
   link.mass += body.mass;
   link.hx += body.first_moment.x, link.hy += body.first_moment.y, link.hz += body.first_moment.z;
@@ -37,14 +41,32 @@ constexpr Body give_up(Prismatic, LinkConstants<double>& link) {
 }  // namespace detail
 
 /// Regroups the parameters of a chain in place, from the tips to the base (links sorted so that parents come first).
-/// The joint torques of a chain on a fixed base do not change. Source: Khalil and Dombre 2002, chapter 9; Gautier and
-/// Khalil 1990, in closed form for each joint.
+/// What a body gives up acts on its parent as it did on itself, so no joint torque changes, on a fixed base or on one
+/// with given motion. Source: Khalil and Dombre 2002, chapter 9; Gautier and Khalil 1990, in closed form for each
+/// joint.
 constexpr void regroup(LinkConstants<double>* links, int size) {
   for (int i = size; i-- > 0;) {
     auto& link = links[i];
     const auto body = link.prismatic ? detail::give_up(Prismatic{}, link) : detail::give_up(Revolute{}, link);
     if (link.parent >= 0) detail::add(links[link.parent], body);
-    link.jzz_jyy = link.jzz - link.jyy, link.jxx_jzz = link.jxx - link.jzz, link.jyy_jxx = link.jyy - link.jxx;
+    detail::set_differences(link);
+  }
+}
+
+/// Base parameters with rotors folded into links where that is exact: what scenes with RotorInertia on a fixed base
+/// compute with where they compute with base parameters.
+struct BaseParametersAndRotors {};
+
+/// Folds rotors in place into links that turn about an axis of fixed direction: no joint inboard turns, and neither
+/// does the base. There Jzz enters the joint's own effort and nothing else, as gear^2 J does.
+constexpr void fold_rotors(LinkConstants<double>* links, int size) {
+  for (int i = 0; i < size; ++i) {
+    int inboard = links[i].parent;
+    while (inboard >= 0 && links[inboard].prismatic)
+      inboard = links[inboard].parent;
+    if (links[i].prismatic || inboard >= 0) continue;
+    links[i].jzz += links[i].rotor, links[i].rotor = 0.0;
+    detail::set_differences(links[i]);
   }
 }
 

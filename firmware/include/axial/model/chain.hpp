@@ -26,6 +26,16 @@ struct Tool {
   FixedPose pose;
 };
 
+/// The largest run-time payload: mass in kg, distance of its centre of mass from the origin of the last link's frame in
+/// m, and inertia about that centre in kg m^2, which no entry of the tensor exceeds.
+struct PayloadLimit {
+  double mass = 0.0, com_reach = 0.0, inertia = 0.0;
+  bool declared = false;
+};
+constexpr PayloadLimit payload_limit(double mass, double com_reach, double inertia) {
+  return {mass, com_reach, inertia, true};
+}
+
 constexpr Base base(double x, double y, double z) { return {{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}}}; }
 constexpr Base base(const FixedPose& pose) { return {pose}; }
 constexpr Tool tool(double x, double y, double z) { return {{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}}}; }
@@ -39,6 +49,7 @@ struct Chain {
   GravityVector gravity{};
   Base base{};
   Tool tool{};
+  PayloadLimit payload_limit{};
 
   /// Index of the link that carries joint i, or LinkParameters::base.
   constexpr int parent(int i) const { return links[i].parent == LinkParameters::previous ? i - 1 : links[i].parent; }
@@ -89,6 +100,24 @@ constexpr void check_friction(const LinkParameters& p) {
     malformed_robot("axial: coulomb friction of a link feeds energy in; give coulomb(forward >= 0, backward <= 0)");
 }
 
+constexpr void check_stribeck(const LinkParameters& p) {
+  constexpr double least_speed = 1e-9;  // its inverse square is still a float
+  if (!finite(p.static_friction) || !finite(p.stribeck_speed) || !finite(p.smooth_speed))
+    malformed_robot("axial: stribeck or smooth_speed of a link is not finite; give stribeck(static_effort, speed)");
+  if (p.static_friction != 0.0 && (p.static_friction < p.coulomb_forward || p.static_friction < -p.coulomb_backward))
+    malformed_robot(
+        "axial: the static effort of stribeck() is below the Coulomb friction of the link; give the larger");
+  if (p.static_friction != 0.0 && p.stribeck_speed < least_speed)
+    malformed_robot("axial: the speed of stribeck() must be at least 1e-9 rad/s or m/s");
+  if (p.smooth_speed != 0.0 && p.smooth_speed < least_speed)
+    malformed_robot("axial: smooth_speed of a link must be at least 1e-9 rad/s or m/s; leave it out for a step");
+}
+
+constexpr void check_spring(const LinkParameters& p) {
+  if (!finite(p.spring_stiffness) || !finite(p.spring_rest))
+    malformed_robot("axial: spring of a link is not finite; give spring(stiffness, rest_position)");
+}
+
 constexpr void check_limits(const LinkParameters& p) {
   if (!(p.position_min < p.position_max))
     malformed_robot("axial: position_limits of a link are upside down; give position_limits(min, max) with min < max");
@@ -101,6 +130,8 @@ constexpr void check_link(const LinkParameters& p, int index) {
   check_geometry(p, index);
   check_inertia(p);
   check_friction(p);
+  check_stribeck(p);
+  check_spring(p);
   check_limits(p);
 }
 
@@ -142,11 +173,18 @@ struct ChainBuilder {
     check_pose(tool.pose);
     chain.tool = tool;
   }
+  constexpr void add(const PayloadLimit& limit) {
+    if (!finite(limit.mass) || !finite(limit.com_reach) || !finite(limit.inertia) || limit.mass < 0.0 ||
+        limit.com_reach < 0.0 || limit.inertia < 0.0)
+      malformed_robot("axial: payload_limit must be finite and >= 0; give payload_limit(kg, m, kg m^2)");
+    chain.payload_limit = limit;
+  }
 };
 
 }  // namespace detail
 
-/// Builds a robot from links (from the base outwards) and, in any order, gravity(), base() and tool().
+/// Builds a robot from links (from the base outwards) and, in any order, gravity(), base(), tool() and
+/// payload_limit().
 /// A malformed robot (not finite, negative mass, limits upside down, no link, ...) does not compile.
 template <class... Parts>
 constexpr auto chain(const Parts&... parts) {

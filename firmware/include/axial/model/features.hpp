@@ -1,10 +1,22 @@
-// What a scene can name. What it does not name adds no instruction, no byte and no argument.
+// What a scene can name. What it does not name adds no instruction, no byte and no argument. doc/scenes.md is the
+// table.
 #pragma once
 
+#include <axial/scalar/sincos.hpp>
 #include <axial/spatial/inertia.hpp>
 #include <axial/spatial/spatial_vector.hpp>
 
 namespace axial {
+
+template <class S, class T>
+struct Joints;  // joints.hpp
+
+/// Base of every tag that a Scene may list. A tag with a run-time input declares its own `Input<Robot, T>`.
+template <class Tag>
+struct Feature {
+  template <class Robot, class T>
+  struct Input {};
+};
 
 /// A load rigidly fixed to the last link, known at run time: mass (kg), centre of mass (m, last link's frame) and
 /// inertia about that centre (kg m^2, axes of the last link's frame).
@@ -15,78 +27,117 @@ struct PayloadBody {
   Sym3<T> inertia_com{};
 };
 
+/// Given motion of frame 0, in its own axes: angular velocity (rad/s), angular acceleration (rad/s^2), and the
+/// acceleration of its origin (m/s^2, without gravity).
+template <class T>
+struct GivenMotion {
+  Vec3<T> angular_velocity{};
+  Vec3<T> angular_acceleration{};
+  Vec3<T> linear_acceleration{};
+};
+
 /// Gravity as the robot declares it.
-struct Gravity {
-  template <class T>
-  struct Input {};
+struct Gravity : Feature<Gravity> {};
+
+/// Gravity known at run time, for a tilted or moving base: input `gravity`, acceleration of free fall in axes of frame
+/// 0, m/s^2. Starts as the robot declares it; for a run-time model as NaN, until given.
+struct RuntimeGravity : Feature<RuntimeGravity> {
+  template <class Robot, class T>
+  struct Input {
+    Vec3<T> gravity = declared<Robot>(0);
+
+   private:
+    template <class R>
+    static constexpr auto declared(int) -> decltype(R::chain.gravity, Vec3<T>{}) {
+      using N = NumberTraits<T>;
+      return {N::constant(R::chain.gravity.x), N::constant(R::chain.gravity.y), N::constant(R::chain.gravity.z)};
+    }
+    template <class R>
+    static constexpr Vec3<T> declared(...) {
+      const T unknown = NumberTraits<T>::constant(std::numeric_limits<double>::quiet_NaN());
+      return {unknown, unknown, unknown};
+    }
+  };
+};
+
+/// A base that moves as it is told: input `base_motion`. Torques and accelerations follow; M(q) does not change.
+struct BaseMotion : Feature<BaseMotion> {
+  template <class Robot, class T>
+  struct Input {
+    GivenMotion<T> base_motion{};
+  };
 };
 
 /// gear^2 J of each drive on its own joint.
-struct RotorInertia {
-  template <class T>
-  struct Input {};
-};
+struct RotorInertia : Feature<RotorInertia> {};
 
-/// Viscous and Coulomb friction as the links declare it, on the joint side; Coulomb friction is 0 at rest.
-struct Friction {
-  template <class T>
-  struct Input {};
-};
+/// Friction as the links declare it, on the joint side: viscous, Coulomb, Stribeck; 0 at rest.
+struct Friction : Feature<Friction> {};
 
-/// Force that the environment exerts on the last link: axes and origin of its frame, run-time input `tip_wrench`.
-struct TipWrench {
-  template <class T>
+/// Springs across the joints as the links declare them: the drive exerts stiffness (q - rest position) besides.
+struct JointSprings : Feature<JointSprings> {};
+
+/// Force that the environment exerts on the last link: axes and origin of its frame, input `tip_wrench`.
+struct TipWrench : Feature<TipWrench> {
+  template <class Robot, class T>
   struct Input {
     ForceVector<Vec3<T>, Vec3<T>> tip_wrench{};
   };
 };
 
+/// Forces that the environment exerts on every link i: axes and origin of its frame, input `wrenches[i]`.
+struct ExternalWrenches : Feature<ExternalWrenches> {
+  template <class Robot, class T>
+  struct Input {
+    Joints<Robot, ForceVector<Vec3<T>, Vec3<T>>> wrenches{};
+  };
+};
+
 /// A run-time load on the last link, input `payload`.
-struct Payload {
-  template <class T>
+struct Payload : Feature<Payload> {
+  template <class Robot, class T>
   struct Input {
     PayloadBody<T> payload{};
   };
 };
 
-/// Loops over a table of links instead of unrolling: small code for small flash, and for long chains.
-struct Looped {
-  template <class T>
-  struct Input {};
+/// Sine-cosine pairs of the joint positions from the caller (encoder tables, a CORDIC, sine_cosines() shared by several
+/// algorithms): input `turns[i]`, of q without the offset theta; ignored for prismatic joints. NaN until given.
+struct SineCosines : Feature<SineCosines> {
+  template <class Robot, class T>
+  struct Input {
+    Joints<Robot, SinCos<T>> turns = unknown();
+
+   private:
+    static constexpr auto unknown() {
+      Joints<Robot, SinCos<T>> turns{};
+      for (auto& turn : turns.values)
+        turn.sin = turn.cos = NumberTraits<T>::constant(std::numeric_limits<double>::quiet_NaN());
+      return turns;
+    }
+  };
 };
+
+/// Loops over a table of links instead of unrolling: small code for small flash, and for long chains.
+struct Looped : Feature<Looped> {};
 
 /// Inertial parameters regrouped at compile time (base_parameters.hpp): the default of inverse dynamics, its gravity
 /// and bias parts, and the mass matrix. Naming it makes forward dynamics use them too: cheaper, but links become
 /// differences of large numbers, so only short, well-conditioned arms stay exact.
-struct BaseParameters {
-  template <class T>
-  struct Input {};
-};
+struct BaseParameters : Feature<BaseParameters> {};
 
 /// Every link's own inertial parameters, for all algorithms: the default of forward dynamics.
-struct FullParameters {
-  template <class T>
-  struct Input {};
-};
+struct FullParameters : Feature<FullParameters> {};
 
 /// Forward dynamics by the articulated-body algorithm of McMillan and Orin 1995: exact whatever the conditioning.
-struct ArticulatedBody {
-  template <class T>
-  struct Input {};
-};
+struct ArticulatedBody : Feature<ArticulatedBody> {};
 
 /// Forward dynamics by the bias torque and an articulated-body pass of the structure at rest: loses less in narrow
 /// number systems where speeds and gravity are moderate.
-struct SplitArticulatedBody {
-  template <class T>
-  struct Input {};
-};
+struct SplitArticulatedBody : Feature<SplitArticulatedBody> {};
 
 /// Forward dynamics by the bias torque, composite bodies and an elimination that follows the tree: the cheapest for
 /// short, well-conditioned arms.
-struct CompositeBody {
-  template <class T>
-  struct Input {};
-};
+struct CompositeBody : Feature<CompositeBody> {};
 
 }  // namespace axial

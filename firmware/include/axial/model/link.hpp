@@ -31,6 +31,11 @@ struct LinkParameters {
   double viscous = 0.0;                   ///< N m s/rad or N s/m, on the joint side
   double coulomb_forward = 0.0;           ///< N m or N, friction while moving forward (>= 0)
   double coulomb_backward = 0.0;          ///< N m or N, friction while moving backward (<= 0)
+  double static_friction = 0.0;           ///< N m or N, breakaway effort in either direction; 0: no Stribeck effect
+  double stribeck_speed = 0.0;            ///< rad/s or m/s, where half of the breakaway beyond Coulomb is left
+  double smooth_speed = 0.0;              ///< rad/s or m/s, below which dry friction goes through 0 smoothly; 0: a step
+  double spring_stiffness = 0.0;          ///< N m/rad or N/m, of a spring across the joint
+  double spring_rest = 0.0;               ///< rad or m, where the spring exerts nothing
   double position_min = -unlimited;       ///< rad or m
   double position_max = unlimited;        ///< rad or m
   double speed_limit = unlimited;         ///< rad/s or m/s
@@ -114,6 +119,19 @@ class Link {
   /// Coulomb friction torque while moving forward (>= 0) and while moving backward (<= 0).
   constexpr Link coulomb(double forward, double backward) const {
     return with([&](auto& p) { p.coulomb_forward = forward, p.coulomb_backward = backward; });
+  }
+  /// Stribeck effect: friction falls from `static_effort` (N m or N, in either direction) at breakaway to the Coulomb
+  /// friction; at `speed` (rad/s or m/s) half of the difference is left.
+  constexpr Link stribeck(double static_effort, double speed) const {
+    return with([&](auto& p) { p.static_friction = static_effort, p.stribeck_speed = speed; });
+  }
+  /// Below this speed (rad/s or m/s) Coulomb and Stribeck friction go through 0 smoothly instead of stepping.
+  constexpr Link smooth_speed(double speed) const {
+    return with([&](auto& p) { p.smooth_speed = speed; });
+  }
+  /// A spring across the joint: the drive exerts stiffness (q - rest_position), N m/rad or N/m, against it.
+  constexpr Link spring(double stiffness, double rest_position = 0.0) const {
+    return with([&](auto& p) { p.spring_stiffness = stiffness, p.spring_rest = rest_position; });
   }
 
   /// Position limits, rad or m.

@@ -20,7 +20,6 @@ struct LinkConstants {
   T jxx{}, jyy{}, jzz{}, jxy{}, jxz{}, jyz{};  ///< inertia about the frame's origin, kg m^2
   T jzz_jyy{}, jxx_jzz{}, jyy_jxx{};           ///< its differences, which the gyroscopic moments use
   T rotor{};                                   ///< gear^2 J on the joint, kg m^2 or kg
-  T viscous{}, coulomb_forward{}, coulomb_backward{};
 };
 
 /// Constants of a link from its description. Parallel-axis theorem for the inertia about the origin.
@@ -40,7 +39,6 @@ constexpr LinkConstants<double> link_constants(const LinkParameters& p, int pare
   c.jyz = p.inertia_com[5] - m * y * z;
   c.jzz_jyy = c.jzz - c.jyy, c.jxx_jzz = c.jxx - c.jzz, c.jyy_jxx = c.jyy - c.jxx;
   c.rotor = p.gear * p.gear * p.rotor_inertia;
-  c.viscous = p.viscous, c.coulomb_forward = p.coulomb_forward, c.coulomb_backward = p.coulomb_backward;
   return c;
 }
 
@@ -70,10 +68,7 @@ constexpr LinkConstants<T> converted(const LinkConstants<double>& c) {
           N::constant(c.jzz_jyy),
           N::constant(c.jxx_jzz),
           N::constant(c.jyy_jxx),
-          N::constant(c.rotor),
-          N::constant(c.viscous),
-          N::constant(c.coulomb_forward),
-          N::constant(c.coulomb_backward)};
+          N::constant(c.rotor)};
 }
 
 }  // namespace axial

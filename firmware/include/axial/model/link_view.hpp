@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <axial/model/base_parameters.hpp>
+#include <axial/model/drive_constants.hpp>
 #include <axial/model/joints.hpp>
 #include <axial/model/link_constants.hpp>
 #include <axial/scalar/rounding.hpp>
@@ -27,7 +28,8 @@ template <class Robot, class Parameters, int... I>
 constexpr auto all_constants(std::integer_sequence<int, I...>) {
   constexpr int size = sizeof...(I);
   ConstantsTable<size> table{{link_constants(Robot::chain.links[I], Robot::chain.parent(I))...}};
-  if constexpr (std::is_same_v<Parameters, BaseParameters>) regroup(table.links, size);
+  if constexpr (!std::is_same_v<Parameters, FullParameters>) regroup(table.links, size);
+  if constexpr (std::is_same_v<Parameters, BaseParametersAndRotors>) fold_rotors(table.links, size);
   return table;
 }
 
@@ -36,13 +38,39 @@ template <class Robot, class Parameters = FullParameters>
 inline constexpr auto robot_constants =
     all_constants<Robot, Parameters>(std::make_integer_sequence<int, Robot::chain.size>{});
 
+template <class Robot, class T, int... I>
+constexpr auto all_drives(std::integer_sequence<int, I...>) {
+  struct Table {
+    DriveConstants<T> links[sizeof...(I)];
+  };
+  return Table{{converted<T>(drive_constants(Robot::chain.links[I]))...}};
+}
+/// Friction and springs of a robot; instantiated only by scenes that name them.
+template <class Robot, class T>
+inline constexpr auto robot_drives = all_drives<Robot, T>(std::make_integer_sequence<int, Robot::chain.size>{});
+
 template <class T>
 using Member = T LinkConstants<T>::*;
+template <class T>
+using DriveMember = T DriveConstants<T>::*;
+
+// Whether a link of a robot declares this; a run-time model may.
+template <class Robot, class T, DriveMember<T> M>
+constexpr auto any_drive_has(int) -> decltype(Robot::chain.links, true) {
+  for (const auto& drive : robot_drives<Robot, T>.links)
+    if (drive.*M < T(Zero{}) || drive.*M > T(Zero{})) return true;
+  return false;
+}
+template <class Robot, class T, DriveMember<T> M>
+constexpr bool any_drive_has(...) {
+  return true;
+}
 
 /// What both views share: the accessors, written over `get<member>()` of the view.
 template <class View, class Source>
 class LinkAccess {
   using C = LinkConstants<Source>;
+  using D = DriveConstants<Source>;
   AXIAL_INLINE constexpr const View& self() const { return static_cast<const View&>(*this); }
 
  public:
@@ -71,28 +99,48 @@ class LinkAccess {
     else
       return Zero{};
   }
-  AXIAL_INLINE constexpr auto viscous() const { return self().template get<&C::viscous>(); }
-  AXIAL_INLINE constexpr auto coulomb_forward() const { return self().template get<&C::coulomb_forward>(); }
-  AXIAL_INLINE constexpr auto coulomb_backward() const { return self().template get<&C::coulomb_backward>(); }
+  AXIAL_INLINE constexpr auto viscous() const { return self().template drive<&D::viscous>(); }
+  AXIAL_INLINE constexpr auto coulomb_forward() const { return self().template drive<&D::coulomb_forward>(); }
+  AXIAL_INLINE constexpr auto coulomb_backward() const { return self().template drive<&D::coulomb_backward>(); }
+  AXIAL_INLINE constexpr auto stribeck_forward() const { return self().template drive<&D::stribeck_forward>(); }
+  AXIAL_INLINE constexpr auto stribeck_backward() const { return self().template drive<&D::stribeck_backward>(); }
+  AXIAL_INLINE constexpr auto inverse_stribeck_speed2() const {
+    return self().template drive<&D::inverse_stribeck_speed2>();
+  }
+  AXIAL_INLINE constexpr auto inverse_smooth_speed() const { return self().template drive<&D::inverse_smooth_speed>(); }
+  AXIAL_INLINE constexpr auto spring_stiffness() const { return self().template drive<&D::spring_stiffness>(); }
+  AXIAL_INLINE constexpr auto spring_rest() const { return self().template drive<&D::spring_rest>(); }
 
   /// Turn and shift of the joint at position q: about z by theta + q (rad), or along z by d + q (m).
   template <class Q>
   AXIAL_INLINE constexpr auto z(const Q& q) const {
     return self().on_joint([&](auto joint) AXIAL_INLINE { return self().shape(joint_screw(joint, q)); });
   }
+  /// The same from the sine and cosine of q (without theta), which only a revolute joint looks at.
+  template <class Q, class T>
+  AXIAL_INLINE constexpr auto z(const Q& q, const SinCos<T>& turn) const {
+    return self().on_joint([&](auto joint) AXIAL_INLINE {
+      if constexpr (std::is_same_v<decltype(joint), Revolute>)
+        return self().shape(turned_screw(turn));
+      else
+        return self().shape(joint_screw(joint, q));
+    });
+  }
 
  private:
-  template <class Q>
-  AXIAL_INLINE constexpr auto joint_screw(Revolute, const Q& q) const {
+  template <class T>
+  AXIAL_INLINE constexpr auto turned_screw(const SinCos<T>& q) const {
     auto ct = self().template get<&C::cos_theta>();
     auto st = self().template get<&C::sin_theta>();
-    auto d = self().template get<&C::d>();
-    if constexpr (is_structural_v<decltype(ct)> || !View::unrolled) {  // exact for quarter turns
-      auto pair = sincos(q);
-      return z_screw(ct * pair.cos - st * pair.sin, st * pair.cos + ct * pair.sin, d);
+    return z_screw(ct * q.cos - st * q.sin, st * q.cos + ct * q.sin, self().template get<&C::d>());
+  }
+  template <class Q>
+  AXIAL_INLINE constexpr auto joint_screw(Revolute, const Q& q) const {
+    if constexpr (is_structural_v<decltype(self().template get<&C::cos_theta>())> || !View::unrolled) {
+      return turned_screw(sincos(q));  // exact for quarter turns
     } else {
       auto pair = sincos(q + self().template get<&C::theta>());
-      return z_screw(pair.cos, pair.sin, d);
+      return z_screw(pair.cos, pair.sin, self().template get<&C::d>());
     }
   }
   template <class Q>
@@ -116,6 +164,10 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
   template <detail::Member<double> M>
   AXIAL_INLINE static constexpr auto get() {
     return literal<T>([] { return detail::robot_constants<typename Scene::Robot, Parameters>.links[I].*M; });
+  }
+  template <detail::DriveMember<double> M>
+  AXIAL_INLINE static constexpr auto drive() {
+    return literal<T>([] { return detail::robot_drives<typename Scene::Robot, double>.links[I].*M; });
   }
   /// Whether a constant turn is nearer to a quarter turn than to none, as a type.
   template <detail::Member<double> Sine>
@@ -145,16 +197,22 @@ class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source>, Sou
   using Scene = SceneType;
   static constexpr bool unrolled = false;
   const LinkConstants<Source>& row;
+  const DriveConstants<Source>* drives;  ///< of this link; null where the scene names none
   bool is_last;
 
-  AXIAL_INLINE constexpr TableLink(const LinkConstants<Source>& constants, bool last) : row(constants), is_last(last) {}
+  AXIAL_INLINE constexpr TableLink(const LinkConstants<Source>& constants, const DriveConstants<Source>* own, bool last)
+      : row(constants), drives(own), is_last(last) {}
 
   template <detail::Member<Source> M>
   AXIAL_INLINE constexpr T get() const {
-    if constexpr (std::is_same_v<T, Source>)
-      return row.*M;
+    return number(row.*M);
+  }
+  template <detail::DriveMember<Source> M>
+  AXIAL_INLINE constexpr auto drive() const {
+    if constexpr (detail::any_drive_has<typename Scene::Robot, Source, M>(0))
+      return number(drives->*M);
     else
-      return NumberTraits<T>::constant(row.*M);
+      return Zero{};
   }
   template <detail::Member<Source>>
   AXIAL_INLINE static constexpr AnyTurn beyond_45_degrees() {
@@ -171,6 +229,14 @@ class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source>, Sou
       return T(v);
     else
       return v.template dense<T>();
+  }
+
+ private:
+  AXIAL_INLINE static constexpr T number(const Source& x) {
+    if constexpr (std::is_same_v<T, Source>)
+      return x;
+    else
+      return NumberTraits<T>::constant(x);
   }
 };
 

@@ -80,11 +80,15 @@ class TableLinks {
   static constexpr bool unrolled = false;
   static constexpr int capacity = Capacity;
 
-  AXIAL_INLINE constexpr TableLinks(const LinkConstants<Source>* table, int size, const Mounting& mounting)
-      : table_(table), size_(size), mounting_(mounting) {}
+  /// `drives` may be null where the scene names neither Friction nor JointSprings.
+  AXIAL_INLINE constexpr TableLinks(const LinkConstants<Source>* table, const DriveConstants<Source>* drives, int size,
+                                    const Mounting& mounting)
+      : table_(table), drives_(drives), size_(size), mounting_(mounting) {}
 
   AXIAL_INLINE constexpr int size() const { return size_; }
-  AXIAL_INLINE constexpr auto link(int i) const { return TableLink<Scene, Scalar, Source>(table_[i], i + 1 == size_); }
+  AXIAL_INLINE constexpr auto link(int i) const {
+    return TableLink<Scene, Scalar, Source>(table_[i], drives_ == nullptr ? nullptr : drives_ + i, i + 1 == size_);
+  }
   AXIAL_INLINE constexpr int parent_index(int i) const { return table_[i].parent; }
   AXIAL_INLINE constexpr Vec3<Scalar> base_acceleration() const {
     using N = NumberTraits<Scalar>;
@@ -99,6 +103,7 @@ class TableLinks {
 
  private:
   const LinkConstants<Source>* table_;
+  const DriveConstants<Source>* drives_;
   int size_;
   const Mounting& mounting_;
 };
@@ -115,6 +120,13 @@ AXIAL_INLINE constexpr auto converted_table(std::integer_sequence<int, I...>) {
 template <class Robot, class T, class Parameters>
 inline constexpr auto robot_table =
     converted_table<Robot, T, Parameters>(std::make_integer_sequence<int, Robot::chain.size>{});
+template <class Scene, class T>
+AXIAL_INLINE constexpr const DriveConstants<T>* drives_of() {
+  if constexpr (Scene::template has<Friction> || Scene::template has<JointSprings>)
+    return robot_drives<typename Scene::Robot, T>.links;
+  else
+    return nullptr;
+}
 template <class Robot>
 inline constexpr Mounting robot_mounting{Robot::chain.gravity, Robot::chain.base.pose, Robot::chain.tool.pose};
 
@@ -127,15 +139,23 @@ using parameters_of =
     std::conditional_t<Scene::template has<FullParameters>, FullParameters,
                        std::conditional_t<Scene::template has<BaseParameters>, BaseParameters, Default>>;
 
+namespace detail {
+template <class Scene, class Parameters>
+using with_rotors = std::conditional_t<std::is_same_v<Parameters, BaseParameters> &&
+                                           Scene::template has<RotorInertia> && !Scene::template has<BaseMotion>,
+                                       BaseParametersAndRotors, Parameters>;
+}
+
 /// The links of a scene (or of a bare robot) over numbers T, in the form that the scene asks for.
 template <class S, class T, class DefaultParameters = FullParameters>
 AXIAL_INLINE constexpr auto links_of() {
   using Scene = scene_of<S>;
   using Robot = typename Scene::Robot;
-  using Parameters = parameters_of<Scene, DefaultParameters>;
+  using Parameters = detail::with_rotors<Scene, parameters_of<Scene, DefaultParameters>>;
   if constexpr (Scene::template has<Looped>) {
     return TableLinks<Scene, T, T, Robot::chain.size>(detail::robot_table<Robot, T, Parameters>.links,
-                                                      Robot::chain.size, detail::robot_mounting<Robot>);
+                                                      detail::drives_of<Scene, T>(), Robot::chain.size,
+                                                      detail::robot_mounting<Robot>);
   } else {
     return StaticLinks<Scene, T, Parameters>{};
   }

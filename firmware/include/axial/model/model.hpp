@@ -23,6 +23,7 @@ class Model {
   constexpr bool add(const LinkParameters& link) {
     const int parent = link.parent == LinkParameters::previous ? size_ - 1 : link.parent;
     if (size_ >= N || parent >= size_ || parent < LinkParameters::base) return false;
+    drives_[size_] = drive_constants(link);
     table_[size_++] = link_constants(link, parent);
     return true;
   }
@@ -37,11 +38,12 @@ class Model {
 
   template <class T>
   constexpr auto links() const {
-    return TableLinks<Scene, T, double, N>(table_, size_, mounting_);
+    return TableLinks<Scene, T, double, N>(table_, drives_, size_, mounting_);
   }
 
  private:
   LinkConstants<double> table_[N] = {};
+  DriveConstants<double> drives_[N] = {};
   Mounting mounting_{};
   int size_ = 0;
 };

@@ -1,18 +1,36 @@
 // A scene: a robot and the features that its user needs.
 #pragma once
 
+#include <axial/model/absent_inputs.hpp>
 #include <axial/model/chain.hpp>
 #include <axial/model/features.hpp>
 
 namespace axial {
 
-/// Robot with exactly the named features: Gravity, RotorInertia, Friction, TipWrench, Payload, Looped, BaseParameters,
-/// FullParameters.
+/// Robot with exactly the named features (features.hpp; doc/scenes.md is the table of them).
 template <class RobotType, class... Features>
 struct Scene {
   using Robot = RobotType;
-  template <class Feature>
-  static constexpr bool has = (false || ... || std::is_same_v<Feature, Features>);
+  template <class Tag>
+  static constexpr int times_named = (0 + ... + static_cast<int>(std::is_same_v<Tag, Features>));
+  template <class Tag>
+  static constexpr bool has = times_named<Tag> > 0;
+
+  static_assert((true && ... && std::is_base_of_v<Feature<Features>, Features>),
+                "axial: a Scene lists its robot first and then features only (axial::Gravity, axial::Friction, ...; "
+                "model/features.hpp has them all); take out the type that is none");
+  static_assert((true && ... && (times_named<Features> == 1)),
+                "axial: a Scene names a feature twice; name each feature once");
+  static_assert(
+      !(has<Gravity> && has<RuntimeGravity>),
+      "axial: a Scene names both Gravity and RuntimeGravity; keep Gravity for the robot's declared vector, or "
+      "RuntimeGravity for the input in.gravity");
+  static_assert(!(has<FullParameters> && has<BaseParameters>),
+                "axial: a Scene names both FullParameters and BaseParameters; keep one, or none for each algorithm's "
+                "default");
+  static_assert(times_named<ArticulatedBody> + times_named<SplitArticulatedBody> + times_named<CompositeBody> <= 1,
+                "axial: a Scene names more than one form of forward dynamics; keep one of ArticulatedBody, "
+                "SplitArticulatedBody and CompositeBody, or none to let the compiler choose");
 };
 
 template <class T>
@@ -45,12 +63,13 @@ namespace detail {
 template <class S, class T>
 struct InputsOf;
 template <class Robot, class... Features, class T>
-struct InputsOf<Scene<Robot, Features...>, T> : Features::template Input<T>... {};
+struct InputsOf<Scene<Robot, Features...>, T> : Features::template Input<Robot, T>... {};
 }  // namespace detail
 
-/// Run-time inputs of a scene: one member for each named feature that has one (`payload`, `tip_wrench`), none for the
-/// rest: touching the input of a feature that the scene does not name does not compile.
+/// Run-time inputs of a scene: one member for each named feature that has one (`payload`, `tip_wrench`, ...), none for
+/// the rest: touching the input of a feature that the scene does not name does not compile, and the message says which
+/// to add.
 template <class S, class T>
-struct Inputs : detail::InputsOf<scene_of<S>, T> {};
+struct Inputs : detail::InputsOf<scene_of<S>, T>, AbsentInputs<scene_of<S>> {};
 
 }  // namespace axial

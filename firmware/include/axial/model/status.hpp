@@ -12,7 +12,8 @@ struct Status {
     position_limit = 3,  ///< outside the declared limits
     speed_limit = 4,
     acceleration_limit = 5,
-    effort_limit = 6,  ///< the result was clamped to the declared effort
+    effort_limit = 6,   ///< the result was clamped to the declared effort
+    payload_limit = 7,  ///< the run-time payload is beyond the declared maximum, or not a number; about no joint
   };
   Code code = Code::ok;
   int joint = -1;

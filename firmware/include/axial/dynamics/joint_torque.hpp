@@ -1,0 +1,90 @@
+// The effort of one joint: what the links outboard of it need, and nothing of the other joints' efforts.
+#pragma once
+
+#include <axial/dynamics/inverse_dynamics.hpp>
+
+namespace axial {
+namespace rnea {
+
+// Force that joint I bears, from the tips of its own branch: recursion over a tree of types.
+template <class Links, class Input, class Screws, class Motions>
+struct Branch {
+  const Links& links;
+  const Input& in;
+  const Screws& screws;
+  const Motions& motions;
+
+  template <int I>
+  AXIAL_INLINE constexpr auto force(Index<I> i) const {
+    return detail::loaded(own_force(links, in, motions, i), children<I, I + 1>());
+  }
+  template <int I, int C>
+  AXIAL_INLINE constexpr auto children() const {
+    if constexpr (C >= Links::capacity)
+      return detail::NoLoad{};
+    else if constexpr (Links::template parent_of<C> == I)
+      return detail::loaded(children<I, C + 1>(), sent_force(links, screws, Index<C>{}, force(Index<C>{})));
+    else
+      return children<I, C + 1>();
+  }
+  /// In the looped form: a child has a larger index than its parent.
+  AXIAL_INLINE constexpr auto force(int joint) const {
+    Row<std::decay_t<decltype(own_force(links, in, motions, 0))>, Links::capacity> total;
+    for (int i = joint; i < links.size(); ++i)
+      total[i] = own_force(links, in, motions, i);
+    for (int i = links.size(); --i > joint;) {
+      const int parent = links.parent_index(i);
+      if (parent >= joint) total[parent] = total[parent] + sent_force(links, screws, i, total[i]);
+    }
+    return total[joint];
+  }
+};
+
+template <class Links, class Input, class I, class Q, class V, class A>
+AXIAL_INLINE constexpr auto run_joint(const Links& links, const Input& in, I joint, const Q& q, const V& qd,
+                                      const A& qdd) {
+  auto screws = joint_screws(links, in, q);
+  auto motions = link_motions(links, in, screws, qd, qdd);
+  const Branch<Links, Input, decltype(screws), decltype(motions)> branch{links, in, screws, motions};
+  if constexpr (Links::unrolled)
+    return joint_effort(links, joint, branch.force(joint), q, qd, qdd);
+  else
+    return joint_effort(links, int{joint}, branch.force(int{joint}), q, qd, qdd);
+}
+
+template <class S, int Joint>
+constexpr void check_joint() {
+  static_assert(Joint >= 0 && Joint < joint_count<S>,
+                "axial: the robot has no such joint; joints are counted from 0, base outwards");
+}
+
+}  // namespace rnea
+
+/// Effort of one joint in inverse_dynamics, N m or N, without the efforts of the others: joint_torque<Robot, 2>(q, qd,
+/// qdd). Inputs as there.
+template <class S, int Joint, class T>
+constexpr T joint_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+                         const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
+  rnea::check_joint<S, Joint>();
+  return rnea::run_joint(links_of<S, T, BaseParameters>(), in, Index<Joint>{}, q, qd, qdd);
+}
+/// Effort of one joint in gravity_torque: gravity_torque<Robot, 2>(q).
+template <class S, int Joint, class T>
+constexpr T gravity_torque(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+  rnea::check_joint<S, Joint>();
+  return rnea::run_joint(links_of<S, T, BaseParameters>(), in, Index<Joint>{}, q, NoMotion{}, NoMotion{});
+}
+
+/// The same two for a run-time model, 0 <= joint < model.size().
+template <int N, class... F, class T, class M = Model<N, F...>>
+constexpr T joint_torque(const Model<N, F...>& model, int joint, const Positions<M, T>& q, const Velocities<M, T>& qd,
+                         const Accelerations<M, T>& qdd, const Inputs<M, T>& in = {}) {
+  return rnea::run_joint(model.template links<T>(), in, joint, q, qd, qdd);
+}
+template <int N, class... F, class T, class M = Model<N, F...>>
+constexpr T gravity_torque(const Model<N, F...>& model, int joint, const Positions<M, T>& q,
+                           const Inputs<M, T>& in = {}) {
+  return rnea::run_joint(model.template links<T>(), in, joint, q, NoMotion{}, NoMotion{});
+}
+
+}  // namespace axial

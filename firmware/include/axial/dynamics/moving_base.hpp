@@ -1,0 +1,38 @@
+// What frame 0 does: at rest, tilted, or moving as the scene's inputs say.
+#pragma once
+
+#include <axial/model/links.hpp>
+
+namespace axial {
+
+/// Angular velocity of frame 0, rad/s; zero by type unless the scene names BaseMotion.
+template <class Links, class Input>
+AXIAL_INLINE constexpr auto base_angular_velocity(const Links&, const Input& in) {
+  if constexpr (Links::Scene::template has<BaseMotion>)
+    return in.base_motion.angular_velocity;
+  else
+    return ZeroVec3{};
+}
+/// Its angular acceleration, rad/s^2.
+template <class Links, class Input>
+AXIAL_INLINE constexpr auto base_angular_acceleration(const Links&, const Input& in) {
+  if constexpr (Links::Scene::template has<BaseMotion>)
+    return in.base_motion.angular_acceleration;
+  else
+    return ZeroVec3{};
+}
+/// Acceleration of its origin against gravity, m/s^2.
+template <class Links, class Input>
+AXIAL_INLINE constexpr auto base_acceleration(const Links& links, const Input& in) {
+  using Scene = typename Links::Scene;
+  if constexpr (Scene::template has<BaseMotion> && Scene::template has<RuntimeGravity>)
+    return in.base_motion.linear_acceleration - in.gravity;
+  else if constexpr (Scene::template has<BaseMotion>)
+    return in.base_motion.linear_acceleration + links.base_acceleration();
+  else if constexpr (Scene::template has<RuntimeGravity>)
+    return -in.gravity;
+  else
+    return links.base_acceleration();
+}
+
+}  // namespace axial

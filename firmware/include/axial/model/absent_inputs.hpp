@@ -1,0 +1,52 @@
+// Run-time inputs that a scene does not have: reaching for one does not compile, and the compiler's message names the
+// feature to add.
+#pragma once
+
+#include <axial/model/features.hpp>
+
+namespace axial {
+
+/// Empty classes whose private member has the name of the absent input: "'payload' is a private member of
+/// 'axial::absent::add_the_feature_axial_Payload_to_the_scene'". They hold nothing and cost no byte.
+namespace absent {
+
+class add_the_feature_axial_RuntimeGravity_to_the_scene {
+  static void gravity();
+};
+class add_the_feature_axial_BaseMotion_to_the_scene {
+  static void base_motion();
+};
+class add_the_feature_axial_TipWrench_to_the_scene {
+  static void tip_wrench();
+};
+class add_the_feature_axial_ExternalWrenches_to_the_scene {
+  static void wrenches();
+};
+class add_the_feature_axial_Payload_to_the_scene {
+  static void payload();
+};
+class add_the_feature_axial_SineCosines_to_the_scene {
+  static void turns();
+};
+
+template <class Tag>
+struct Present {};
+
+}  // namespace absent
+
+namespace detail {
+template <class Scene, class Tag, class Absent>
+using absent_unless_named = std::conditional_t<Scene::template has<Tag>, absent::Present<Tag>, Absent>;
+}
+
+/// Every input that a scene lacks.
+template <class Scene>
+struct AbsentInputs
+    : detail::absent_unless_named<Scene, RuntimeGravity, absent::add_the_feature_axial_RuntimeGravity_to_the_scene>,
+      detail::absent_unless_named<Scene, BaseMotion, absent::add_the_feature_axial_BaseMotion_to_the_scene>,
+      detail::absent_unless_named<Scene, TipWrench, absent::add_the_feature_axial_TipWrench_to_the_scene>,
+      detail::absent_unless_named<Scene, ExternalWrenches, absent::add_the_feature_axial_ExternalWrenches_to_the_scene>,
+      detail::absent_unless_named<Scene, Payload, absent::add_the_feature_axial_Payload_to_the_scene>,
+      detail::absent_unless_named<Scene, SineCosines, absent::add_the_feature_axial_SineCosines_to_the_scene> {};
+
+}  // namespace axial

@@ -1,0 +1,48 @@
+// What a joint's drive adds by itself, derived from a link's description. A table of its own: a scene that names
+// neither Friction nor JointSprings holds none of it.
+#pragma once
+
+#include <axial/model/chain.hpp>
+
+namespace axial {
+
+/// Friction and spring of one joint, on the joint side, SI.
+template <class T>
+struct DriveConstants {
+  T viscous{};
+  T coulomb_forward{}, coulomb_backward{};
+  T stribeck_forward{}, stribeck_backward{};  ///< breakaway beyond Coulomb: static effort - Coulomb
+  T inverse_stribeck_speed2{};                ///< 1 / speed^2
+  T inverse_smooth_speed{};                   ///< 0 where the sign of the speed is taken as it is
+  T spring_stiffness{}, spring_rest{};
+};
+
+constexpr DriveConstants<double> drive_constants(const LinkParameters& p) {
+  DriveConstants<double> c;
+  c.viscous = p.viscous, c.coulomb_forward = p.coulomb_forward, c.coulomb_backward = p.coulomb_backward;
+  if (p.static_friction > 0.0) {
+    c.stribeck_forward = p.static_friction - p.coulomb_forward;
+    c.stribeck_backward = -p.static_friction - p.coulomb_backward;
+    c.inverse_stribeck_speed2 = 1.0 / (p.stribeck_speed * p.stribeck_speed);
+  }
+  if (p.smooth_speed > 0.0) c.inverse_smooth_speed = 1.0 / p.smooth_speed;
+  c.spring_stiffness = p.spring_stiffness, c.spring_rest = p.spring_rest;
+  return c;
+}
+
+/// The same constants in another number format.
+template <class T>
+constexpr DriveConstants<T> converted(const DriveConstants<double>& c) {
+  using N = NumberTraits<T>;
+  return {N::constant(c.viscous),
+          N::constant(c.coulomb_forward),
+          N::constant(c.coulomb_backward),
+          N::constant(c.stribeck_forward),
+          N::constant(c.stribeck_backward),
+          N::constant(c.inverse_stribeck_speed2),
+          N::constant(c.inverse_smooth_speed),
+          N::constant(c.spring_stiffness),
+          N::constant(c.spring_rest)};
+}
+
+}  // namespace axial

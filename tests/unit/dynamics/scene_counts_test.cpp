@@ -1,0 +1,160 @@
+// What each feature of a scene costs, and that it costs nothing where it is not named or has nothing to do.
+#include <gtest/gtest.h>
+
+#include <axial/dynamics/cost.hpp>
+#include <ostream>
+
+#include "generic_robots.hpp"
+
+using namespace axial;
+using generic::Robot;
+
+namespace axial {
+static void PrintTo(const Operations& o, std::ostream* out) {
+  *out << o.mul << "M " << o.add << "A " << o.div << "D " << o.sincos << "T";
+}
+}  // namespace axial
+
+namespace {
+
+constexpr int general = 37;
+
+template <class S>
+Operations torque() {
+  return cost<S>(algorithm::inverse_dynamics);
+}
+template <class S>
+Operations acceleration() {
+  return cost<S>(algorithm::forward_dynamics);
+}
+
+template <int I>
+struct OneTorque {
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J& qd, const J& qdd, const In& in) {
+    return J{joint_torque<S, I>(q, qd, qdd, in)};
+  }
+};
+template <int I>
+struct OneGravityTorque {
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J&, const J&, const In& in) {
+    return J{gravity_torque<S, I>(q, in)};
+  }
+};
+
+Operations operator-(const Operations& a, const Operations& b) {
+  return {a.mul - b.mul, a.add - b.add, a.div - b.div, a.sincos - b.sincos};
+}
+
+// The same three links with drives that differ in one thing.
+template <class Change>
+constexpr Chain<3> with_drive(const Change& change) {
+  Chain<3> chain = generic::chain<3>(general, false);
+  change(chain.links[1]);
+  return chain;
+}
+struct Viscous {
+  static constexpr auto chain = with_drive([](auto& p) { p.viscous = 0.3; });
+};
+struct Coulomb {
+  static constexpr auto chain = with_drive([](auto& p) { p.coulomb_forward = 0.3, p.coulomb_backward = -0.2; });
+};
+struct Stribeck {
+  static constexpr auto chain = with_drive([](auto& p) {
+    p.coulomb_forward = 0.3, p.coulomb_backward = -0.2, p.static_friction = 0.4, p.stribeck_speed = 0.05;
+  });
+};
+struct Smooth {
+  static constexpr auto chain =
+      with_drive([](auto& p) { p.coulomb_forward = 0.3, p.coulomb_backward = -0.2, p.smooth_speed = 0.01; });
+};
+struct Sprung {
+  static constexpr auto chain = with_drive([](auto& p) { p.spring_stiffness = 3.0, p.spring_rest = 0.2; });
+};
+template <int Joint>
+struct Geared {
+  static constexpr auto chain = [] {
+    Chain<3> c = generic::chain<3>(general, false);
+    c.links[Joint].rotor_inertia = 2e-4, c.links[Joint].gear = 50.0;
+    return c;
+  }();
+};
+
+template <class R, class... F>
+Operations extra() {
+  return torque<Scene<R, Gravity, F...>>() - torque<Scene<R, Gravity>>();
+}
+
+}  // namespace
+
+TEST(SceneCounts, NamingWhatTheRobotDoesNotDeclareIsFree) {
+  using R = Robot<3, general>;
+  EXPECT_EQ((extra<R, Friction, JointSprings, RotorInertia>()), Operations{});
+  EXPECT_EQ((acceleration<Scene<R, Gravity, Friction, JointSprings, RotorInertia>>()),
+            (acceleration<Scene<R, Gravity>>()));
+}
+
+TEST(SceneCounts, DeclaringWhatTheSceneDoesNotNameIsFree) {
+  const auto bare = torque<Scene<Robot<3, general>, Gravity>>();
+  EXPECT_EQ((torque<Scene<Stribeck, Gravity>>()), bare);
+  EXPECT_EQ((torque<Scene<Sprung, Gravity>>()), bare);
+  EXPECT_EQ((torque<Scene<Geared<1>, Gravity>>()), bare);
+}
+
+TEST(SceneCounts, FrictionCostsWhatEachLinkDeclares) {
+  EXPECT_EQ((extra<Viscous, Friction>()), (Operations{1, 1, 0, 0}));
+  EXPECT_EQ((extra<Coulomb, Friction>()), (Operations{0, 1, 0, 0}));
+  EXPECT_EQ((extra<Stribeck, Friction>()), (Operations{3, 3, 1, 0}));
+  EXPECT_EQ((extra<Smooth, Friction>()), (Operations{5, 2, 0, 0}));
+}
+
+TEST(SceneCounts, ASpringCostsOneMultiplication) {
+  EXPECT_EQ((extra<Sprung, JointSprings>()), (Operations{1, 2, 0, 0}));
+}
+
+TEST(SceneCounts, ForwardDynamicsPaysTheSameForItsDrives) {
+  const auto bare = acceleration<Scene<Stribeck, Gravity>>();
+  EXPECT_EQ((acceleration<Scene<Stribeck, Gravity, Friction>>() - bare), (Operations{3, 3, 1, 0}));
+  EXPECT_EQ((acceleration<Scene<Sprung, Gravity, JointSprings>>() - bare), (Operations{1, 2, 0, 0}));
+}
+
+// On the first turning joint a rotor is part of the link's own inertia; further out it is not.
+TEST(SceneCounts, TheFirstRotorIsFoldedIntoItsLink) {
+  EXPECT_EQ((extra<Geared<0>, RotorInertia>()), Operations{});
+  EXPECT_EQ((extra<Geared<1>, RotorInertia>()), (Operations{1, 1, 0, 0}));
+  EXPECT_EQ((extra<Geared<0>, RotorInertia, FullParameters>() - extra<Geared<0>, FullParameters>()),
+            (Operations{1, 1, 0, 0}));
+}
+
+TEST(SceneCounts, SineCosinesAreHandedIn) {
+  using R = Robot<6, general>;
+  const auto own = torque<Scene<R, Gravity>>(), handed = torque<Scene<R, Gravity, SineCosines>>();
+  EXPECT_EQ(own - handed, (Operations{0, 0, 0, 5}));
+  EXPECT_EQ((acceleration<Scene<R, Gravity, SineCosines>>().sincos), 0);
+}
+
+TEST(SceneCounts, AVectorKnownAtRunTimeCostsMoreThanADeclaredOne) {
+  using R = Robot<3, general>;
+  const auto none = torque<Scene<R>>(), declared = torque<Scene<R, Gravity>>(),
+             given = torque<Scene<R, RuntimeGravity>>(), moving = torque<Scene<R, RuntimeGravity, BaseMotion>>();
+  EXPECT_LT(none.mul + none.add, declared.mul + declared.add);
+  EXPECT_LT(declared.mul + declared.add, given.mul + given.add);
+  EXPECT_LT(given.mul + given.add, moving.mul + moving.add);
+}
+
+// The first link's forces off its axis, which no joint feels, are not carried on.
+TEST(SceneCounts, WrenchesAreAddedWhereTheyAreFelt) {
+  using R = Robot<3, general>;
+  EXPECT_EQ((extra<R, ExternalWrenches>()), (Operations{0, 13, 0, 0}));
+}
+
+// The last joint needs the motion of all links but the force of one, the first joint all but its own.
+TEST(SceneCounts, OneJointsTorqueCostsNothingOfTheOthers) {
+  using R = Robot<6, general>;
+  const auto whole = torque<R>(), last = cost<R>(OneTorque<5>{}), first = cost<R>(OneTorque<0>{});
+  EXPECT_LT(2 * (last.mul + last.add), whole.mul + whole.add);
+  EXPECT_LE(first.mul + first.add, whole.mul + whole.add);
+  const auto all_gravity = cost<R>(algorithm::gravity), tip = cost<R>(OneGravityTorque<5>{});
+  EXPECT_LT(tip.mul + tip.add, all_gravity.mul + all_gravity.add);
+}
