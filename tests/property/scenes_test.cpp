@@ -71,11 +71,16 @@ void expect_model(const Sample& s) {
 
 template <class N>
 class Features : public testing::Test {};
-using All = testing::Types<
-    Named<FullParameters>, Named<RotorInertia>, Named<RuntimeGravity>, Named<Gravity, BaseMotion>,
-    Named<ExternalWrenches>, Named<TipWrench, ExternalWrenches>, Named<Friction>, Named<JointSprings>,
-    Named<SineCosines, Gravity>, Named<RuntimeGravity, BaseMotion, RotorInertia, BaseParameters>,
-    Named<RuntimeGravity, BaseMotion, RotorInertia, Friction, JointSprings, TipWrench, ExternalWrenches, SineCosines>>;
+using All =
+    testing::Types<Named<FullParameters>, Named<RotorInertia>, Named<RuntimeGravity>, Named<Gravity, BaseMotion>,
+                   Named<ExternalWrenches>, Named<TipWrench, ExternalWrenches>, Named<Friction>, Named<JointSprings>,
+                   Named<SineCosines, Gravity>, Named<RuntimeGravity, BaseMotion, RotorInertia, BaseParameters>,
+                   Named<RuntimeGravity, BaseMotion, RotorInertia, Friction, JointSprings, TipWrench, ExternalWrenches,
+                         SineCosines, ArticulatedBody>,
+                   Named<RuntimeGravity, BaseMotion, RotorInertia, Friction, JointSprings, TipWrench, ExternalWrenches,
+                         SineCosines, SplitArticulatedBody>,
+                   Named<RuntimeGravity, BaseMotion, RotorInertia, Friction, JointSprings, TipWrench, ExternalWrenches,
+                         SineCosines, CompositeBody>>;
 TYPED_TEST_SUITE(Features, All);
 
 }  // namespace
