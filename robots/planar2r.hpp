@@ -2,7 +2,8 @@
 // links, moving in a vertical plane (gravity along -y of frame 0).
 //
 // published: the model and its closed form.
-// assumed:   every length, mass and limit; the book works in symbols. The values are those of the validation case
+// assumed:   every length, mass and limit, the payload too; the book works in symbols. The values are those of the
+// validation case
 //            tests/data/craig_2r_pointmass.json, but for standard gravity.
 #pragma once
 
@@ -19,7 +20,7 @@ struct Planar2r {
   // A line a group of values.
   // clang-format off
   static constexpr auto chain = axial::chain(
-      axial::gravity(0.0, -9.81, 0.0),
+      axial::gravity(0.0, -9.81, 0.0), axial::payload_limit(2.0, 0.25, 0.05),
       axial::revolute().mass(m1).com(l1, 0.0, 0.0)
           .position_limits(-3.14, 3.14).speed_limit(3.0).acceleration_limit(10.0).effort_limit(180.0),
       axial::revolute().a(l1).mass(m2).com(l2, 0.0, 0.0)

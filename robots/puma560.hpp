@@ -8,7 +8,8 @@
 //            standard-DH model, after P. Corke, B. Armstrong-Helouvry, IEEE ICRA 1994: motor side, carried to the
 //            joint here); joint ranges (the toolbox's, with the signs of these joint angles); greatest torques (quoted
 //            from the 1986 paper's table of motors and drives, not checked against a copy of it).
-// assumed:   speeds and accelerations.
+// assumed:   speeds and accelerations; the greatest payload (2.5 kg, as usually quoted for this arm; its reach and
+//            inertia are ours).
 #pragma once
 
 #include <axial/model/chain.hpp>
@@ -33,7 +34,7 @@ struct Puma560 : Puma560Drives {
   // A line a group of values.
   // clang-format off
   static constexpr auto chain = axial::chain(
-      axial::gravity(0.0, 0.0, -9.81),
+      axial::gravity(0.0, 0.0, -9.81), axial::payload_limit(2.5, 0.25, 0.05),
       drive(
           axial::revolute().a(0.0).alpha_deg(0).d(0.0)
           .inertia_com(0.0, 0.0, 0.35)

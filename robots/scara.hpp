@@ -1,7 +1,8 @@
 // The SCARA of Djuric, Filipovic, Jovanovic and Kevac (IEEE 2016): two revolute joints and a slide that points down.
 //
 // published: structure (their Table I) and the model of slender rods with the centre of mass half-way.
-// assumed:   every length, mass and limit; the paper works in symbols. The values are those of the validation case
+// assumed:   every length, mass and limit, the payload too; the paper works in symbols. The values are those of the
+// validation case
 //            tests/data/scara_djuric_rrp.json, each exact in float.
 // Their DH rows (theta1, d1, a1, 0), (theta2, 0, a2, 180 deg), (0, d3, 0, 0) are rewritten here as MDH rows.
 #pragma once
@@ -22,7 +23,7 @@ struct Scara {
   // A line a group of values.
   // clang-format off
   static constexpr auto chain = axial::chain(
-      axial::gravity(0.0, 0.0, -9.8125),
+      axial::gravity(0.0, 0.0, -9.8125), axial::payload_limit(2.0, 0.25, 0.05),
       axial::revolute().a(0.0).alpha_deg(0).d(0.5)
           .mass(m1).com(a1 / 2, 0.0, 0.0).inertia_com(0.0, rod1, rod1)
           .position_limits(-2.5, 2.5).speed_limit(4.0).acceleration_limit(20.0).effort_limit(80.0),

@@ -18,7 +18,7 @@ struct ScaraRrpr {
   // A line a group of values.
   // clang-format off
   static constexpr auto chain = axial::chain(
-      axial::gravity(0.0, 0.0, -9.81),
+      axial::gravity(0.0, 0.0, -9.81), axial::payload_limit(5.0, 0.25, 0.05),
       axial::revolute().a(0.0).alpha_deg(0).d(0.320)
           .mass(9.0).com(0.170, 0.0, 0.035).inertia_com(0.032, 0.125, 0.130)
           .rotor_inertia(2.6e-5, 80.0).viscous(2.4).coulomb(3.2)

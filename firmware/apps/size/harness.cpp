@@ -1,5 +1,5 @@
-/// The part that all probes of a robot share: runs the kernel on seeded states and prints the count of each. It computes
-/// nothing at run time, so that whatever arithmetic a probe links (soft float above all) is the kernel's.
+/// The part that all probes of a robot share: runs the kernel on seeded states and prints the count of each. It
+/// computes nothing at run time, so that whatever arithmetic a probe links (soft float above all) is the kernel's.
 
 #include <board.hpp>
 #include <robot.hpp>
@@ -29,7 +29,9 @@ constexpr Argument<Robot> next_argument(Random& random) {
   a.q = state.q, a.qd = state.qd, a.qdd = state.qdd;
   for (int i = 0; i < joint_count<Robot>; ++i)
     a.tau[i] = 20.0f * any();
-  a.payload = {positive(), {any(), any(), any()}, {positive(), positive(), positive(), any(), any(), any()}};
+  const auto near = [&] { return 0.25f * any(); };  // within every robot's declared payload
+  a.payload = {
+      positive(), {near(), near(), near()}, {0.02f, 0.02f, 0.02f, 0.02f * any(), 0.02f * any(), 0.02f * any()}};
   a.tip_wrench = {{any(), any(), any()}, {any(), any(), any()}};
   return a;
 }
