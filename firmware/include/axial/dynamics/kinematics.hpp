@@ -36,38 +36,45 @@ AXIAL_INLINE constexpr auto place(const Link& link, const Screw& screw, const P&
                                  screw.shift * z_column(rotation))};
 }
 
+/// Poses of all links' frames in the world, each with its structural zeros.
+template <class Links, class Input, class Q>
+AXIAL_INLINE constexpr auto frames(const Links& links, const Input& in, const Q& q) {
+  return outward(links, links.base_pose(), [&](auto i, const auto& parent) AXIAL_INLINE {
+    auto link = links.link(i);
+    return link.shape(place(link, joint_screw(links, in, q, i), parent));
+  });
+}
+
 template <class Links, class Input, class Q, class Result>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Result& result) {
   using T = typename Links::Scalar;
-  outward(links, links.base_pose(), [&](auto i, const auto& parent) AXIAL_INLINE {
-    auto link = links.link(i);
-    auto pose = link.shape(place(link, joint_screw(links, in, q, i), parent));
-    result.frames[i] = pose.template dense<T>();
-    return pose;
-  });
-  result.tool = result.frames[links.size() - 1] * pose_of<T>(links.tool_pose());
+  auto poses = frames(links, in, q);
+  for_each_link(links, [&](auto i) AXIAL_INLINE { result.frames[i] = poses[i].template dense<T>(); });
+  result.tool = (poses[links.last()] * links.tool_pose()).template dense<T>();
 }
 
-template <class T>
-AXIAL_INLINE constexpr MotionVector<Vec3<T>, Vec3<T>> column(Revolute, const Vec3<T>& axis, const Vec3<T>& arm) {
-  return {axis, cross(axis, arm)};
+template <class Axis, class Arm>
+AXIAL_INLINE constexpr auto column(Revolute, const Axis& axis, const Arm& arm) {
+  return MotionVector{axis, cross(axis, arm)};
 }
-template <class T>
-AXIAL_INLINE constexpr MotionVector<Vec3<T>, Vec3<T>> column(Prismatic, const Vec3<T>& axis, const Vec3<T>&) {
-  return {ZeroVec3{}, axis};
+template <class Axis, class Arm>
+AXIAL_INLINE constexpr auto column(Prismatic, const Axis& axis, const Arm&) {
+  return MotionVector{ZeroVec3{}, axis};
 }
 
-template <class Links, class Poses, class Result>
-AXIAL_INLINE constexpr void columns(const Links& links, const Poses& poses, Result& jacobian) {
-  bool carries_tool[Links::capacity] = {};
-  for (int i = links.size() - 1; i >= 0; i = links.parent_index(i))
-    carries_tool[i] = true;
-  for_each_link(links, [&](auto i) AXIAL_INLINE {
-    if (!carries_tool[i]) return;
-    auto axis = z_column(poses.frames[i].rotation);
-    jacobian[i] = links.link(i).on_joint(
-        [&](auto joint) AXIAL_INLINE { return column(joint, axis, poses.tool.position - poses.frames[i].position); });
-  });
+/// Columns of the joints that carry the tool; the rest stay as they are.
+template <class Links, class Input, class Q, class Result>
+AXIAL_INLINE constexpr void columns(const Links& links, const Input& in, const Q& q, Result& jacobian) {
+  using T = typename Links::Scalar;
+  auto poses = frames(links, in, q);
+  auto tool = poses[links.last()] * links.tool_pose();
+  auto write = [&](auto i) AXIAL_INLINE {
+    jacobian[i] = links.link(i).on_joint([&](auto joint) AXIAL_INLINE {
+      return column(joint, z_column(poses[i].rotation), tool.position - poses[i].position).template dense<T>();
+    });
+  };
+  write(links.last());
+  for_each_ancestor(links, links.last(), write);
 }
 
 }  // namespace kinematics
@@ -93,13 +100,13 @@ constexpr ForwardKinematics<M, T> forward_kinematics(const Model<N, F...>& model
 template <class S, class T>
 constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   Jacobian<robot_of<S>, T> result{};
-  kinematics::columns(links_of<S, T>(), forward_kinematics<S>(q, in), result);
+  kinematics::columns(links_of<S, T>(), in, q, result);
   return result;
 }
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {}) {
   Jacobian<M, T> result{};
-  kinematics::columns(model.template links<T>(), forward_kinematics(model, q, in), result);
+  kinematics::columns(model.template links<T>(), in, q, result);
   return result;
 }
 

@@ -34,22 +34,28 @@ struct StaticLinks {
       return ZeroVec3{};
     }
   }
-  /// Pose of frame 0 in the world.
+  /// Pose of frame 0 in the world, and of the tool in the last link's frame.
   AXIAL_INLINE static constexpr auto base_pose() {
-    return Pose{Mat3{base_row<0>(), base_row<1>(), base_row<2>()},
-                Vec3{literal<Scalar>([] { return Scene::Robot::chain.base.pose.position[0]; }),
-                     literal<Scalar>([] { return Scene::Robot::chain.base.pose.position[1]; }),
-                     literal<Scalar>([] { return Scene::Robot::chain.base.pose.position[2]; })}};
+    return constant_pose([] { return Scene::Robot::chain.base.pose; });
   }
-  /// Pose of the tool in the last link's frame.
-  AXIAL_INLINE static constexpr const FixedPose& tool_pose() { return Scene::Robot::chain.tool.pose; }
+  AXIAL_INLINE static constexpr auto tool_pose() {
+    return constant_pose([] { return Scene::Robot::chain.tool.pose; });
+  }
+  AXIAL_INLINE static constexpr auto last() { return Index<capacity - 1>{}; }
 
  private:
-  template <int K>
-  AXIAL_INLINE static constexpr auto base_row() {
-    return Vec3{literal<Scalar>([] { return Scene::Robot::chain.base.pose.rotation[3 * K]; }),
-                literal<Scalar>([] { return Scene::Robot::chain.base.pose.rotation[3 * K + 1]; }),
-                literal<Scalar>([] { return Scene::Robot::chain.base.pose.rotation[3 * K + 2]; })};
+  template <class Get>
+  AXIAL_INLINE static constexpr auto constant_pose(Get get) {
+    return Pose{
+        Mat3{row<0>(get), row<1>(get), row<2>(get)},
+        Vec3{literal<Scalar>([get] { return get().position[0]; }), literal<Scalar>([get] { return get().position[1]; }),
+             literal<Scalar>([get] { return get().position[2]; })}};
+  }
+  template <int K, class Get>
+  AXIAL_INLINE static constexpr auto row(Get get) {
+    return Vec3{literal<Scalar>([get] { return get().rotation[3 * K]; }),
+                literal<Scalar>([get] { return get().rotation[3 * K + 1]; }),
+                literal<Scalar>([get] { return get().rotation[3 * K + 2]; })};
   }
 };
 
@@ -99,7 +105,8 @@ class TableLinks {
       return ZeroVec3{};
   }
   AXIAL_INLINE constexpr auto base_pose() const { return pose_of<Scalar>(mounting_.base); }
-  AXIAL_INLINE constexpr const FixedPose& tool_pose() const { return mounting_.tool; }
+  AXIAL_INLINE constexpr auto tool_pose() const { return pose_of<Scalar>(mounting_.tool); }
+  AXIAL_INLINE constexpr int last() const { return size_ - 1; }
 
  private:
   const LinkConstants<Source>* table_;
