@@ -27,21 +27,29 @@ class Robot : public testing::Test {
 using Robots = testing::Types<robots::Scara, robots::ScaraRrpr, robots::Puma560, robots::Panda, robots::Planar2r>;
 TYPED_TEST_SUITE(Robot, Robots);
 
-template <class R, class T>
-void expect_aba_undoes_rnea() {
+template <class S, class T>
+void expect_forward_undoes_inverse(const char* route) {
+  using R = axial::robot_of<S>;
   oracle::RandomChains random(seed);
   double worst = 0.0;
   for (int k = 0; k < states; ++k) {
     auto state = random_state<R>(random);
     if (oracle::largest(state.qdd) < 1.0) state.qdd[0] = 1.0;
     const auto q = joints<R, T>(state.q), qd = joints<R, T>(state.qd), qdd = joints<R, T>(state.qdd);
-    const auto result = axial::forward_dynamics<R>(q, qd, axial::inverse_dynamics<R>(q, qd, qdd));
+    const auto result = axial::forward_dynamics<S>(q, qd, axial::inverse_dynamics<R>(q, qd, qdd));
     EXPECT_TRUE(result.status.ok()) << result.status.joint;
     worst = std::fmax(
         worst, oracle::relative_error(oracle::Vector<T>(result.values, result.values + R::chain.size), state.qdd));
   }
   EXPECT_LE(worst, aba_tolerance<T>);
-  std::printf("worst relative error of ABA after RNEA: %.1e\n", worst);
+  std::printf("worst relative error after RNEA, %s: %.1e\n", route, worst);
+}
+template <class R, class T>
+void expect_every_route_undoes_rnea() {
+  using namespace axial;
+  expect_forward_undoes_inverse<Scene<R, Gravity, RotorInertia, ArticulatedBody>, T>("articulated body");
+  expect_forward_undoes_inverse<Scene<R, Gravity, RotorInertia, SplitArticulatedBody>, T>("split");
+  expect_forward_undoes_inverse<Scene<R, Gravity, RotorInertia, CompositeBody>, T>("composite body");
 }
 
 // Relative to the largest torque of each joint over all states.
@@ -118,8 +126,8 @@ void expect_oracle_torques() {
 
 }  // namespace
 
-TYPED_TEST(Robot, AbaUndoesRneaInDouble) { expect_aba_undoes_rnea<TypeParam, double>(); }
-TYPED_TEST(Robot, AbaUndoesRneaInFloat) { expect_aba_undoes_rnea<TypeParam, float>(); }
+TYPED_TEST(Robot, EveryRouteUndoesRneaInDouble) { expect_every_route_undoes_rnea<TypeParam, double>(); }
+TYPED_TEST(Robot, EveryRouteUndoesRneaInFloat) { expect_every_route_undoes_rnea<TypeParam, float>(); }
 
 // Bare, with friction, with a payload, with a tip wrench.
 TYPED_TEST(Robot, TorqueIsTheOraclesInDouble) { expect_oracle_torques<TypeParam, double>(); }

@@ -66,7 +66,9 @@ TYPED_TEST(Unrolled, EqualsLoopedAndOracle) {
   using namespace axial;
   using oracle::quad;
   using R = typename TypeParam::Robot;
-  using L = Scene<R, Gravity, RotorInertia, Looped>;
+  using L = Scene<R, Gravity, RotorInertia, Looped, ArticulatedBody>;
+  using A = Scene<R, Gravity, RotorInertia, ArticulatedBody>;
+  using C = Scene<R, Gravity, RotorInertia, CompositeBody>;
   constexpr int n = R::chain.size;
   const auto chain = oracle::of_robot<quad, R>();
   oracle::RandomChains random(n);
@@ -82,9 +84,11 @@ TYPED_TEST(Unrolled, EqualsLoopedAndOracle) {
     EXPECT_LE(oracle::relative_error(oracle::convert<quad>(property::matrix(mass_matrix<R>(q))),
                                      oracle::mass_matrix(chain, oracle::convert<quad>(q_))),
               1e-13);
-    const auto acceleration = forward_dynamics<R>(q, qd, tau), looped = forward_dynamics<L>(q, qd, tau);
+    const auto acceleration = forward_dynamics<A>(q, qd, tau), looped = forward_dynamics<L>(q, qd, tau),
+               composite = forward_dynamics<C>(q, qd, tau);
     const oracle::Vector<double> ours(acceleration.values, acceleration.values + n);
     EXPECT_LE(oracle::relative_error(ours, qdd_), 1e-10);
     EXPECT_LE(oracle::relative_error(oracle::Vector<double>(looped.values, looped.values + n), ours), 1e-10);
+    EXPECT_LE(oracle::relative_error(oracle::Vector<double>(composite.values, composite.values + n), ours), 1e-9);
   }
 }
