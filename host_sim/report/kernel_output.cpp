@@ -58,7 +58,7 @@ bool take(KernelOutput& output, const Cells& cells) {
     output.counter = cells.at(2);
   } else if (head == "state") {
     output.states.push_back(state_from(cells));
-  } else if (head != "robot" && head != "stack") {
+  } else if (head != "robot" && head != "stack" && head != "range") {
     output.evaluations.push_back(evaluation_from(cells));
     if (output.evaluations.back().state >= output.states.size()) throw std::invalid_argument("unknown state");
   }

@@ -76,6 +76,16 @@ class Size(harness.BoardTest):
         for probe, row in self.rows.items():
             self.assertEqual(row["ram_bytes"], 0, probe.name)
 
+    def test_no_instruction_of_data_dependent_length(self):
+        """Integer division is the only one that the Cortex-M4 has (doc/constant_time.md). The harness has some, which
+        shows that they are seen."""
+        divisions = lambda probe, within: [name for address, (name, *_) in probe.image.instructions.items()
+                                           if name.startswith(("udiv", "sdiv")) and within(address)]
+        for probe in list(self.rows)[:6]:
+            figures = measure.Figures(self.board, probe)
+            self.assertEqual(divisions(figures, figures.depths.reached.__contains__), [], probe.name)
+            self.assertNotEqual(divisions(figures, lambda _: True), [])
+
     def test_a_fused_multiply_add_saves_instructions_not_cycles(self):
         for probe, row in self.rows.items():
             if probe.contract == "fast":

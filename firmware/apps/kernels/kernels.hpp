@@ -76,6 +76,19 @@ struct ForwardDynamicsKernel {
   }
 };
 
+inline constexpr const char* route_name(ArticulatedBody) { return "articulated_body"; }
+inline constexpr const char* route_name(SplitArticulatedBody) { return "split_articulated_body"; }
+inline constexpr const char* route_name(CompositeBody) { return "composite_body"; }
+
+/// Forward dynamics by a named route.
+template <class Robot, class Route>
+struct ForwardDynamicsBy {
+  static constexpr const char* name = route_name(Route{});
+  static auto run(const MotionState<Robot, float>& s, const Joints<Robot, float>& tau) {
+    return forward_dynamics<Scene<Robot, Gravity, RotorInertia, Route>>(s.q, s.qd, tau);
+  }
+};
+
 template <class Robot, class T>
 struct ForwardKinematicsKernel {
   static constexpr const char* name = "forward_kinematics";

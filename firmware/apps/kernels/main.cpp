@@ -8,6 +8,7 @@
 
 #include <hal/text.hpp>
 
+#include "corners.hpp"
 #include "kernels.hpp"
 
 namespace axial::apps::kernels {
@@ -17,6 +18,12 @@ using hal::Board;
 
 constexpr int states = 32;
 constexpr std::uint32_t seed = 0x20240920;
+/// In soft float a state takes a hundred times as long, and its count depends on data anyway.
+#ifdef __ARM_FP
+constexpr int range_states = 10000;
+#else
+constexpr int range_states = 500;
+#endif
 /// All kernels of a long arm in soft double take 150 KiB.
 constexpr bool has_room_for_double = Board::flash_bytes >= 256 * 1024;
 constexpr bool has_closed_form = std::string_view(Robot::name) == "scara";
@@ -54,12 +61,22 @@ void print_state(int index, const MotionState<Robot, T>& state) {
   Board::print("\n");
 }
 
+template <class Kernel, class T>
+using ResultOf = decltype(Kernel::run(MotionState<Robot, T>{}, Joints<Robot, T>{}));
+
+/// What a kernel costs. Not inlined: one copy of the kernel in the image.
+template <class Kernel, class T>
+[[gnu::noinline]] std::uint32_t count_of(const MotionState<Robot, T>& state, const Joints<Robot, T>& tau,
+                                         ResultOf<Kernel, T>& result) {
+  auto code = [&] { result = Kernel::run(state, tau); };
+  return Board::count(code);
+}
+
 /// One row: kernel,robot,scalar,state,count,result bits. Returns the result for the kernels that need it.
 template <class Kernel, class T>
 auto measure(int index, const MotionState<Robot, T>& state, const Joints<Robot, T>& tau) {
-  decltype(Kernel::run(state, tau)) result{};
-  auto code = [&] { result = Kernel::run(state, tau); };
-  const std::uint32_t count = Board::count(code);
+  ResultOf<Kernel, T> result{};
+  const std::uint32_t count = count_of<Kernel, T>(state, tau, result);
   Board::print(Kernel::name);
   Board::print(",");
   Board::print(Robot::name);
@@ -103,6 +120,43 @@ void run() {
   }
 }
 
+/// Least and most that a kernel costs over many states, some inside the limits, some at every corner of the number
+/// system. Rows: range,<kernel>,<robot>,<states>,<least>,<most>.
+template <class Kernel>
+void print_range() {
+  Random random(seed);
+  ResultOf<Kernel, float> result{};
+  std::uint32_t least = ~0u, most = 0;
+  for (int i = 0; i < range_states; ++i) {
+    const auto [state, tau] = next_call<Robot>(random, i);
+    const std::uint32_t count = count_of<Kernel, float>(state, tau, result);
+    least = count < least ? count : least;
+    most = count > most ? count : most;
+  }
+  Board::print("range,");
+  Board::print(Kernel::name);
+  Board::print(",");
+  Board::print(Robot::name);
+  print(",", range_states);
+  print(",", least);
+  print(",", most);
+  Board::print("\n");
+}
+
+void print_ranges() {
+  print_range<InverseDynamics<Robot, float>>();
+  print_range<BiasTorque<Robot, float>>();
+  print_range<GravityTorque<Robot, float>>();
+  print_range<MassMatrixKernel<Robot, float>>();
+  print_range<ForwardDynamicsKernel<Robot, float>>();
+  print_range<ForwardDynamicsBy<Robot, ArticulatedBody>>();
+  print_range<ForwardDynamicsBy<Robot, SplitArticulatedBody>>();
+  print_range<ForwardDynamicsBy<Robot, CompositeBody>>();
+  print_range<ForwardKinematicsKernel<Robot, float>>();
+  print_range<JacobianKernel<Robot, float>>();
+  if constexpr (has_closed_form) print_range<ClosedForm<Robot, float>>();
+}
+
 }  // namespace
 }  // namespace axial::apps::kernels
 
@@ -111,6 +165,7 @@ int main() {
   Board::start();
   print_head();
   run<float>();
+  print_ranges();
   if constexpr (has_room_for_double) run<double>();
   print("stack,", Board::stack_used_bytes());
   Board::print("\nend\n");

@@ -29,6 +29,14 @@ constexpr Inputs<S, float> inputs_of(const Argument<robot_of<S>>& a) {
   return in;
 }
 
+/// A scene with one tag more.
+template <class S, class Tag>
+struct Tagged;
+template <class Robot, class... Features, class Tag>
+struct Tagged<Scene<Robot, Features...>, Tag> {
+  using type = Scene<Robot, Features..., Tag>;
+};
+
 namespace algorithms {
 
 struct inverse_dynamics {
@@ -65,6 +73,17 @@ struct forward_dynamics {
     return axial::forward_dynamics<S>(a.q, a.qd, a.tau, inputs_of<S>(a));
   }
 };
+
+template <class Route>
+struct forward_dynamics_by {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return forward_dynamics::run<typename Tagged<S, Route>::type>(a);
+  }
+};
+using forward_dynamics_articulated_body = forward_dynamics_by<ArticulatedBody>;
+using forward_dynamics_split_articulated_body = forward_dynamics_by<SplitArticulatedBody>;
+using forward_dynamics_composite_body = forward_dynamics_by<CompositeBody>;
 
 struct forward_kinematics {
   template <class S, class A>

@@ -221,7 +221,7 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
     auto link = links.link(i);
     const auto& left = joints[i];
     auto moved = to_child(screws[i], to_child(link.x(), parent, link), link) + left.zeta;
-    singular = select(left.singular && singular < 0, static_cast<int>(i), singular);
+    singular = select((singular < 0) & left.singular, static_cast<int>(i), singular);
     return link.on_joint([&](auto joint) AXIAL_INLINE {
       auto own = link.sum(quantity::JointAcceleration{}, left.free, -gain_times(left.gain, moved));
       qdd[i] = static_cast<T>(own);

@@ -1,0 +1,83 @@
+"""The SCARA's main job holds nothing that a SCARA does not need: no rotation in space, no articulated body, no sine of a
+library. Steps are inlined, so symbols are not enough: every instruction is asked which functions it comes from.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+import emulator
+import harness
+
+sys.path.insert(0, str(emulator.ROOT / "host_sim/size"))
+import image  # noqa: E402
+
+LIBM = r"_*(ieee754_)?(sin|cos|tan|sincos|sqrt|fmod|rem_pio2|kernel_(sin|cos|rem_pio2))f?"
+ORIGINS = {
+    "articulated bodies": r"axial::(aba::|detail::aba|Articulated)",
+    "composite bodies": r"axial::(crba::|mass_matrix)",
+    "kinematics": r"axial::(kinematics::|forward_kinematics|jacobian)",
+    "a rotation in space": r"AxialScrew<axial::XAxis, [^,]+, (?!axial::Int<0>)",
+}
+
+
+def symbols(path):
+    return {line.split()[-1] for line in image.run("nm", path).splitlines()}
+
+
+def origins(path):
+    """Names of the functions from which some instruction of the image comes, inlined ones included."""
+    addresses = "\n".join(map(hex, image.Image(path).instructions))
+    done = subprocess.run(["arm-none-eabi-addr2line", "-i", "-f", "-C", "-e", path], input=addresses, check=True,
+                          capture_output=True, text=True)
+    return set(done.stdout.splitlines()[::2])
+
+
+def matching(names, pattern):
+    return sorted(name for name in names if re.search(pattern, name))
+
+
+def libm(names):
+    return sorted(name for name in names if re.fullmatch(LIBM, name))
+
+
+class Lean(harness.BoardTest):
+    def path(self, name):
+        return emulator.image(self.board, name)
+
+    def test_the_scara_job_holds_what_a_scara_needs(self):
+        found = origins(self.path("feedforward-scara"))
+        self.assertTrue(matching(found, r"axial::rnea::"), "the origins are read at all")
+        for what, pattern in ORIGINS.items():
+            with self.subTest(what):
+                self.assertEqual(matching(found, pattern), [])
+
+    def test_no_image_of_the_main_job_takes_a_sine_from_a_library(self):
+        for robot in harness.ROBOTS:
+            self.assertEqual(libm(symbols(self.path("feedforward-" + robot))), [])
+
+    def test_what_others_need_is_found_in_theirs(self):
+        """Negative controls: a Puma turns in space; the kernels image has every algorithm."""
+        puma = origins(self.path("feedforward-puma560"))
+        self.assertTrue(matching(puma, ORIGINS["a rotation in space"]))
+        self.assertEqual(matching(puma, ORIGINS["articulated bodies"]), [])
+        kernels = origins(self.path("kernels-scara"))
+        for what in ("articulated bodies", "composite bodies", "kinematics"):
+            self.assertTrue(matching(kernels, ORIGINS[what]), what)
+
+    def test_a_sine_of_the_library_is_found(self):
+        """Negative control: a program that calls sinf."""
+        source = "float f(float);\nfloat sinf(float);\nfloat g(float x) { return sinf(x); }\n"
+        with tempfile.TemporaryDirectory(prefix="axial-") as folder:
+            elf = pathlib.Path(folder) / "program.elf"
+            subprocess.run(["arm-none-eabi-gcc", "-mcpu=cortex-m3", "-mthumb", "-O2", "-x", "c", "-", "-x", "none", "-nostartfiles",
+                            "--specs=nano.specs", "-Wl,-e,g", "-o", elf, "-lm"], check=True, input=source, text=True,
+                           capture_output=True)
+            self.assertIn("sinf", libm(symbols(elf)))
+            self.assertTrue(any("rem_pio2" in name for name in libm(symbols(elf))))
+
+
+if __name__ == "__main__":
+    harness.main()
