@@ -19,7 +19,9 @@ import style
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ALGORITHMS = {"inverse_dynamics": "Inverse dynamics", "forward_dynamics": "Forward dynamics",
-              "mass_matrix": "Mass matrix", "bias": "Bias torque", "gravity": "Gravity torque"}
+              "articulated_body": "ABA", "split_articulated_body": "Split ABA",
+              "composite_body": "Composite bodies", "mass_matrix": "Mass matrix", "bias": "Bias torque", "gravity": "Gravity torque"}
+ROUTES = ["articulated_body", "split_articulated_body", "composite_body"]  # of forward dynamics, by name
 PEERS = {"kdl": "KDL", "kdl_vereshchagin": "KDL, Vereshchagin", "dart": "DART"}
 PACKAGES = ["liborocos-kdl1.5", "libdart6.12"]
 
@@ -48,9 +50,9 @@ def worse_compiler(rows):
 
 def draw_ratios(rows, stem):
     chosen = {key: row for key, row in worse_compiler(rows).items() if row["scalar"] == "double" and not is_serial(row)}
-    algorithms = [name for name in ALGORITHMS if any(key[1] == name for key in chosen)]
+    algorithms = [name for name in ALGORITHMS if name not in ROUTES and any(key[1] == name for key in chosen)]
     robots = unique(key[0] for key in chosen)
-    if not chosen:
+    if not algorithms:
         return
     figure, panels = plt.subplots(1, len(algorithms), figsize=(2.4 * len(algorithms) + 1.2, 3.8), sharey=True, squeeze=False)
     for panel, algorithm in zip(panels[0], algorithms):
@@ -80,15 +82,19 @@ def draw_bars(panel, rows, robots):
 
 
 def curves(rows):
-    """{(compiler, label): [(joints, ns)]} of forward dynamics; ours once, from its duels with the first peer."""
+    """{(compiler, label): [(joints, ns)]} of forward dynamics; ours once a route."""
     found = {}
+
+    def add(row, label, time):
+        found.setdefault((row["compiler"], label), []).append((row["joints"], row[time]))
+
     for row in filter(is_serial, rows):
-        if row["algorithm"].startswith("forward_dynamics"):
-            route = row.get("route", "")
-            found.setdefault((row["compiler"], PEERS[row["peer"]]), []).append((row["joints"], row["peer_ns_noise"]))
+        if row["algorithm"] == "composite_body":
+            add(row, "axial, composite bodies", "ns_noise")
+        elif row["algorithm"] == "forward_dynamics":
+            add(row, PEERS[row["peer"]], "peer_ns_noise")
             if row["peer"] == "kdl_vereshchagin":
-                label = "axial" + (f", {route}" if route else "")
-                found.setdefault((row["compiler"], label), []).append((row["joints"], row["ns_noise"]))
+                add(row, "axial, ABA", "ns_noise")
     return found
 
 

@@ -33,11 +33,22 @@ def speed_provenance(data):
 def speed_ratios(data):
     """Double, robots against algorithms, a row a peer; the worse compiler."""
     worst = speed.worse_compiler(row for row in data.speed if row["scalar"] == "double" and not speed.is_serial(row))
-    algorithms = [name for name in speed.ALGORITHMS if any(key[1] == name for key in worst)]
-    pairs = speed.unique((key[0], key[3]) for key in worst if not (key[3] == "kdl_vereshchagin"))
+    algorithms = [name for name in speed.ALGORITHMS if name not in speed.ROUTES and any(key[1] == name for key in worst)]
+    pairs = speed.unique((key[0], key[3]) for key in worst if key[3] != "kdl_vereshchagin")
     rows = [[f"{robot}, {speed.PEERS[peer]}"] +
             [ratio(worst[robot, algorithm, "double", peer]) for algorithm in algorithms] for robot, peer in pairs]
     return markdown(["robot, peer"] + [speed.ALGORITHMS[name].lower() for name in algorithms], rows)
+
+
+def speed_routes(data):
+    """Double, the routes of forward dynamics against KDL's two; the worse compiler."""
+    routes = ["forward_dynamics"] + speed.ROUTES
+    worst = speed.worse_compiler(row for row in data.speed if row["scalar"] == "double" and not speed.is_serial(row)
+                                 and row["algorithm"] in routes and row["peer"] != "dart")
+    pairs = speed.unique((key[0], key[3]) for key in worst)
+    rows = [[f"{robot}, {speed.PEERS[peer]}"] + [ratio(worst[robot, route, "double", peer]) for route in routes]
+            for robot, peer in pairs]
+    return markdown(["robot, peer", "default"] + [speed.ALGORITHMS[route] for route in speed.ROUTES], rows)
 
 
 def speed_joints(data):
@@ -65,7 +76,7 @@ def speed_everything(data):
     return markdown(header, rows)
 
 
-TABLES = {"speed_provenance": speed_provenance, "speed_ratios": speed_ratios, "speed_joints": speed_joints,
+TABLES = {"speed_provenance": speed_provenance, "speed_ratios": speed_ratios, "speed_routes": speed_routes, "speed_joints": speed_joints,
           "speed_exponents": speed_exponents, "speed_everything": speed_everything}
 
 

@@ -30,8 +30,14 @@ Duel duel(const std::string& algorithm, const std::string& robot, const std::str
   return result;
 }
 
-constexpr Algorithm algorithms[] = {Algorithm::inverse_dynamics, Algorithm::gravity, Algorithm::bias,
-                                    Algorithm::mass_matrix, Algorithm::forward_dynamics};
+constexpr Algorithm algorithms[] = {Algorithm::inverse_dynamics,
+                                    Algorithm::gravity,
+                                    Algorithm::bias,
+                                    Algorithm::mass_matrix,
+                                    Algorithm::forward_dynamics,
+                                    Algorithm::articulated_body,
+                                    Algorithm::split_articulated_body,
+                                    Algorithm::composite_body};
 
 template <class Robot, class T>
 void add_robot(std::vector<Duel>& duels, const std::string& name) {
@@ -44,9 +50,9 @@ void add_robot(std::vector<Duel>& duels, const std::string& name) {
                               static_cast<Made&&>(theirs)));
     };
     race("kdl", Rotors::with, make_kdl(algorithm, chain, states));
-    if (algorithm == Algorithm::forward_dynamics)
-      race("kdl_vereshchagin", Rotors::with, make_vereshchagin(chain, states));
-    race("dart", Rotors::without, make_dart(algorithm, bare, bare_states));
+    if (is_forward(algorithm)) race("kdl_vereshchagin", Rotors::with, make_vereshchagin(chain, states));
+    if (algorithm <= Algorithm::forward_dynamics)
+      race("dart", Rotors::without, make_dart(algorithm, bare, bare_states));
   }
 }
 
@@ -75,6 +81,7 @@ std::vector<Duel> all_duels() {
     race(forward, "kdl", make_kdl(forward, chain, states));
     race(forward, "dart", make_dart(forward, chain, states));
     race(matrix, "kdl", make_kdl(matrix, chain, states));
+    race(Algorithm::composite_body, "kdl", make_kdl(forward, chain, states));
   }
   return duels;
 }

@@ -79,7 +79,7 @@ class Dart : public Contender {
     const auto values = [&](const std::vector<double>& all, int state) {
       return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(all.data() + state * states.joints, states.joints));
     };
-    const auto& x = algorithm == Algorithm::forward_dynamics ? states.tau : states.qdd;
+    const auto& x = is_forward(algorithm) ? states.tau : states.qdd;
     for (int k = 0; k < states.count; ++k)
       states_.push_back({values(states.q, k), values(states.qd, k), values(x, k)});
   }

@@ -142,7 +142,7 @@ class KdlVereshchagin : public Kdl {
 
 std::unique_ptr<Contender> make_kdl(Algorithm algorithm, const oracle::Chain<double>& chain, const States& states) {
   if (algorithm == Algorithm::mass_matrix) return std::make_unique<KdlMassMatrix>(chain, states);
-  if (algorithm == Algorithm::forward_dynamics) return std::make_unique<KdlForward>(chain, states);
+  if (is_forward(algorithm)) return std::make_unique<KdlForward>(chain, states);
   return std::make_unique<KdlInverse>(algorithm, chain, states);
 }
 

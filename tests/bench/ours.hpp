@@ -50,7 +50,7 @@ class Ours : public Contender {
       : caller_(static_cast<Caller&&>(caller)), results_(std::size_t(states.count)) {
     for (int k = 0; k < states.count; ++k)
       states_.push_back({values(states, states.q, k), values(states, states.qd, k),
-                         values(states, A == Algorithm::forward_dynamics ? states.tau : states.qdd, k)});
+                         values(states, is_forward(A) ? states.tau : states.qdd, k)});
   }
 
   void run(int first, int count) override {
@@ -86,6 +86,21 @@ class Ours : public Contender {
   std::vector<Result> results_;
 };
 
+template <class S, class Feature>
+struct Named;
+template <class Robot, class... Features, class Feature>
+struct Named<axial::Scene<Robot, Features...>, Feature> {
+  using type = axial::Scene<Robot, Features..., Feature>;
+};
+
+/// Forward dynamics by the route that a feature names.
+template <class S, class Route, class T>
+std::unique_ptr<Contender> make_route(const States& states) {
+  using Scene = typename Named<S, Route>::type;
+  return std::make_unique<Ours<Scene, T, Algorithm::forward_dynamics, OfRobot<Scene>>>(states);
+}
+
+/// S is a scene.
 template <class S, class T>
 std::unique_ptr<Contender> make_ours(Algorithm algorithm, const States& states) {
   switch (algorithm) {
@@ -97,6 +112,12 @@ std::unique_ptr<Contender> make_ours(Algorithm algorithm, const States& states) 
       return std::make_unique<Ours<S, T, Algorithm::bias, OfRobot<S>>>(states);
     case Algorithm::mass_matrix:
       return std::make_unique<Ours<S, T, Algorithm::mass_matrix, OfRobot<S>>>(states);
+    case Algorithm::articulated_body:
+      return make_route<S, axial::ArticulatedBody, T>(states);
+    case Algorithm::split_articulated_body:
+      return make_route<S, axial::SplitArticulatedBody, T>(states);
+    case Algorithm::composite_body:
+      return make_route<S, axial::CompositeBody, T>(states);
     default:
       return std::make_unique<Ours<S, T, Algorithm::forward_dynamics, OfRobot<S>>>(states);
   }

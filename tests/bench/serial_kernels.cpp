@@ -25,6 +25,12 @@ template <int N>
 std::unique_ptr<Contender> of_size(Algorithm algorithm, const oracle::Chain<double>& chain, const States& states) {
   using Model = axial::Model<N>;
   const OfModel<Model> caller{cases::to_model<Model>(chain)};
+  if (algorithm == Algorithm::composite_body) {
+    using Composite = axial::Model<N, axial::Gravity, axial::CompositeBody>;
+    const OfModel<Composite> composite{cases::to_model<Composite>(chain)};
+    return std::make_unique<Ours<Composite, double, Algorithm::forward_dynamics, OfModel<Composite>>>(states,
+                                                                                                      composite);
+  }
   if (algorithm == Algorithm::mass_matrix)
     return std::make_unique<Ours<Model, double, Algorithm::mass_matrix, OfModel<Model>>>(states, caller);
   return std::make_unique<Ours<Model, double, Algorithm::forward_dynamics, OfModel<Model>>>(states, caller);
