@@ -124,7 +124,8 @@ def draw_joints(rows, stem):
                 panel.plot([n for n, _ in points], [t / n for n, t in points], "o-", markersize=4, label=text,
                            color=style.COLOURS[labels.index(label)], linewidth=2.2 if label.startswith("axial") else 1.2)
         log_axes(panel, sorted({n for points in found.values() for n, _ in points}))
-        panel.legend(fontsize=8)
+        panel.legend(fontsize=8, loc="upper left")
+    panels[0][0].set_ylim(top=panels[0][0].get_ylim()[1] * 4)  # room for the legend
     panels[0][0].set_ylabel("ns a joint (this machine)")
     figure.tight_layout()
     style.save(figure, stem)
@@ -155,6 +156,12 @@ def output_of(*command):
     return result.stdout.strip()
 
 
+def commit():
+    """Dirty if anything but a generated document differs from it."""
+    changed = output_of("git", "status", "--porcelain", "--untracked-files=no", "--", ".", ":!doc")
+    return output_of("git", "describe", "--always") + ("-dirty" if changed else "")
+
+
 def provenance(rows):
     with open("/proc/cpuinfo", encoding="utf-8") as file:
         processor = next((line.split(":", 1)[1].strip() for line in file if line.startswith("model name")), "unknown")
@@ -163,7 +170,7 @@ def provenance(rows):
     bench = next(preset for preset in presets if preset["name"] == "bench-gcc")
     return {"processor": processor, "packages": versions, "compilers": unique(row["compiler"] for row in rows),
             "flags": bench["cacheVariables"]["AXIAL_BENCH_KERNEL_FLAGS"],
-            "commit": output_of("git", "describe", "--always", "--dirty")}
+            "commit": commit()}
 
 
 def write(file, value):
