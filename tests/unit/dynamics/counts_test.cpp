@@ -1,7 +1,7 @@
 // What the algorithms cost: exact operation counts of generic chains, so that a change of the kernels shows here.
 #include <gtest/gtest.h>
 
-#include <axial/dynamics/cost.hpp>
+#include <axial/cost.hpp>
 #include <ostream>
 
 #include "generic_robots.hpp"

@@ -1,7 +1,7 @@
 // What each feature of a scene costs, and that it costs nothing where it is not named or has nothing to do.
 #include <gtest/gtest.h>
 
-#include <axial/dynamics/cost.hpp>
+#include <axial/cost.hpp>
 #include <ostream>
 
 #include "generic_robots.hpp"
