@@ -1,0 +1,56 @@
+// Counts of one robot. What is listed here is what ./axial counts knows; a new algorithm is a line in count().
+#pragma once
+
+#include <axial/dynamics/cost.hpp>
+#include <host_sim/counts/forms.hpp>
+#include <host_sim/counts/rows.hpp>
+#include <robots/models/models.hpp>
+
+#include <type_traits>
+
+namespace counts {
+
+template <class R>
+class RobotRows {
+ public:
+  std::vector<Row> count() {
+    both_parameters(axial::algorithm::inverse_dynamics);
+    both_parameters(axial::algorithm::bias);
+    both_parameters(axial::algorithm::gravity);
+    both_parameters(axial::algorithm::mass_matrix);
+    if constexpr (std::is_same_v<R, robots::Scara>) add<Bare<R>>(axial::algorithm::closed_form, "base");
+    for_each_form<R>([&](auto form) { forward_dynamics(form); });
+    chosen_forward_dynamics();
+    return rows_;
+  }
+
+ private:
+  // A constant expression: the compiler writes down the figure and generates no code for the kernel.
+  template <class S, class Algorithm>
+  Row& add(Algorithm, const char* parameters) {
+    constexpr axial::Operations cost = axial::cost<S>(Algorithm{});
+    rows_.push_back({R::name, Algorithm::name, parameters, cost});
+    return rows_.back();
+  }
+  template <class Algorithm>
+  void both_parameters(Algorithm algorithm) {
+    add<Bare<R, axial::FullParameters>>(algorithm, "full");
+    add<Bare<R>>(algorithm, "base");
+  }
+  template <class F>
+  void forward_dynamics(const F& form) {
+    Row& row = add<typename F::Scene>(axial::algorithm::forward_dynamics, form.parameters);
+    row.algorithm = form.algorithm;
+    row.route = form.algorithm;
+  }
+  // What forward_dynamics<R> is by itself: one of the rows above, by another name.
+  void chosen_forward_dynamics() {
+    Row& row = add<Bare<R>>(axial::algorithm::forward_dynamics, "");
+    row.route = name_of(axial::forward_dynamics_route<R>);
+    row.parameters = axial::forward_dynamics_route<R> == axial::Route::composite_body ? "base" : "full";
+  }
+
+  std::vector<Row> rows_;
+};
+
+}  // namespace counts
