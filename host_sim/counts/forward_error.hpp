@@ -70,8 +70,7 @@ template <class R, class T>
 std::vector<double> errors_of_robot() {
   const auto states = seeded_states<R>();
   std::vector<double> result;
-  for_each_form<R>(
-      [&](auto form) { result.push_back(forward_error<typename decltype(form)::Scene, T>(states)); });
+  for_each_form<R>([&](auto form) { result.push_back(forward_error<typename decltype(form)::Scene, T>(states)); });
   return result;
 }
 

@@ -25,9 +25,9 @@ nlohmann::ordered_json table(const std::string& robot) {
   const auto errors = counts::errors(robot);
   nlohmann::ordered_json array = nlohmann::ordered_json::array();
   for (const auto& row : rows) {
-    nlohmann::ordered_json object{{"robot", row.robot},  {"algorithm", row.algorithm}, {"parameters", row.parameters},
-                                  {"mul", row.cost.mul}, {"add", row.cost.add},        {"div", row.cost.div},
-                                  {"sincos", row.cost.sincos}};
+    nlohmann::ordered_json object{
+        {"robot", row.robot},  {"algorithm", row.algorithm}, {"parameters", row.parameters}, {"mul", row.cost.mul},
+        {"add", row.cost.add}, {"div", row.cost.div},        {"sincos", row.cost.sincos}};
     add_errors(object, row, errors);
     array.push_back(object);
   }

@@ -64,12 +64,8 @@ struct ModelIiwa {
 /// No right angle anywhere, and no zero but those of the first row, which only say where frame 0 stands.
 struct ModelGeneral6r {
   static constexpr const char* name = "model_general6r";
-  static constexpr auto chain = model_chain<6>({{0.0},
-                                                {-71.0, 0.19, 0.23},
-                                                {34.0, 0.41, 0.13},
-                                                {-58.0, 0.27, 0.36},
-                                                {77.0, 0.11, 0.15},
-                                                {-43.0, 0.071, 0.062}});
+  static constexpr auto chain = model_chain<6>(
+      {{0.0}, {-71.0, 0.19, 0.23}, {34.0, 0.41, 0.13}, {-58.0, 0.27, 0.36}, {77.0, 0.11, 0.15}, {-43.0, 0.071, 0.062}});
 };
 
 struct ModelScaraRrp {

@@ -77,11 +77,13 @@ void expect_the_same(const Case<M>& c) {
 
 TEST(Regrouping, IsNotFeltOnAFixedBase) {
   oracle::RandomChains random(31);
-  int folded = 0;
+  int folded = 0, slides = 0;
   for (int k = 0; k < 300; ++k) {
     SCOPED_TRACE(k);
     auto c = random_case<Still>(random, k);
-    regroup(c.base.links, c.base.size);
+    regroup(c.base.links, c.base.size, false);
+    for (const auto& link : c.base.links)
+      slides += link.prismatic && link.mass > 0.0 && link.parent >= 0 && link.hx == 0.0 && link.hz == 0.0 ? 1 : 0;
     expect_the_same(c);
     const auto unfolded = c.base;
     fold_rotors(c.base.links, c.base.size);
@@ -90,6 +92,7 @@ TEST(Regrouping, IsNotFeltOnAFixedBase) {
     expect_the_same(c);
   }
   EXPECT_GT(folded, 50);
+  EXPECT_GT(slides, 50);
 }
 
 TEST(Regrouping, IsNotFeltOnAMovingBase) {

@@ -6,10 +6,11 @@
 
 namespace axial {
 
-/// k (a - b), without the subtraction where k is zero by type.
-template <class K, class A, class B>
-AXIAL_INLINE constexpr auto times_difference(const K& k, const A& a, const B& b) {
-  if constexpr (is_zero_v<K>)
+/// k (a - b) for two diagonal entries of U, whose difference is known to vanish where the `third` one does by type:
+/// then the body turns about that axis alone.
+template <class K, class A, class B, class C>
+AXIAL_INLINE constexpr auto times_difference(const K& k, const A& a, const B& b, const C&) {
+  if constexpr (is_zero_v<K> || is_zero_v<C>)
     return Zero{};
   else
     return k * (a - b);
@@ -41,9 +42,10 @@ AXIAL_INLINE constexpr auto rotation_acceleration(const W& w, const DW& dw, cons
 /// `differences` are (Jzz - Jyy, Jxx - Jzz, Jyy - Jxx).
 template <class J, class D, class DW, class P, class U>
 AXIAL_INLINE constexpr auto rotational_moment(const J& j, const D& differences, const DW& dw, const P& p, const U& u) {
-  return Vec3{j.xx * dw.x + differences.x * p.x - j.xy * u.z.x + j.xz * u.y.x + times_difference(j.yz, u.y.y, u.z.z),
-              j.yy * dw.y + differences.y * p.y + j.xy * u.z.y - j.yz * u.x.y + times_difference(j.xz, u.z.z, u.x.x),
-              j.zz * dw.z + differences.z * p.z - j.xz * u.y.z + j.yz * u.x.z + times_difference(j.xy, u.x.x, u.y.y)};
+  return Vec3{
+      j.xx * dw.x + differences.x * p.x - j.xy * u.z.x + j.xz * u.y.x + times_difference(j.yz, u.y.y, u.z.z, u.x.x),
+      j.yy * dw.y + differences.y * p.y + j.xy * u.z.y - j.yz * u.x.y + times_difference(j.xz, u.z.z, u.x.x, u.y.y),
+      j.zz * dw.z + differences.z * p.z - j.xz * u.y.z + j.yz * u.x.z + times_difference(j.xy, u.x.x, u.y.y, u.z.z)};
 }
 
 }  // namespace axial

@@ -30,31 +30,46 @@ constexpr Body give_up(Revolute, LinkConstants<double>& link) {
   const auto shifted = to_parent(z_screw(1.0, 0.0, link.d), symmetric);
   return to_parent(x_screw(link.cos_alpha, link.sin_alpha, link.a), shifted);
 }
-// A prismatic link turns as its parent does: its inertia about its own origin belongs to the parent.
-constexpr Body give_up(Prismatic, LinkConstants<double>& link) {
+// A prismatic link turns as its parent does: its inertia about its own origin belongs to the parent. So does its first
+// moment where all that turns it inboard turns about the slide's direction: across it the moment moves as the parent,
+// along it it is not felt.
+constexpr Body give_up(Prismatic, LinkConstants<double>& link, bool turns_along_slide) {
   const Sym3<double> own{link.jxx, link.jyy, link.jzz, link.jxy, link.jxz, link.jyz};
   link.jxx = link.jyy = link.jzz = link.jxy = link.jxz = link.jyz = 0.0;
-  const auto turned_z = to_parent(z_screw(link.cos_theta, link.sin_theta, 0.0), own);
-  return {0.0, {}, to_parent(x_screw(link.cos_alpha, link.sin_alpha, 0.0), turned_z)};
+  Body body{0.0, {}, own};
+  if (turns_along_slide) body.first_moment = {link.hx, link.hy, 0.0}, link.hx = link.hy = link.hz = 0.0;
+  const auto turned_z = to_parent(z_screw(link.cos_theta, link.sin_theta, 0.0), body);
+  return to_parent(x_screw(link.cos_alpha, link.sin_alpha, link.a), turned_z);
+}
+
+// Whether every revolute joint inboard of slide i turns about an axis parallel to it.
+constexpr bool turns_along_slide(const LinkConstants<double>* links, int i) {
+  bool parallel = links[i].sin_alpha == 0.0;
+  for (int k = links[i].parent; k >= 0; k = links[k].parent) {
+    if (!links[k].prismatic && !parallel) return false;
+    parallel = parallel && links[k].sin_alpha == 0.0;
+  }
+  return true;
 }
 
 }  // namespace detail
 
 /// Regroups the parameters of a chain in place, from the tips to the base (links sorted so that parents come first).
-/// What a body gives up acts on its parent as it did on itself, so no joint torque changes, on a fixed base or on one
-/// with given motion. Source: Khalil and Dombre 2002, chapter 9; Gautier and Khalil 1990, in closed form for each
-/// joint.
-constexpr void regroup(LinkConstants<double>* links, int size) {
+/// What a body gives up acts on its parent as it did on itself, so no joint torque changes; on a base with given motion
+/// say so, because first moments of slides stay there. Source: Khalil and Dombre 2002, chapter 9; Gautier and Khalil
+/// 1990, in closed form for each joint.
+constexpr void regroup(LinkConstants<double>* links, int size, bool moving_base = true) {
   for (int i = size; i-- > 0;) {
     auto& link = links[i];
-    const auto body = link.prismatic ? detail::give_up(Prismatic{}, link) : detail::give_up(Revolute{}, link);
+    const bool along = !moving_base && detail::turns_along_slide(links, i);
+    const auto body = link.prismatic ? detail::give_up(Prismatic{}, link, along) : detail::give_up(Revolute{}, link);
     if (link.parent >= 0) detail::add(links[link.parent], body);
     detail::set_differences(link);
   }
 }
 
-/// Base parameters with rotors folded into links where that is exact: what scenes with RotorInertia on a fixed base
-/// compute with where they compute with base parameters.
+/// Base parameters as a fixed base allows them, with rotors folded into links where that is exact: what scenes with
+/// RotorInertia on a fixed base compute with where they compute with base parameters.
 struct BaseParametersAndRotors {};
 
 /// Folds rotors in place into links that turn about an axis of fixed direction: no joint inboard turns, and neither

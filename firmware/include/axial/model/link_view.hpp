@@ -28,8 +28,9 @@ template <class Robot, class Parameters, int... I>
 constexpr auto all_constants(std::integer_sequence<int, I...>) {
   constexpr int size = sizeof...(I);
   ConstantsTable<size> table{{link_constants(Robot::chain.links[I], Robot::chain.parent(I))...}};
-  if constexpr (!std::is_same_v<Parameters, FullParameters>) regroup(table.links, size);
-  if constexpr (std::is_same_v<Parameters, BaseParametersAndRotors>) fold_rotors(table.links, size);
+  constexpr bool fixed_base = std::is_same_v<Parameters, BaseParametersAndRotors>;
+  if constexpr (!std::is_same_v<Parameters, FullParameters>) regroup(table.links, size, !fixed_base);
+  if constexpr (fixed_base) fold_rotors(table.links, size);
   return table;
 }
 
