@@ -42,33 +42,26 @@ constexpr LinkConstants<double> link_constants(const LinkParameters& p, int pare
   return c;
 }
 
+/// The numbers among the constants, in an order that is the same for every T.
+template <class T>
+inline constexpr T LinkConstants<T>::*link_numbers[] = {
+    &LinkConstants<T>::cos_alpha, &LinkConstants<T>::sin_alpha, &LinkConstants<T>::a,
+    &LinkConstants<T>::cos_theta, &LinkConstants<T>::sin_theta, &LinkConstants<T>::theta,
+    &LinkConstants<T>::d,         &LinkConstants<T>::mass,      &LinkConstants<T>::hx,
+    &LinkConstants<T>::hy,        &LinkConstants<T>::hz,        &LinkConstants<T>::jxx,
+    &LinkConstants<T>::jyy,       &LinkConstants<T>::jzz,       &LinkConstants<T>::jxy,
+    &LinkConstants<T>::jxz,       &LinkConstants<T>::jyz,       &LinkConstants<T>::jzz_jyy,
+    &LinkConstants<T>::jxx_jzz,   &LinkConstants<T>::jyy_jxx,   &LinkConstants<T>::rotor};
+
 /// The same constants in another number format.
 template <class T>
 constexpr LinkConstants<T> converted(const LinkConstants<double>& c) {
-  using N = NumberTraits<T>;
-  return {c.prismatic,
-          c.parent,
-          N::constant(c.cos_alpha),
-          N::constant(c.sin_alpha),
-          N::constant(c.a),
-          N::constant(c.cos_theta),
-          N::constant(c.sin_theta),
-          N::constant(c.theta),
-          N::constant(c.d),
-          N::constant(c.mass),
-          N::constant(c.hx),
-          N::constant(c.hy),
-          N::constant(c.hz),
-          N::constant(c.jxx),
-          N::constant(c.jyy),
-          N::constant(c.jzz),
-          N::constant(c.jxy),
-          N::constant(c.jxz),
-          N::constant(c.jyz),
-          N::constant(c.jzz_jyy),
-          N::constant(c.jxx_jzz),
-          N::constant(c.jyy_jxx),
-          N::constant(c.rotor)};
+  LinkConstants<T> result;
+  result.prismatic = c.prismatic;
+  result.parent = c.parent;
+  for (std::size_t i = 0; i < sizeof(link_numbers<T>) / sizeof(link_numbers<T>[0]); ++i)
+    result.*link_numbers<T>[i] = NumberTraits<T>::constant(c.*link_numbers<double>[i]);
+  return result;
 }
 
 }  // namespace axial

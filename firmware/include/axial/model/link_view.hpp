@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <axial/model/base_parameters.hpp>
+#include <axial/model/columns.hpp>
 #include <axial/model/drive_constants.hpp>
 #include <axial/model/joints.hpp>
 #include <axial/model/link_constants.hpp>
@@ -38,6 +39,10 @@ constexpr auto all_constants(std::integer_sequence<int, I...>) {
 template <class Robot, class Parameters = FullParameters>
 inline constexpr auto robot_constants =
     all_constants<Robot, Parameters>(std::make_integer_sequence<int, Robot::chain.size>{});
+template <class Robot, class Parameters>
+struct RobotConstants {
+  static constexpr const auto& table = robot_constants<Robot, Parameters>;
+};
 
 template <class Robot, class T, int... I>
 constexpr auto all_drives(std::integer_sequence<int, I...>) {
@@ -192,8 +197,8 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
 };
 
 /// Row of a table of links: plain numbers. One step serves all links, so results are kept as plain numbers too.
-template <class SceneType, class T, class Source>
-class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source>, Source>, public Plain {
+template <class SceneType, class T, class Source, class Columns>
+class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source, Columns>, Source>, public Plain {
  public:
   using Scene = SceneType;
   static constexpr bool unrolled = false;
@@ -205,8 +210,12 @@ class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source>, Sou
       : row(constants), drives(own), is_last(last) {}
 
   template <detail::Member<Source> M>
-  AXIAL_INLINE constexpr T get() const {
-    return number(row.*M);
+  AXIAL_INLINE constexpr auto get() const {
+    constexpr double common = Columns::common(M);
+    if constexpr (common == 0.0 || common == 1.0 || common == -1.0)
+      return Int<static_cast<int>(common)>{};
+    else
+      return number(row.*M);
   }
   template <detail::DriveMember<Source> M>
   AXIAL_INLINE constexpr auto drive() const {
@@ -221,8 +230,14 @@ class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source>, Sou
   }
   template <class F>
   AXIAL_INLINE constexpr auto on_joint(const F& f) const {
-    if (row.prismatic) return f(Prismatic{});
-    return f(Revolute{});
+    if constexpr (!Columns::any_prismatic) {
+      return f(Revolute{});
+    } else if constexpr (!Columns::any_revolute) {
+      return f(Prismatic{});
+    } else {
+      if (row.prismatic) return f(Prismatic{});
+      return f(Revolute{});
+    }
   }
   template <class V>
   AXIAL_INLINE static constexpr auto shape(const V& v) {

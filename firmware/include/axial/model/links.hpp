@@ -78,7 +78,7 @@ AXIAL_INLINE constexpr Pose<Mat3<Vec3<T>>, Vec3<T>> pose_of(const FixedPose& p) 
 }
 
 /// A table of links with one type for all; the table may be constexpr, or filled at run time.
-template <class SceneType, class ScalarType, class Source, int Capacity>
+template <class SceneType, class ScalarType, class Source, int Capacity, class Columns = detail::UnknownColumns>
 class TableLinks {
  public:
   using Scene = SceneType;
@@ -93,7 +93,8 @@ class TableLinks {
 
   AXIAL_INLINE constexpr int size() const { return size_; }
   AXIAL_INLINE constexpr auto link(int i) const {
-    return TableLink<Scene, Scalar, Source>(table_[i], drives_ == nullptr ? nullptr : drives_ + i, i + 1 == size_);
+    return TableLink<Scene, Scalar, Source, Columns>(table_[i], drives_ == nullptr ? nullptr : drives_ + i,
+                                                     i + 1 == size_);
   }
   AXIAL_INLINE constexpr int parent_index(int i) const { return table_[i].parent; }
   AXIAL_INLINE constexpr Vec3<Scalar> base_acceleration() const {
@@ -160,9 +161,10 @@ AXIAL_INLINE constexpr auto links_of() {
   using Robot = typename Scene::Robot;
   using Parameters = detail::with_rotors<Scene, parameters_of<Scene, DefaultParameters>>;
   if constexpr (Scene::template has<Looped>) {
-    return TableLinks<Scene, T, T, Robot::chain.size>(detail::robot_table<Robot, T, Parameters>.links,
-                                                      detail::drives_of<Scene, T>(), Robot::chain.size,
-                                                      detail::robot_mounting<Robot>);
+    using Columns = detail::KnownColumns<detail::RobotConstants<Robot, Parameters>>;
+    return TableLinks<Scene, T, T, Robot::chain.size, Columns>(detail::robot_table<Robot, T, Parameters>.links,
+                                                               detail::drives_of<Scene, T>(), Robot::chain.size,
+                                                               detail::robot_mounting<Robot>);
   } else {
     return StaticLinks<Scene, T, Parameters>{};
   }
