@@ -3,6 +3,7 @@
 
 #include <axial/dynamics/passes.hpp>
 #include <axial/model/model.hpp>
+#include <axial/scalar/packed_sincos.hpp>
 
 namespace axial {
 
@@ -16,10 +17,54 @@ AXIAL_INLINE constexpr auto joint_screw(const Links& links, const Input& in, con
     return links.link(i).z(q[i]);
 }
 
+namespace detail {
+
+template <class Links>
+constexpr int revolute_joints() {
+  int count = 0;
+  if constexpr (Links::unrolled)
+    for (const auto& link : Links::Scene::Robot::chain.links)
+      count += link.type == JointType::revolute ? 1 : 0;
+  return count;
+}
+
+// Each revolute joint's place among the angles of packed_screws.
+template <class Links>
+constexpr int angles_before(int joint) {
+  int count = 0;
+  for (int i = 0; i < joint; ++i)
+    count += Links::Scene::Robot::chain.links[i].type == JointType::revolute ? 1 : 0;
+  return count;
+}
+
+template <class Links, class Q>
+AXIAL_INLINE constexpr auto packed_screws(const Links& links, const Q& q) {
+  using T = typename Links::Scalar;
+  T angles[revolute_joints<Links>()] = {};
+  SinCos<T> pairs[revolute_joints<Links>()] = {};
+  for_each_link(links, [&](auto i) AXIAL_INLINE {
+    if constexpr (Links::Scene::Robot::chain.links[i].type == JointType::revolute)
+      angles[angles_before<Links>(i)] = q[i];
+  });
+  sincos(angles, pairs);
+  return map_links(links, [&](auto i) AXIAL_INLINE {
+    if constexpr (Links::Scene::Robot::chain.links[i].type == JointType::revolute)
+      return links.link(i).z(q[i], pairs[angles_before<Links>(i)]);
+    else
+      return links.link(i).z(q[i]);
+  });
+}
+
+}  // namespace detail
+
 /// z-screws of all joints, shared by all that follows.
 template <class Links, class Input, class Q>
 AXIAL_INLINE constexpr auto joint_screws(const Links& links, const Input& in, const Q& q) {
-  return map_links(links, [&](auto i) AXIAL_INLINE { return joint_screw(links, in, q, i); });
+  if constexpr (packing_pays<typename Links::Scalar>(detail::revolute_joints<Links>()) &&
+                !Links::Scene::template has<SineCosines>)
+    return detail::packed_screws(links, q);
+  else
+    return map_links(links, [&](auto i) AXIAL_INLINE { return joint_screw(links, in, q, i); });
 }
 
 namespace detail {

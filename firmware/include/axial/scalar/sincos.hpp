@@ -21,7 +21,9 @@ struct TrigonometricConstants;
 
 template <>
 struct TrigonometricConstants<float> {
+  using Number = float;
   using Bits = std::uint32_t;
+  static constexpr bool is_short = true;
   static constexpr float two_over_pi = 0.63661977F;
   static constexpr float pieces[3] = {0x1.92p+0F, 0x1.fb4p-12F, 0x1.4442d2p-24F};
   static constexpr float rounder = 0x1.8p+23F;
@@ -33,7 +35,9 @@ struct TrigonometricConstants<float> {
 
 template <>
 struct TrigonometricConstants<double> {
+  using Number = double;
   using Bits = std::uint64_t;
+  static constexpr bool is_short = false;
   static constexpr double two_over_pi = 0.63661977236758134308;
   static constexpr double pieces[3] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2e037073p-69};
   static constexpr double rounder = 0x1.8p+52;
@@ -45,9 +49,11 @@ struct TrigonometricConstants<double> {
                                       2.08757195410711982e-9,   -1.13594481519286497e-11};  // 5e-20
 };
 
-template <class T, std::size_t N>
-AXIAL_INLINE constexpr T horner(const T (&coefficients)[N], T t) {
-  T sum = coefficients[N - 1];
+// From here on T is a number or a vector of several (packed_sincos.hpp), whose constants are numbers.
+
+template <class Number, std::size_t N, class T>
+AXIAL_INLINE constexpr T horner(const Number (&coefficients)[N], T t) {
+  T sum = T{} + coefficients[N - 1];
   for (std::size_t i = N - 1; i-- > 0;)
     sum = sum * t + coefficients[i];
   return sum;
@@ -70,7 +76,7 @@ AXIAL_INLINE constexpr auto reduce(T x) {
   const auto quadrant = __builtin_bit_cast(typename C::Bits, shifted);
   const T first = x - k * C::pieces[0];
   const T second = first - k * C::pieces[1];
-  if constexpr (sizeof(T) <= sizeof(float)) {
+  if constexpr (C::is_short) {
     return Reduced<T, Zero>{second - k * C::pieces[2], {}, quadrant};
   } else {
     const T low = ((first - second) - k * C::pieces[1]) - k * C::pieces[2];
@@ -82,25 +88,45 @@ AXIAL_INLINE constexpr auto reduce(T x) {
 // cos(r + low). In double the rounding of 1 - t/2 is put back, which keeps it within 1 ulp; float saves the operations.
 template <class T, class Low>
 AXIAL_INLINE constexpr T cosine_near_zero(T r, T t, Low low) {
-  const T tail = t * horner(TrigonometricConstants<T>::cosine, t);
-  if constexpr (sizeof(T) <= sizeof(float)) {
-    return T(1) + t * (T(-0.5) + tail);
+  using C = TrigonometricConstants<T>;
+  using Number = typename C::Number;
+  const T tail = t * horner(C::cosine, t);
+  if constexpr (C::is_short) {
+    return Number(1) + t * (Number(-0.5) + tail);
   } else {
-    const T half = T(0.5) * t, near = T(1) - half;
-    return near + (((T(1) - near) - half) + (t * tail - r * low));
+    const T half = Number(0.5) * t, near = Number(1) - half;
+    return near + (((Number(1) - near) - half) + (t * tail - r * low));
   }
 }
 
 // Exchanges the pair in odd quadrants and sets the signs, with integer masks instead of branches.
 template <class T, class Bits>
 AXIAL_INLINE constexpr SinCos<T> into_quadrant(T sine, T cosine, Bits quadrant) {
-  constexpr int sign = static_cast<int>(sizeof(Bits)) * 8 - 1;
-  const Bits odd = Bits(0) - (quadrant & 1u), half = quadrant >> 1;
+  constexpr int sign = static_cast<int>(sizeof(typename TrigonometricConstants<T>::Number)) * 8 - 1;
+  const Bits odd = Bits{} - (quadrant & 1u), half = quadrant >> 1;
   const Bits s = __builtin_bit_cast(Bits, sine), c = __builtin_bit_cast(Bits, cosine);
   const Bits exchange = (s ^ c) & odd;
   const Bits sine_bits = (s ^ exchange) ^ (half << sign);
   const Bits cosine_bits = (c ^ exchange) ^ ((half ^ quadrant) << sign);
   return {__builtin_bit_cast(T, sine_bits), __builtin_bit_cast(T, cosine_bits)};
+}
+
+template <class T>
+AXIAL_INLINE constexpr T and_low(T x, T low) {
+  return x + low;
+}
+template <class T>
+AXIAL_INLINE constexpr T and_low(T x, Zero) {
+  return x;
+}
+
+template <class T>
+AXIAL_INLINE constexpr SinCos<T> sincos_of(T x) {
+  auto reduced = reduce(x);
+  const T r = reduced.r, t = r * r;
+  const T sine = r + and_low(r * t * horner(TrigonometricConstants<T>::sine, t), reduced.low);
+  const T cosine = cosine_near_zero(r, t, reduced.low);
+  return into_quadrant(sine, cosine, reduced.quadrant);
 }
 
 }  // namespace detail
@@ -111,12 +137,7 @@ AXIAL_INLINE constexpr SinCos<T> into_quadrant(T sine, T cosine, Bits quadrant) 
 /// Beyond that the reduction loses digits gradually.
 template <class T, std::enable_if_t<std::is_floating_point_v<T>, int> = 0>
 AXIAL_INLINE constexpr SinCos<T> sincos(T x) {
-  using C = detail::TrigonometricConstants<T>;
-  auto reduced = detail::reduce(x);
-  const T r = reduced.r, t = r * r;
-  const T sine = r + (r * t * detail::horner(C::sine, t) + reduced.low);
-  const T cosine = detail::cosine_near_zero(r, t, reduced.low);
-  return detail::into_quadrant(sine, cosine, reduced.quadrant);
+  return detail::sincos_of(x);
 }
 
 }  // namespace axial
