@@ -1,7 +1,7 @@
 // Counts of one robot. What is listed here is what ./axial counts knows; a new algorithm is a line in count().
 #pragma once
 
-#include <axial/dynamics/cost.hpp>
+#include <axial/cost.hpp>
 #include <host_sim/counts/forms.hpp>
 #include <host_sim/counts/rows.hpp>
 #include <robots/models/models.hpp>

@@ -26,15 +26,18 @@ struct MassMatrix {
 
 namespace crba {
 
+/// A composite body beyond its joint (turned and shifted by it, which leaves what it is about the joint's own axis),
+/// and as its parent bears it.
 template <class B, class P>
 struct Left {
-  B composite{};
+  B turned{};
   P sent{};
 };
 template <class B, class P>
 Left(B, P) -> Left<B, P>;
 
-/// Force that accelerates a composite body by one unit of its joint: I^c phi.
+/// Force that accelerates a composite body by one unit of its joint: I^c phi; the same on either side of the joint's
+/// screw, whose axis is phi's.
 template <class B>
 AXIAL_INLINE constexpr auto unit_force(Revolute, const B& body) {
   const auto& h = body.first_moment;
@@ -46,24 +49,26 @@ AXIAL_INLINE constexpr auto unit_force(Prismatic, const B& body) {
   return ForceVector{Vec3{h.y, -h.x, Zero{}}, Vec3{Zero{}, Zero{}, body.mass}};
 }
 
-/// Carries the force of joint i from link j towards the base and sets the row M(i, .) on its way.
+/// Carries the force of joint i, beyond the screw of link j, towards the base and sets the row M(i, .) on its way.
 template <class Links, class Screws, class F, class I, class J, class Matrix>
 AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, const F& force, I i, J j, Matrix& m) {
   if constexpr (Links::unrolled) {
     constexpr int parent = Links::template parent_of<J::value>;
     if constexpr (parent >= 0) {
       auto link = links.link(j);
-      auto at_parent = to_parent(link.x(), to_parent(screws[j], force, link), link);
+      auto at_parent = to_parent(link.x(), force, link);
       links.link(Index<parent>{}).on_joint([&](auto joint) AXIAL_INLINE {
         m.set(i, parent, along_joint(joint, at_parent));
       });
-      climb(links, screws, at_parent, i, Index<parent>{}, m);
+      climb(links, screws, to_parent(screws[Index<parent>{}], at_parent, links.link(Index<parent>{})), i,
+            Index<parent>{}, m);
     }
   } else {
     auto carried = force;
     for (int k = j; links.parent_index(k) >= 0; k = links.parent_index(k)) {
       auto link = links.link(k);
-      carried = to_parent(link.x(), to_parent(screws[k], carried, link), link);
+      if (k != j) carried = to_parent(screws[k], carried, link);
+      carried = to_parent(link.x(), carried, link);
       const int parent = links.parent_index(k);
       links.link(parent).on_joint([&](auto joint) { m.set(i, parent, along_joint(joint, carried)); });
     }
@@ -78,12 +83,13 @@ AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const S
   auto own = [&](auto i) AXIAL_INLINE { return links.link(i).shape(loads.body(links.link(i))); };
   auto bodies = inward(links, own, [&](auto i, const auto& body) AXIAL_INLINE {
     auto link = links.link(i);
-    return Left{body, link.shape(to_parent(link.x(), to_parent(screws[i], body, link), link))};
+    auto turned = link.shape(to_parent(screws[i], body, link));
+    return Left{turned, link.shape(to_parent(link.x(), turned, link))};
   });
   for_each_link(links, [&](auto i) AXIAL_INLINE {
     auto link = links.link(i);
     auto force =
-        link.on_joint([&](auto joint) AXIAL_INLINE { return link.shape(unit_force(joint, bodies[i].composite)); });
+        link.on_joint([&](auto joint) AXIAL_INLINE { return link.shape(unit_force(joint, bodies[i].turned)); });
     link.on_joint([&](auto joint) AXIAL_INLINE {
       m.set(i, i, link.sum(quantity::JointInertia{}, along_joint(joint, force), link.rotor()));
     });
