@@ -15,6 +15,11 @@ namespace fs = std::filesystem;
 
 fs::path description(const std::string& board) { return fs::path(AXIAL_ROOT) / "hal/boards" / board / "board.json"; }
 
+bool runs_every_app(const fs::path& description) {
+  std::ifstream file(description);
+  return file && !nlohmann::json::parse(file).value("measuring_only", false);
+}
+
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names)
@@ -27,7 +32,7 @@ std::string joined(const std::vector<std::string>& names) {
 std::vector<std::string> board_names() {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(fs::path(AXIAL_ROOT) / "hal/boards"))
-    if (fs::exists(entry.path() / "board.json")) names.push_back(entry.path().filename().string());
+    if (runs_every_app(entry.path() / "board.json")) names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
 }

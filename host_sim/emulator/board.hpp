@@ -13,7 +13,7 @@ struct Board {
   std::vector<std::string> emulator;             ///< program and arguments
 };
 
-/// Names of all boards of the project, sorted.
+/// Names of all boards that run every app, sorted; those that only measure are left to host_sim/size.
 std::vector<std::string> board_names();
 
 /// Throws std::runtime_error that names the boards there are.
