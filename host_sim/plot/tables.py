@@ -96,12 +96,12 @@ def size_rows(data, **wanted):
     return [row for row in data.size if all(row[name] == value for name, value in wanted.items())]
 
 
-def size_of(data, board):
+def size_of(data, board, contract="off"):
     """A row a kernel: unrolled beside compact."""
     figures = {"instructions": "instructions", "cycles": "cycles_estimated", "flash": "flash_bytes", "stack": "stack_bytes"}
     header = [f"{board}, unrolled and compact"] + [f"{name}, {form}" for name in figures for form in ("u", "c")]
     rows = []
-    for row in sorted(size_rows(data, board=board, scene="bare", contract="off", variant="unrolled"),
+    for row in sorted(size_rows(data, board=board, scene="bare", contract=contract, variant="unrolled"),
                       key=lambda row: row["robot"]):
         same = {name: row[name] for name in ("board", "robot", "scene", "algorithm", "contract")}
         compact = size_rows(data, variant="compact", **same)
@@ -115,7 +115,7 @@ def size_scenes(data):
     """What a feature adds to the bare scene."""
     header = ["board, robot, algorithm", "figure"]
     bare = [row for row in size_rows(data, scene="bare", contract="off", variant="unrolled")
-            if row["algorithm"] in ("inverse_dynamics", "forward_dynamics")]
+            if row["board"] in ("stm32f405", "stm32f100") and row["algorithm"] in ("inverse_dynamics", "forward_dynamics")]
     scenes = [scene for scene in unique(row["scene"] for row in data.size) if scene != "bare"]
     rows = []
     for row in sorted(bare, key=lambda row: (row["robot"], row["board"], row["algorithm"])):
@@ -150,6 +150,7 @@ def size_provenance(data):
 
 TABLES = {"size_provenance": size_provenance, "size_scenes": size_scenes, "size_contract": size_contract,
           "size_stm32f405": lambda data: size_of(data, "stm32f405"),
+          "size_mps2_an500": lambda data: size_of(data, "mps2_an500", "fast"),
           "size_stm32f100": lambda data: size_of(data, "stm32f100"),
           "provenance": provenance, "demo": demo, "instructions": instructions, "errors": errors,
           "everything": everything}

@@ -28,6 +28,12 @@ TEST(Catalogue, EveryBoardCanBeRead) {
   }
 }
 
+TEST(Catalogue, ABoardThatOnlyMeasuresIsNotOffered) {
+  for (const std::string& name : host_sim::board_names())
+    EXPECT_NE(name, "mps2_an500");
+  EXPECT_FALSE(error_of([] { host_sim::read_board("mps2_an500"); }).empty());
+}
+
 TEST(Catalogue, AnUnknownBoardIsAnsweredWithTheKnownOnes) {
   EXPECT_NE(error_of([] { host_sim::read_board("z80"); }).find("stm32f405"), std::string::npos);
   EXPECT_NE(error_of([] { host_sim::read_board("../boards/stm32f405"); }).find("stm32f405"), std::string::npos);
