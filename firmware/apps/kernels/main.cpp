@@ -143,15 +143,22 @@ void print_range() {
   Board::print("\n");
 }
 
+/// Nothing for the route that forward dynamics takes by itself: it has its row.
+template <class Tag>
+void print_range_of_route() {
+  if constexpr (forward_dynamics_route<Scene<Robot, Tag>> != forward_dynamics_route<Robot>)
+    print_range<ForwardDynamicsBy<Robot, Tag>>();
+}
+
 void print_ranges() {
   print_range<InverseDynamics<Robot, float>>();
   print_range<BiasTorque<Robot, float>>();
   print_range<GravityTorque<Robot, float>>();
   print_range<MassMatrixKernel<Robot, float>>();
   print_range<ForwardDynamicsKernel<Robot, float>>();
-  print_range<ForwardDynamicsBy<Robot, ArticulatedBody>>();
-  print_range<ForwardDynamicsBy<Robot, SplitArticulatedBody>>();
-  print_range<ForwardDynamicsBy<Robot, CompositeBody>>();
+  print_range_of_route<ArticulatedBody>();
+  print_range_of_route<SplitArticulatedBody>();
+  print_range_of_route<CompositeBody>();
   print_range<ForwardKinematicsKernel<Robot, float>>();
   print_range<JacobianKernel<Robot, float>>();
   if constexpr (has_closed_form) print_range<ClosedForm<Robot, float>>();
