@@ -11,7 +11,7 @@ Prints a table beside openSYMORO and what a trace could reach, writes JSON and a
   --output FOLDER     where the files go; default output/counts
   --json FILE         the rows once more, as an array of objects
   --documents         alone: writes doc/data/counts*.json, doc/pictures/counts.* and the tables of doc/counts.md
-  --update-pins       alone: writes tests/data/operation_counts.json, the counts that tests expect
+  --update-pins       alone: writes tests/host_sim/operation_counts.json, the counts that tests expect
 Exits non-zero when a count model needs more operations than openSYMORO, or the closed form more than published.
 END_OF_USAGE
 }

@@ -1,5 +1,5 @@
 // What an algorithm costs for a scene, known to the compiler:
-// static_assert(total(cost<Scene>(algorithm::inverse_dynamics)) < 800, "my control tick").
+// static_assert(cost<Scene>(algorithm::inverse_dynamics).total() < 800, "my control tick").
 #pragma once
 
 #include <axial/closed_form/scara.hpp>

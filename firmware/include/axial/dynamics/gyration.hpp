@@ -24,18 +24,28 @@ AXIAL_INLINE constexpr auto products(const W& w, const Rounding& round) {
               round.sum(AngularAcceleration{}, w.x * w.y)};
 }
 
+/// Third column of U, how points of the z axis accelerate: (p.y + dw.y, p.x - dw.x, -wx^2 - wy^2).
+template <class W, class DW, class P, class Rounding>
+AXIAL_INLINE constexpr auto axis_acceleration(const W& w, const DW& dw, const P& p, const Rounding& round) {
+  const quantity::AngularAcceleration q{};
+  return Vec3{round.sum(q, p.y, dw.y), round.sum(q, p.x, -dw.x), round.sum(q, -(w.x * w.x), -(w.y * w.y))};
+}
+
 /// Matrix U = dw~ + w~ w~: U r is the acceleration of a point r of a body that turns with w and dw, relative to the
-/// frame's origin. The form of Khalil and Dombre 2002, chapter 9. `p` are products(w); dw may be a ZeroVec3.
+/// frame's origin. The form of Khalil and Dombre 2002, chapter 9. `p` are products(w), `axis` is the third column; dw
+/// may be a ZeroVec3.
+template <class W, class DW, class P, class Axis, class Rounding>
+AXIAL_INLINE constexpr auto rotation_acceleration(const W& w, const DW& dw, const P& p, const Axis& axis,
+                                                  const Rounding& round) {
+  const quantity::AngularAcceleration q{};
+  auto zz = w.z * w.z;
+  return Mat3{Vec3{round.sum(q, -(w.y * w.y), -zz), round.sum(q, p.z, -dw.z), axis.x},
+              Vec3{round.sum(q, p.z, dw.z), round.sum(q, -(w.x * w.x), -zz), axis.y},
+              Vec3{round.sum(q, p.y, -dw.y), round.sum(q, p.x, dw.x), axis.z}};
+}
 template <class W, class DW, class P, class Rounding>
 AXIAL_INLINE constexpr auto rotation_acceleration(const W& w, const DW& dw, const P& p, const Rounding& round) {
-  using quantity::AngularAcceleration;
-  auto xx = w.x * w.x;
-  auto yy = w.y * w.y;
-  auto zz = w.z * w.z;
-  const AngularAcceleration q{};
-  return Mat3{Vec3{round.sum(q, -yy, -zz), round.sum(q, p.z, -dw.z), round.sum(q, p.y, dw.y)},
-              Vec3{round.sum(q, p.z, dw.z), round.sum(q, -xx, -zz), round.sum(q, p.x, -dw.x)},
-              Vec3{round.sum(q, p.y, -dw.y), round.sum(q, p.x, dw.x), round.sum(q, -xx, -yy)}};
+  return rotation_acceleration(w, dw, p, axis_acceleration(w, dw, p, round), round);
 }
 
 /// J dw + w x (J w) from the entries of U and the products p: 15M 15A, where the vector form takes 24M 18A.

@@ -10,6 +10,8 @@ namespace axial {
 /// compiler leaves it.
 struct Operations {
   int mul = 0, add = 0, div = 0, sincos = 0;
+  /// All but the sine-cosine pairs.
+  constexpr int total() const { return mul + add + div; }
   constexpr bool operator==(const Operations& o) const {
     return mul == o.mul && add == o.add && div == o.div && sincos == o.sincos;
   }
@@ -26,7 +28,13 @@ class Trace {
   };
 
   constexpr int input() { return push({Kind::input, -1, -1, 0.0}); }
-  constexpr int record(const Node& node) {
+  constexpr int record(Node node) {
+    const bool commutes = node.kind == Kind::mul || node.kind == Kind::add;
+    if (commutes && node.right < node.left) {
+      const int left = node.left;
+      node.left = node.right;
+      node.right = left;
+    }
     std::uint32_t slot = hash(node);
     while (slots_[slot] != 0) {
       if (same(nodes_[slots_[slot] - 1], node)) return slots_[slot] - 1;

@@ -2,6 +2,8 @@
 // six-joint arm's torque is its sines. The same operations in the same order as sincos.hpp, so the same bits.
 #pragma once
 
+#include <utility>
+
 #include <axial/scalar/sincos.hpp>
 
 namespace axial {
