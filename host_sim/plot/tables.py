@@ -125,7 +125,7 @@ def size_scenes(data):
             continue
         for name in ("instructions", "flash_bytes"):
             rows.append([f"{row['board']}, {row['robot']}, {row['algorithm'].replace('_', ' ')}", name.replace("_", " ")] +
-                        [grouped(row[name])] + [f"{others[scene][name] - row[name]:+d}" for scene in scenes])
+                        [grouped(row[name])] + [f"{others[scene][name] - row[name]:+d}" if scene in others else "" for scene in scenes])
     return markdown(header + ["bare"] + [scene.replace("_", " ") for scene in scenes], rows)
 
 

@@ -18,6 +18,14 @@ template <class Robot, class... Tags>
 using payload = Scene<Robot, Gravity, RotorInertia, Payload, Tags...>;
 template <class Robot, class... Tags>
 using tip_wrench = Scene<Robot, Gravity, RotorInertia, TipWrench, Tags...>;
+template <class Robot, class... Tags>
+using external_wrenches = Scene<Robot, Gravity, RotorInertia, ExternalWrenches, Tags...>;
+template <class Robot, class... Tags>
+using runtime_gravity = Scene<Robot, RuntimeGravity, RotorInertia, Tags...>;
+template <class Robot, class... Tags>
+using base_motion = Scene<Robot, Gravity, RotorInertia, BaseMotion, Tags...>;
+template <class Robot, class... Tags>
+using sine_cosines = Scene<Robot, Gravity, RotorInertia, SineCosines, Tags...>;
 }  // namespace scenes
 
 /// The scene's run-time inputs, taken from the argument.
@@ -26,6 +34,10 @@ constexpr Inputs<S, float> inputs_of(const Argument<robot_of<S>>& a) {
   Inputs<S, float> in{};
   if constexpr (S::template has<Payload>) in.payload = a.payload;
   if constexpr (S::template has<TipWrench>) in.tip_wrench = a.tip_wrench;
+  if constexpr (S::template has<ExternalWrenches>) in.wrenches = a.wrenches;
+  if constexpr (S::template has<RuntimeGravity>) in.gravity = a.gravity;
+  if constexpr (S::template has<BaseMotion>) in.base_motion = a.base_motion;
+  if constexpr (S::template has<SineCosines>) in.turns = a.turns;
   return in;
 }
 
@@ -43,6 +55,14 @@ struct inverse_dynamics {
   template <class S, class A>
   static auto run(const A& a) {
     return axial::inverse_dynamics<S>(a.q, a.qd, a.qdd, inputs_of<S>(a));
+  }
+};
+
+/// The effort of the last joint alone.
+struct joint_torque {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return axial::joint_torque<S, joint_count<S> - 1>(a.q, a.qd, a.qdd, inputs_of<S>(a));
   }
 };
 

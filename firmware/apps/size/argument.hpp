@@ -14,6 +14,10 @@ struct Argument {
   Joints<Robot, float> q, qd, qdd, tau;
   PayloadBody<float> payload;
   ForceVector<Vec3<float>, Vec3<float>> tip_wrench;
+  Vec3<float> gravity;
+  GivenMotion<float> base_motion;
+  Joints<Robot, ForceVector<Vec3<float>, Vec3<float>>> wrenches;
+  Joints<Robot, SinCos<float>> turns;
   alignas(8) std::byte result[largest_result];
 };
 

@@ -32,7 +32,14 @@ constexpr Argument<Robot> next_argument(Random& random) {
   const auto near = [&] { return 0.25f * any(); };  // within every robot's declared payload
   a.payload = {
       positive(), {near(), near(), near()}, {0.02f, 0.02f, 0.02f, 0.02f * any(), 0.02f * any(), 0.02f * any()}};
-  a.tip_wrench = {{any(), any(), any()}, {any(), any(), any()}};
+  const auto vector = [&] { return Vec3<float>{any(), any(), any()}; };
+  a.tip_wrench = {vector(), vector()};
+  a.gravity = vector();
+  a.base_motion = {vector(), vector(), vector()};
+  for (int i = 0; i < joint_count<Robot>; ++i) {
+    a.wrenches[i] = {vector(), vector()};
+    a.turns[i] = sincos(a.q[i]);
+  }
   return a;
 }
 
