@@ -18,7 +18,12 @@ class RobotRows {
     both_parameters(axial::algorithm::bias);
     both_parameters(axial::algorithm::gravity);
     both_parameters(axial::algorithm::mass_matrix);
-    if constexpr (std::is_same_v<R, robots::Scara>) add<Bare<R>>(axial::algorithm::closed_form, "base");
+    both_parameters(axial::algorithm::separation);
+    add<Bare<R>>(axial::algorithm::separated_torque, "base");
+    if constexpr (std::is_same_v<R, robots::Scara>) {
+      add<Bare<R>>(axial::algorithm::closed_form, "base");
+      add<Bare<R>>(axial::algorithm::closed_form_separation, "base");
+    }
     for_each_form<R>([&](auto form) { forward_dynamics(form); });
     chosen_forward_dynamics();
     return rows_;

@@ -8,5 +8,7 @@
 #include <axial/dynamics/joint_torque.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
+#include <axial/dynamics/separated_torque.hpp>
+#include <axial/dynamics/separation.hpp>
 #include <axial/model/consistency.hpp>
 #include <axial/model/model.hpp>

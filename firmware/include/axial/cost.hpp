@@ -5,6 +5,7 @@
 #include <axial/closed_form/scara.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/kinematics.hpp>
+#include <axial/dynamics/separated_torque.hpp>
 #include <axial/scalar/counting.hpp>
 
 namespace axial {
@@ -62,7 +63,29 @@ struct Jacobian {
     return axial::jacobian<S>(q, in);
   }
 };
-/// Only for robots of the SCARA's structure.
+struct Separation {
+  static constexpr const char* name = "separation";
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J&, const J&, const In& in) {
+    return axial::separate<S>(q, in);
+  }
+};
+/// torque() from terms that are there already.
+struct SeparatedTorque {
+  static constexpr const char* name = "separated_torque";
+  template <class S, class T, class J>
+  static constexpr auto run(const Separated<S, T>& separated, const J& qd, const J& qdd) {
+    return axial::torque(separated, qd, qdd);
+  }
+};
+/// Only for robots of the SCARA's structure: all terms, and the torque.
+struct ClosedFormSeparation {
+  static constexpr const char* name = "closed_form_separation";
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J&, const J&, const In&) {
+    return closed_form::scara<robot_of<S>>(q);
+  }
+};
 struct ClosedForm {
   static constexpr const char* name = "closed_form";
   template <class S, class J, class In>
@@ -78,6 +101,9 @@ inline constexpr MassMatrix mass_matrix;
 inline constexpr ForwardDynamics forward_dynamics;
 inline constexpr ForwardKinematics forward_kinematics;
 inline constexpr Jacobian jacobian;
+inline constexpr Separation separation;
+inline constexpr SeparatedTorque separated_torque;
+inline constexpr ClosedFormSeparation closed_form_separation;
 inline constexpr ClosedForm closed_form;
 
 }  // namespace algorithm
@@ -112,6 +138,13 @@ constexpr void need_all(const Jacobian<S, Counting>& result) {
     need(column.angular), need(column.linear);
 }
 
+template <class S>
+constexpr void need_all(const Separated<S, Counting>& result) {
+  for (int i = 0; i < result.size; ++i)
+    need(result.A[i]), need(result.B[i]), need(result.C[i]);
+  need(result.G);
+}
+
 // Run-time inputs count as such.
 constexpr void traced(Trace& trace, Counting& value) { value = Counting(trace); }
 template <class... Parts>
@@ -132,6 +165,16 @@ template <class S, class V>
 constexpr void traced(Trace& trace, Joints<S, V>& joints) {
   for (auto& value : joints.values)
     traced(trace, value);
+}
+template <class S>
+constexpr void traced(Trace& trace, Separated<S, Counting>& s) {
+  for (int i = 0; i < s.size; ++i) {
+    for (int j = 0; j < s.size; ++j)
+      traced_all(trace, s.A[i][j], s.C[i][j]);
+    for (auto& value : s.B[i])
+      traced(trace, value);
+    traced(trace, s.G[i]);
+  }
 }
 template <class... Parts>
 constexpr void traced_all(Trace& trace, Parts&... parts) {
@@ -165,6 +208,16 @@ constexpr Operations cost(Algorithm) {
   Inputs<S, Counting> in{};
   detail::trace_inputs<S>(in, trace);
   detail::need_all(Algorithm::template run<S>(q, qd, x, in));
+  return trace.operations();
+}
+/// The same where the terms come from a separate() that was paid for before.
+template <class S>
+constexpr Operations cost(algorithm::SeparatedTorque) {
+  Trace trace;
+  Separated<S, Counting> separated{};
+  Joints<robot_of<S>, Counting> qd{}, qdd{};
+  detail::traced_all(trace, separated, qd, qdd);
+  detail::need_all(algorithm::SeparatedTorque::run(separated, qd, qdd));
   return trace.operations();
 }
 

@@ -75,17 +75,23 @@ AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, cons
   }
 }
 
-/// The algorithm over any form of links and the screws at q: sets the entries of joints that move each other, the rest
-/// stay as they are. `m.set(i, j, value)` sees structural zeros as such.
-template <class Links, class Input, class Screws, class Matrix>
-AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const Screws& screws, Matrix& m) {
+/// The composite bodies of all joints.
+template <class Links, class Input, class Screws>
+AXIAL_INLINE constexpr auto composite_bodies(const Links& links, const Input& in, const Screws& screws) {
   const TipLoads<typename Links::Scene, Input> loads(in);
   auto own = [&](auto i) AXIAL_INLINE { return links.link(i).shape(loads.body(links.link(i))); };
-  auto bodies = inward(links, own, [&](auto i, const auto& body) AXIAL_INLINE {
+  return inward(links, own, [&](auto i, const auto& body) AXIAL_INLINE {
     auto link = links.link(i);
     auto turned = link.shape(to_parent(screws[i], body, link));
     return Left{turned, link.shape(to_parent(link.x(), turned, link))};
   });
+}
+
+/// The algorithm over any form of links and the screws at q: sets the entries of joints that move each other, the rest
+/// stay as they are. `m.set(i, j, value)` sees structural zeros as such.
+template <class Links, class Input, class Screws, class Matrix>
+AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const Screws& screws, Matrix& m) {
+  auto bodies = composite_bodies(links, in, screws);
   for_each_link(links, [&](auto i) AXIAL_INLINE {
     auto link = links.link(i);
     auto force =

@@ -5,16 +5,41 @@
 
 namespace axial {
 
-/// A(q) qdd + B(q) [qd qd] + C(q) [qd^2] + G(q) = tau, Djuric et al. 2016, eq. (1).
-/// Columns of B follow the products (qd1 qd2, qd1 qd3, ..., qd_{n-1} qd_n), those of C (qd1^2, ..., qdn^2).
+/// Mass matrix, kg m^2 (kg m, kg).
 template <class S, class T>
-struct Separated {
+struct SeparatedA {
+  static constexpr int size = joint_count<S>;
+  T A[size][size];
+};
+/// Coriolis matrix. Column pair(j, k) belongs to qd_j qd_k, j < k.
+template <class S, class T>
+struct SeparatedB {
   static constexpr int size = joint_count<S>;
   static constexpr int pairs = size > 1 ? size*(size - 1) / 2 : 1;
-  T A[size][size];   ///< mass matrix, kg m^2 (kg m, kg)
-  T B[size][pairs];  ///< Coriolis
-  T C[size][size];   ///< centrifugal
-  T G[size];         ///< gravity torque, N m or N
+  T B[size][pairs];
+
+  /// (qd1 qd2, qd1 qd3, ..., qd_{n-1} qd_n), joints counted from 0 here, either way round.
+  static constexpr int pair(int j, int k) {
+    return j < k ? j * size - j * (j + 1) / 2 + k - j - 1 : k * size - k * (k + 1) / 2 + j - k - 1;
+  }
+};
+/// Centrifugal matrix, columns (qd1^2, ..., qdn^2).
+template <class S, class T>
+struct SeparatedC {
+  static constexpr int size = joint_count<S>;
+  T C[size][size];
+};
+/// Effort at rest: gravity, and springs and wrenches that the scene names; N m or N.
+template <class S, class T>
+struct SeparatedG {
+  static constexpr int size = joint_count<S>;
+  T G[size];
+};
+
+/// A(q) qdd + B(q) [qd qd] + C(q) [qd^2] + G(q) = tau, Djuric et al. 2016, eq. (1). S is a robot or a scene.
+template <class S, class T>
+struct Separated : SeparatedA<S, T>, SeparatedB<S, T>, SeparatedC<S, T>, SeparatedG<S, T> {
+  static constexpr int size = joint_count<S>;
 };
 
 }  // namespace axial

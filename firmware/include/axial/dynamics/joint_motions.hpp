@@ -1,0 +1,58 @@
+// How each joint moves the links beyond it: the columns of every link's Jacobian, in frames that are about to turn.
+#pragma once
+
+#include <axial/dynamics/joint_axis.hpp>
+#include <axial/dynamics/passes.hpp>
+
+namespace axial {
+
+/// The motion that a joint gives to a link which it does not move.
+struct Unmoved {
+  template <class T>
+  AXIAL_INLINE constexpr auto dense() const {
+    return MotionVector<Vec3<T>, Vec3<T>>{};
+  }
+};
+
+/// Motion of one unit of joint m's rate in frame i before joint i's own z-screw, for every link i beyond link m. There
+/// the axis of a link's parent is constant, and composite bodies that are about to be borne by the parent stand ready.
+template <class Links, class Screws, class I>
+AXIAL_INLINE constexpr auto motions_of_joint(const Links& links, const Screws& screws, I m) {
+  auto first = [&](auto i) AXIAL_INLINE {
+    auto link = links.link(i);
+    return links.link(m).on_joint(
+        [&](auto kind) AXIAL_INLINE { return link.shape(to_child(link.x(), along_axis(kind, One{}), link)); });
+  };
+  auto next = [&](auto i, auto parent, const auto& motion) AXIAL_INLINE {
+    auto link = links.link(i);
+    return link.shape(to_child(link.x(), to_child(screws[parent], motion, links.link(parent)), link));
+  };
+  return outward(links, Unmoved{}, [&](auto i, const auto& motion) AXIAL_INLINE {
+    if constexpr (Links::unrolled) {
+      constexpr int parent = Links::template parent_of<decltype(i)::value>;
+      if constexpr (parent == I::value)
+        return first(i);
+      else if constexpr (std::is_same_v<std::decay_t<decltype(motion)>, Unmoved>)
+        return Unmoved{};
+      else
+        return next(i, Index<parent>{}, motion);
+    } else {
+      const int parent = links.parent_index(i);
+      return parent == m ? first(i) : parent > m ? next(i, parent, motion) : std::decay_t<decltype(motion)>{};
+    }
+  });
+}
+
+/// All of them: motions[m][i].
+template <class Links, class Screws>
+AXIAL_INLINE constexpr auto joint_motions(const Links& links, const Screws& screws) {
+  return map_links(links, [&](auto m) AXIAL_INLINE { return motions_of_joint(links, screws, m); });
+}
+
+/// Component of a force along a joint whose motion is given: its power at one unit of rate.
+template <class M, class F>
+AXIAL_INLINE constexpr auto along_motion(const M& motion, const F& force) {
+  return dot(motion.angular, force.moment) + dot(motion.linear, force.force);
+}
+
+}  // namespace axial

@@ -1,0 +1,162 @@
+// Torque from dynamics with its terms apart: separated once at q, for many velocities and accelerations.
+#pragma once
+
+#include <axial/dynamics/separation.hpp>
+
+namespace axial {
+namespace separation {
+
+/// Which coefficients of a scene are not zero for every q.
+template <class S>
+struct Present : Separated<S, bool> {
+  template <class V>
+  static constexpr bool is = !is_zero_v<V>;
+  template <class V>
+  constexpr void inertia(int i, int j, const V&) {
+    this->A[i][j] = this->A[j][i] = is<V>;
+  }
+  template <class V>
+  constexpr void product(int i, int j, int k, const V&) {
+    this->B[i][this->pair(j, k)] = is<V>;
+  }
+  template <class V>
+  constexpr void square(int i, int j, const V&) {
+    this->C[i][j] = is<V>;
+  }
+  template <class V>
+  constexpr void rest(int i, const V&) {
+    this->G[i] = is<V>;
+  }
+};
+
+/// Found by types alone, so at any q: the compiler runs the algorithm once over zeros.
+template <class S>
+constexpr auto present_terms() {
+  constexpr auto links = links_of<S, double, BaseParameters>();
+  Present<S> found{};
+  run(links, Inputs<S, double>{}, Joints<robot_of<S>, double>{},
+      map_links(links, [&](auto i) { return links.link(i).z(0.0); }), found);
+  return found;
+}
+template <class S>
+inline constexpr auto present = present_terms<S>();
+
+/// A run-time model and a looped scene have tables: there nothing is known of single coefficients.
+template <class S>
+inline constexpr bool is_table = IsModel<S>::value || scene_of<S>::template has<Looped>;
+
+/// Whether a coefficient may differ from zero. I, J: Index<...>, or int in a loop.
+template <class S, class I, class J>
+constexpr bool has_inertia() {
+  if constexpr (is_table<S>)
+    return true;
+  else
+    return present<S>.A[I::value][J::value];
+}
+template <class S, class I, class J>
+constexpr bool has_square() {
+  if constexpr (is_table<S>)
+    return true;
+  else
+    return present<S>.C[I::value][J::value];
+}
+template <class S, class I, class J, class K>
+constexpr bool has_product() {
+  if constexpr (is_table<S>)
+    return true;
+  else
+    return present<S>.B[I::value][Present<S>::pair(J::value, K::value)];
+}
+
+template <int First, class F, int... I>
+AXIAL_INLINE constexpr void each_index(const F& f, std::integer_sequence<int, I...>) {
+  (f(Index<First + I>{}), ...);
+}
+/// f(i) for every joint from joint `first` on.
+template <class S, class First, class F>
+AXIAL_INLINE constexpr void for_each_joint(First first, const F& f) {
+  if constexpr (is_table<S>) {
+    for (int i = first; i < joint_count<S>; ++i)
+      f(i);
+  } else {
+    each_index<First::value>(f, std::make_integer_sequence<int, joint_count<S> - First::value>{});
+  }
+}
+template <class S, class F>
+AXIAL_INLINE constexpr void for_each_joint(const F& f) {
+  for_each_joint<S>(Index<0>{}, f);
+}
+/// f(j, k) for every pair of joints, j < k.
+template <class S, class F>
+AXIAL_INLINE constexpr void for_each_pair(const F& f) {
+  for_each_joint<S>([&](auto j) AXIAL_INLINE {
+    if constexpr (is_table<S>)
+      for_each_joint<S>(j + 1, [&](auto k) AXIAL_INLINE { f(j, k); });
+    else
+      for_each_joint<S>(Index<decltype(j)::value + 1>{}, [&](auto k) AXIAL_INLINE { f(j, k); });
+  });
+}
+
+/// Products of two rates, each once.
+template <class S, class T>
+struct RateProducts {
+  T pairs[SeparatedB<S, T>::pairs] = {};
+  T squares[joint_count<S>] = {};
+
+  AXIAL_INLINE constexpr explicit RateProducts(const Velocities<robot_of<S>, T>& qd) {
+    for_each_joint<S>([&](auto j) AXIAL_INLINE { squares[j] = qd[j] * qd[j]; });
+    for_each_pair<S>([&](auto j, auto k) AXIAL_INLINE { pairs[SeparatedB<S, T>::pair(j, k)] = qd[j] * qd[k]; });
+  }
+};
+
+template <class S, class T, class I>
+AXIAL_INLINE constexpr void add_inertial(const SeparatedA<S, T>& s, const Accelerations<robot_of<S>, T>& qdd, I i,
+                                         T& sum) {
+  for_each_joint<S>([&](auto j) AXIAL_INLINE {
+    if constexpr (has_inertia<S, I, decltype(j)>()) sum = sum + s.A[i][j] * qdd[j];
+  });
+}
+template <class S, class T, class I>
+AXIAL_INLINE constexpr void add_products(const Separated<S, T>& s, const RateProducts<S, T>& rates, I i, T& sum) {
+  for_each_joint<S>([&](auto j) AXIAL_INLINE {
+    if constexpr (has_square<S, I, decltype(j)>()) sum = sum + s.C[i][j] * rates.squares[j];
+  });
+  for_each_pair<S>([&](auto j, auto k) AXIAL_INLINE {
+    constexpr auto pair = &SeparatedB<S, T>::pair;
+    if constexpr (has_product<S, I, decltype(j), decltype(k)>())
+      sum = sum + s.B[i][pair(j, k)] * rates.pairs[pair(j, k)];
+  });
+}
+
+template <class Links, class S, class T>
+AXIAL_INLINE constexpr Efforts<robot_of<S>, T> torque(const Links& links, const Separated<S, T>& s,
+                                                      const Velocities<robot_of<S>, T>& qd,
+                                                      const Accelerations<robot_of<S>, T>& qdd) {
+  const RateProducts<S, T> rates(qd);
+  Efforts<robot_of<S>, T> tau{};
+  for_each_link(links, [&](auto i) AXIAL_INLINE {
+    T sum = s.G[i];
+    add_inertial(s, qdd, i, sum);
+    add_products(s, rates, i, sum);
+    tau[i] = static_cast<T>(sum + friction_effort(links.link(i), qd[i]));
+  });
+  return tau;
+}
+
+}  // namespace separation
+
+/// Joint efforts A qdd + B [qd qd] + C [qd^2] + G [+ friction] from terms that separate() found: inverse_dynamics<S> at
+/// the same q, to rounding. Coefficients that vanish for every q are passed over.
+/// In: qd (rad/s or m/s), qdd. Out: N m or N.
+template <class S, class T>
+constexpr Efforts<robot_of<S>, T> torque(const Separated<S, T>& separated, const Velocities<robot_of<S>, T>& qd,
+                                         const Accelerations<robot_of<S>, T>& qdd) {
+  return separation::torque(links_of<S, T, BaseParameters>(), separated, qd, qdd);
+}
+template <int N, class... F, class T, class M = Model<N, F...>>
+constexpr Efforts<M, T> torque(const Model<N, F...>& model, const Separated<M, T>& separated,
+                               const Velocities<M, T>& qd, const Accelerations<M, T>& qdd) {
+  return separation::torque(model.template links<T>(), separated, qd, qdd);
+}
+
+}  // namespace axial

@@ -1,0 +1,210 @@
+// The Automatic Separation Method for any chain: the torque with its terms apart, A qdd + B [qd qd] + C [qd^2] + G.
+#pragma once
+
+#include <axial/dynamics/joint_motions.hpp>
+#include <axial/dynamics/mass_matrix.hpp>
+#include <axial/model/separated.hpp>
+
+namespace axial {
+namespace separation {
+
+/// Gravity's stand-in, the acceleration of the base, in a link's frame before and after its own z-screw.
+template <class B, class A>
+struct Fall {
+  B before{};
+  A after{};
+  template <class T>
+  AXIAL_INLINE constexpr Fall<Vec3<T>, Vec3<T>> dense() const {
+    return {before, after};
+  }
+};
+template <class B, class A>
+Fall(B, A) -> Fall<B, A>;
+
+template <class Links, class Input, class Screws>
+AXIAL_INLINE constexpr auto falls(const Links& links, const Input& in, const Screws& screws) {
+  return outward(links, Fall{ZeroVec3{}, base_acceleration(links, in)}, [&](auto i, const auto& parent) AXIAL_INLINE {
+    auto link = links.link(i);
+    auto before = to_child(link.x(), parent.after);
+    return Fall{link.shape(before), link.shape(to_child(screws[i], before))};
+  });
+}
+
+/// Effort of a joint that holds its composite body against gravity.
+template <class B, class A>
+AXIAL_INLINE constexpr auto weight(Revolute, const B& body, const A& a) {
+  return body.first_moment.x * a.y - body.first_moment.y * a.x;
+}
+template <class B, class A>
+AXIAL_INLINE constexpr auto weight(Prismatic, const B& body, const A& a) {
+  return body.mass * a.z;
+}
+
+/// Force on the composite body of a joint at unit rate of it alone: the coefficient of qd_i^2.
+template <class B>
+AXIAL_INLINE constexpr auto square_force(Revolute, const B& body) {
+  const auto& h = body.first_moment;
+  const auto& j = body.inertia;
+  return ForceVector{Vec3{-j.yz, j.xz, Zero{}}, Vec3{-h.x, -h.y, Zero{}}};
+}
+template <class B>
+AXIAL_INLINE constexpr auto square_force(Prismatic, const B&) {
+  return ForceVector<ZeroVec3, ZeroVec3>{};
+}
+
+/// Force on the composite body of joint i that the rates of joint i and of a joint inboard give it together, the
+/// coefficient of qd_j qd_i: points r of it accelerate with 2 w x (z x r), or 2 w x z where joint i slides. w is the
+/// angular part of joint j's motion.
+template <class Link, class B, class W>
+AXIAL_INLINE constexpr auto product_force(Revolute, const Link& link, const B& body, const W& w) {
+  using namespace quantity;
+  const auto& j = body.inertia;
+  auto hx = body.first_moment.x + body.first_moment.x;
+  auto hy = body.first_moment.y + body.first_moment.y;
+  auto xy = j.xy + j.xy;
+  auto xz = j.xz + j.xz;
+  auto yz = j.yz + j.yz;
+  auto xx = (j.yy - j.xx) + j.zz;  // second moments, twice
+  auto yy = (j.xx - j.yy) + j.zz;
+  return ForceVector{Vec3{link.sum(Moment{}, w.y * yy, -(w.x * xy), -(w.z * yz)),
+                          link.sum(Moment{}, w.y * xy, -(w.x * xx), w.z * xz), Zero{}},
+                     Vec3{-(w.z * hx), -(w.z * hy), link.sum(Force{}, w.x * hx, w.y * hy)}};
+}
+template <class Link, class B, class W>
+AXIAL_INLINE constexpr auto product_force(Prismatic, const Link& link, const B& body, const W& w) {
+  using namespace quantity;
+  const auto& h = body.first_moment;
+  auto x = w.x + w.x;
+  auto y = w.y + w.y;
+  return ForceVector{Vec3{h.z * x, h.z * y, link.sum(Moment{}, -(h.x * x), -(h.y * y))},
+                     Vec3{body.mass * y, -(body.mass * x), Zero{}}};
+}
+
+/// Sets a coefficient of qd_j qd_i that joint m feels, j and m both inboard of i, and the coefficient that follows from
+/// it. As M(a, b) depends on joints beyond the inner one of a and b alone, Christoffel's symbols give
+/// b(i; j m) = -b(m; j i) for j inboard of m, c(i; j j) = -b(j; j i) / 2, and nothing for b(i; j i) and c(i; i i).
+template <class T, class Terms, class V>
+AXIAL_INLINE constexpr void set_product(Terms& terms, int m, int j, int i, const V& value) {
+  terms.product(m, j, i, value);
+  if (j < m) terms.product(i, j, m, -value);
+  if (j == m) terms.square(i, j, -(NumberTraits<T>::constant(0.5) * value));
+}
+
+/// What the joint of link i contributes: its column of A, and all coefficients of products with its rate.
+template <class Links, class Bodies, class Motions, class I, class Terms>
+AXIAL_INLINE constexpr void joint_terms(const Links& links, const Bodies& bodies, const Motions& motions, I i,
+                                        Terms& terms) {
+  auto link = links.link(i);
+  link.on_joint([&](auto kind) AXIAL_INLINE {
+    const auto& body = bodies[i].turned;
+    auto unit = crba::unit_force(kind, body);
+    auto square = square_force(kind, body);
+    terms.inertia(i, i, link.sum(quantity::JointInertia{}, along_joint(kind, unit), link.rotor()));
+    for_each_ancestor(links, i, [&](auto j) AXIAL_INLINE {
+      terms.inertia(j, i, along_motion(motions[j][i], unit));
+      terms.square(j, i, along_motion(motions[j][i], square));
+      auto product = product_force(kind, link, body, motions[j][i].angular);
+      for_each_ancestor(links, i, [&](auto m) AXIAL_INLINE {
+        set_product<typename Links::Scalar>(terms, m, j, i, along_motion(motions[m][i], product));
+      });
+    });
+  });
+}
+
+/// Efforts at rest: read off the composite bodies, or by RNEA where the scene has forces from outside.
+template <class Links, class Input, class Screws, class Q, class Bodies, class Terms>
+AXIAL_INLINE constexpr void rest_terms(const Links& links, const Input& in, const Screws& screws, const Q& q,
+                                       const Bodies& bodies, Terms& terms) {
+  using Scene = typename Links::Scene;
+  if constexpr (Scene::template has<TipWrench> || Scene::template has<ExternalWrenches>) {
+    Joints<typename Scene::Robot, typename Links::Scalar> effort{};
+    rnea::efforts(links, in, q, screws, NoMotion{}, NoMotion{}, effort);
+    for_each_link(links, [&](auto i) AXIAL_INLINE { terms.rest(i, effort[i]); });
+  } else {
+    auto fall = falls(links, in, screws);
+    for_each_link(links, [&](auto i) AXIAL_INLINE {
+      auto link = links.link(i);
+      link.on_joint([&](auto kind) AXIAL_INLINE {
+        terms.rest(i, link.sum(quantity::JointEffort{}, weight(kind, bodies[i].turned, fall[i].before),
+                               spring_effort(link, q[i])));
+      });
+    });
+  }
+}
+
+/// The algorithm over any form of links. Coefficients that vanish for every q are not set, or set as Zero.
+template <class Links, class Input, class Q, class Screws, class Terms>
+AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const Screws& screws, Terms& terms) {
+  static_assert(!Links::Scene::template has<BaseMotion>,
+                "axial: a base that turns adds terms which are linear in the joint rates, and separate() has no place "
+                "for them; take BaseMotion out of the scene, or use inverse_dynamics");
+  auto bodies = crba::composite_bodies(links, in, screws);
+  auto motions = joint_motions(links, screws);
+  for_each_link(links, [&](auto i) AXIAL_INLINE { joint_terms(links, bodies, motions, i, terms); });
+  rest_terms(links, in, screws, q, bodies, terms);
+}
+
+/// Takes the coefficients that Out has room for: any of SeparatedA, B, C, G, or all.
+template <class S, class T, class Out>
+struct Collected {
+  Out& out;
+
+  template <class V>
+  AXIAL_INLINE constexpr void inertia(int i, int j, const V& value) const {
+    if constexpr (std::is_base_of_v<SeparatedA<S, T>, Out>) out.A[i][j] = out.A[j][i] = static_cast<T>(value);
+  }
+  template <class V>
+  AXIAL_INLINE constexpr void product(int i, int j, int k, const V& value) const {
+    if constexpr (std::is_base_of_v<SeparatedB<S, T>, Out>) out.B[i][Out::pair(j, k)] = static_cast<T>(value);
+  }
+  template <class V>
+  AXIAL_INLINE constexpr void square(int i, int j, const V& value) const {
+    if constexpr (std::is_base_of_v<SeparatedC<S, T>, Out>) out.C[i][j] = static_cast<T>(value);
+  }
+  template <class V>
+  AXIAL_INLINE constexpr void rest(int i, const V& value) const {
+    if constexpr (std::is_base_of_v<SeparatedG<S, T>, Out>) out.G[i] = static_cast<T>(value);
+  }
+};
+
+template <class Out, class S, class T, class Links, class Input, class Q>
+AXIAL_INLINE constexpr Out collected(const Links& links, const Input& in, const Q& q) {
+  Out out{};
+  Collected<S, T, Out> all{out};
+  run(links, in, q, joint_screws(links, in, q), all);
+  return out;
+}
+
+}  // namespace separation
+
+/// The terms of the dynamics at q, with the rotors and the payload that the scene names; its springs and wrenches are
+/// in G. Source: the Automatic Separation Method of Djuric et al. 2016, eqs. (26) to (61): accelerations and forces
+/// over the basis {qdd_j}, {qd_i qd_j}, {qd_j^2}, {g}; by composite rigid bodies, and Christoffel's symmetries, which
+/// the paper does not use. In: q (rad or m). Out: A, B, C, G for torque().
+template <class S, class T>
+constexpr Separated<S, T> separate(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+  return separation::collected<Separated<S, T>, S, T>(links_of<S, T, BaseParameters>(), in, q);
+}
+/// The same for one of the four; what the others need alone is not computed.
+template <class S, class T>
+constexpr SeparatedA<S, T> separate_A(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+  return separation::collected<SeparatedA<S, T>, S, T>(links_of<S, T, BaseParameters>(), in, q);
+}
+template <class S, class T>
+constexpr SeparatedB<S, T> separate_B(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+  return separation::collected<SeparatedB<S, T>, S, T>(links_of<S, T, BaseParameters>(), in, q);
+}
+template <class S, class T>
+constexpr SeparatedC<S, T> separate_C(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+  return separation::collected<SeparatedC<S, T>, S, T>(links_of<S, T, BaseParameters>(), in, q);
+}
+template <class S, class T>
+constexpr SeparatedG<S, T> separate_G(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+  return separation::collected<SeparatedG<S, T>, S, T>(links_of<S, T, BaseParameters>(), in, q);
+}
+template <int N, class... F, class T, class M = Model<N, F...>>
+constexpr Separated<M, T> separate(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {}) {
+  return separation::collected<Separated<M, T>, M, T>(model.template links<T>(), in, q);
+}
+
+}  // namespace axial
