@@ -14,6 +14,7 @@ struct Status {
     acceleration_limit = 5,
     effort_limit = 6,   ///< the result was clamped to the declared effort
     payload_limit = 7,  ///< the run-time payload is beyond the declared maximum, or not a number; about no joint
+    not_ready = 8,      ///< asked before the first good refresh(); about no joint
   };
   Code code = Code::ok;
   int joint = -1;

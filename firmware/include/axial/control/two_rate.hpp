@@ -1,0 +1,58 @@
+// Feed-forward at two rates: the terms of the dynamics slowly, the products of velocities and accelerations fast.
+#pragma once
+
+#include <axial/control/feedforward.hpp>
+#include <axial/dynamics/separated_torque.hpp>
+
+namespace axial {
+
+/// Memory of a two-rate feed-forward, owned by the caller; start with `{}`.
+template <class S, class T>
+struct TwoRateState {
+  Separated<S, T> terms{};
+  Positions<robot_of<S>, T> q{};  ///< where the terms were separated
+  bool ready = false;
+  FeedforwardState<S, T> output{};
+};
+
+namespace detail {
+
+template <class S, class T>
+constexpr bool all_finite(const Separated<S, T>& terms) {
+  bool finite = true;
+  for (int i = 0; i < terms.size; ++i) {
+    finite = finite && is_finite(terms.G[i]);
+    for (int j = 0; j < terms.size; ++j)
+      finite = finite && is_finite(terms.A[i][j]) && is_finite(terms.C[i][j]);
+    for (const T& product : terms.B[i])
+      finite = finite && is_finite(product);
+  }
+  return finite;
+}
+
+}  // namespace detail
+
+/// The slow part: separates the dynamics at q (rad or m), with the run-time inputs that the scene names. A q that is
+/// not finite or outside the declared limits, a payload beyond the declared maximum and inputs that make a term not
+/// finite leave the last good terms as they are; the status says which.
+template <class S, class T>
+constexpr Status refresh(TwoRateState<S, T>& state, const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+  if (const Status status = detail::check_all<S, T>(q, {}, {}, in); !status.ok()) return status;
+  const auto terms = separate<S>(q, in);
+  if (!detail::all_finite<S>(terms)) return {Status::Code::not_finite, -1};
+  state.terms = terms, state.q = q, state.ready = true;
+  return {};
+}
+
+/// The fast part: efforts (N m or N) for qd and qdd at the last refreshed q, within the declared effort limits; as
+/// feedforward() does, it answers a bad request with the last safe output and a status. Before the first good refresh
+/// that is no effort and `not_ready`. Error against feedforward(): doc/separation.md.
+template <class S, class T>
+constexpr FeedforwardResult<S, T> two_rate_feedforward(TwoRateState<S, T>& state, const Velocities<robot_of<S>, T>& qd,
+                                                       const Accelerations<robot_of<S>, T>& qdd) {
+  if (!state.ready) return {state.output.last_safe, {Status::Code::not_ready, -1}};
+  if (const Status status = check_request<S>(state.q, qd, qdd); !status.ok()) return {state.output.last_safe, status};
+  return detail::safe<S>(state.output, torque(state.terms, qd, qdd));
+}
+
+}  // namespace axial
