@@ -13,9 +13,9 @@
 namespace axial::hal::cortex_m {
 
 /// `Derived` gives: emulator_Hz, baud, start_clock() and Serial. See hal/README.md for the whole interface.
-template <class Derived, std::uint32_t emulator_Hz_>
+template <class Derived, std::uint32_t emulator_Hz_, std::uint32_t instruction_ns = usual_instruction_ns>
 struct BoardBase {
-  using Counter = cortex_m::Counter<emulator_Hz_>;
+  using Counter = cortex_m::Counter<emulator_Hz_, instruction_ns>;
   static constexpr std::uint32_t emulator_Hz = emulator_Hz_;
 
   /// Clock, serial port, counter; in this order, because the port's divider follows the clock.

@@ -2,8 +2,8 @@
 /// How much a piece of code costs: cycles on silicon, instructions in QEMU.
 ///
 /// DWT's cycle counter where it advances. QEMU leaves it at 0; there, with `-icount shift=6`, every instruction takes
-/// 64 ns of virtual time and SysTick tells the time, so SysTick counts instructions. One SysTick tick is shorter than
-/// one instruction on every board, and the bracket restarts the counter, so the conversion is exact.
+/// 64 ns of virtual time (128 ns with 7) and SysTick tells the time, so SysTick counts instructions. One SysTick tick
+/// is shorter than one instruction on every board, and the bracket restarts the counter, so the conversion is exact.
 
 #include <cstdint>
 
@@ -13,8 +13,8 @@
 
 namespace axial::hal::cortex_m {
 
-/// Virtual time of an instruction under `-icount shift=6`.
-constexpr std::uint32_t emulated_instruction_ns = 64;
+/// Virtual time of an instruction under `-icount shift=6`, which suits all but slow clocks.
+constexpr std::uint32_t usual_instruction_ns = 64;
 /// A count that the counter could not hold.
 constexpr std::uint32_t count_overflow = 0xFFFFFFFF;
 
@@ -23,8 +23,9 @@ constexpr std::uint32_t greatest_common_divisor(std::uint32_t a, std::uint32_t b
 }
 
 /// Instructions a SysTick tick, as a reduced ratio: instructions a second over ticks a second.
-constexpr CounterScale instructions_of_ticks(std::uint32_t tick_Hz) {
-  constexpr std::uint32_t instructions_per_s = 1'000'000'000u / emulated_instruction_ns;
+constexpr CounterScale instructions_of_ticks(std::uint32_t tick_Hz,
+                                             std::uint32_t instruction_ns = usual_instruction_ns) {
+  const std::uint32_t instructions_per_s = 1'000'000'000u / instruction_ns;
   const std::uint32_t common = greatest_common_divisor(instructions_per_s, tick_Hz);
   return {CounterKind::instructions, instructions_per_s / common, tick_Hz / common};
 }
@@ -56,11 +57,11 @@ using Measured = void (*)(void*);
 
 [[gnu::naked, gnu::noinline]] inline void empty_code(void*) { asm volatile("bx lr"); }
 
-/// The counter of a board whose emulated core clock is `emulator_Hz`.
-template <std::uint32_t emulator_Hz>
+/// The counter of a board whose emulated core clock is `emulator_Hz`, as its board.json has the emulator run.
+template <std::uint32_t emulator_Hz, std::uint32_t instruction_ns = usual_instruction_ns>
 class Counter {
   static constexpr std::uint32_t sys_tick_span = 1u << 24;
-  static constexpr CounterScale emulated = instructions_of_ticks(emulator_Hz);
+  static constexpr CounterScale emulated = instructions_of_ticks(emulator_Hz, instruction_ns);
   static_assert(3 * emulated.numerator <= 2 * emulated.denominator,
                 "a SysTick tick must be shorter than 2/3 of an emulated instruction: raise the icount shift");
   static_assert(emulated.numerator < 128, "instructions_of would leave 32 bits: widen it");

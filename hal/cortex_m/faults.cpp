@@ -68,17 +68,23 @@ extern "C" [[gnu::used]] void axial_fault_with_frame(axial::hal::cortex_m::Excep
 }
 
 /// Finds the frame: bit 2 of the return code in lr tells which stack holds it. An overflown stack starts afresh.
+/// Only instructions that ARMv6-M has too.
 extern "C" [[gnu::naked]] void axial_fault() {
   asm volatile(
-      "tst lr, #4\n\t"
-      "ite eq\n\t"
-      "mrseq r0, msp\n\t"
-      "mrsne r0, psp\n\t"
-      "ldr r1, =axial_stack_bottom\n\t"
+      "mov r0, lr\n\t"
+      "movs r1, #4\n\t"
+      "tst r0, r1\n\t"
+      "beq 1f\n\t"
+      "mrs r0, psp\n\t"
+      "b 2f\n"
+      "1:\tmrs r0, msp\n"
+      "2:\tldr r1, =axial_stack_bottom\n\t"
       "cmp r0, r1\n\t"
-      "bhs axial_fault_with_frame\n\t"
+      "bhs 3f\n\t"
       "movs r0, #0\n\t"
       "ldr r1, =axial_stack_top\n\t"
-      "mov sp, r1\n\t"
-      "b axial_fault_with_frame");
+      "mov sp, r1\n"
+      "3:\tldr r1, =axial_fault_with_frame\n\t"
+      "bx r1\n\t"
+      ".ltorg");
 }

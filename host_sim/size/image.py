@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 TOOLS = "arm-none-eabi-"
 LINE = re.compile(r"^ *([0-9a-f]+):\t([0-9a-f]{4}(?: ?[0-9a-f]{4})?) *\t(\S+)\t?(.*)$")
+WORD = re.compile(r"^ *([0-9a-f]+):\t([0-9a-f]{8}) *\t\.word")
+LITERAL = re.compile(r"^(r\d+), \[pc, #\d+\]$")
 SECTION = re.compile(r"^ *\d+ (\S+) +([0-9a-f]{8}) +[0-9a-f]{8} +[0-9a-f]{8}")
 
 
@@ -24,7 +26,10 @@ class Image:
     def __init__(self, path):
         self.path = path
         self.flash, self.ram = self._memory()
-        self.instructions = dict(self._disassembly())
+        listing = run("objdump", "-d", path).splitlines()
+        self._words = {int(found[1], 16): int(found[2], 16) for found in map(WORD.match, listing) if found}
+        self.instructions = dict(self._disassembly(listing))
+        self._name_large_frames()
         self.functions = self._functions()
         self._starts = sorted(self.functions.values())
         self._names = {address: name for name, address in self.functions.items()}
@@ -47,12 +52,43 @@ class Image:
             ram += size if "READONLY" not in attributes else 0
         return flash, ram
 
-    def _disassembly(self):
-        for line in run("objdump", "-d", self.path).splitlines():
+    def _disassembly(self, listing):
+        for line in listing:
             found = LINE.match(line)
             if found and not found[3].startswith("."):
                 operands = re.split(r"\s*[;@]", found[4])[0].strip()
                 yield int(found[1], 16), Instruction(found[3], operands, len(found[2].replace(" ", "")) // 2)
+
+    def _name_large_frames(self):
+        """ARMv6-M moves the stack pointer by a register: `add sp, r4`, with a constant in r4. Writes the constant down."""
+        for address, instruction in list(self.instructions.items()):
+            moved = re.match(r"^sp, (r\d+)$", instruction.operands) if instruction.name == "add" else None
+            value = self._constant(moved[1], address) if moved else None
+            if value is not None:
+                name = "add" if value >= 0 else "sub"
+                self.instructions[address] = Instruction(name, f"sp, #{abs(value)}", instruction.size)
+
+    def _constant(self, register, before):
+        """What the straight line before an address puts into a register; None where it is not a constant."""
+        for address in range(before - 2, before - 64, -2):
+            name, operands, _ = self.instructions.get(address, Instruction("", "", 0))
+            if name.startswith(("b", "pop")):
+                return None
+            if re.match(rf"^{register}\b", operands) and not name.startswith(("cmp", "str")):
+                return self._result(name, operands, register, address)
+        return None
+
+    def _result(self, name, operands, register, address):
+        numbers = [int(number) for number in re.findall(r"#(\d+)", operands)]
+        if name == "ldr" and LITERAL.match(operands):
+            word = self._words.get((address + 4 & ~3) + numbers[0])
+            return word if word is None or word < 1 << 31 else word - (1 << 32)
+        if name == "movs" and numbers:
+            return numbers[0]
+        if name in ("lsls", "adds") and numbers:
+            source = self._constant(re.findall(r"r\d+", operands)[-1], address)
+            return source if source is None else source << numbers[0] if name == "lsls" else source + numbers[0]
+        return None
 
     def _functions(self):
         functions = {}

@@ -119,6 +119,35 @@ struct jacobian {
   }
 };
 
+/// A, B, C, G, and the torque from them.
+struct separation {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return separate<S>(a.q, inputs_of<S>(a));
+  }
+};
+struct separated_torque {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return torque(terms<S>(a), a.qd, a.qdd);
+  }
+
+ private:
+  /// Whatever numbers stand in the inputs: they cost what others would.
+  template <class S, class A>
+  static const auto& terms(const A& a) {
+    static_assert(sizeof(Separated<S, float>) <= sizeof a.terms);
+    return *reinterpret_cast<const Separated<S, float>*>(a.terms);
+  }
+};
+
+struct closed_form_separation {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return closed_form::scara<robot_of<S>>(a.q);
+  }
+};
+
 struct closed_form {
   template <class S, class A>
   static auto run(const A& a) {

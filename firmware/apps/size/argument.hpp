@@ -1,15 +1,20 @@
 #pragma once
 /// What a probe's harness hands to its kernel: every input that some kernel has, and room for any result.
 
-#include <axial/axial.hpp>
+#include <board.hpp>
 
 #include <cstddef>
+
+#include <axial/axial.hpp>
 
 namespace axial::apps::size {
 
 template <class Robot>
 struct Argument {
-  static constexpr std::size_t largest_result = 64 * sizeof(float);  // the mass matrix of eight joints
+  // Room for separated terms where a board has it, else for the mass matrix of eight joints.
+  static constexpr bool roomy = hal::Board::ram_bytes >= 16 * 1024;
+  static constexpr std::size_t terms_bytes = roomy ? sizeof(Separated<Robot, float>) : 4;
+  static constexpr std::size_t largest_result = roomy ? terms_bytes : 64 * sizeof(float);
 
   Joints<Robot, float> q, qd, qdd, tau;
   PayloadBody<float> payload;
@@ -18,6 +23,7 @@ struct Argument {
   GivenMotion<float> base_motion;
   Joints<Robot, ForceVector<Vec3<float>, Vec3<float>>> wrenches;
   Joints<Robot, SinCos<float>> turns;
+  alignas(8) std::byte terms[terms_bytes];  ///< any numbers
   alignas(8) std::byte result[largest_result];
 };
 

@@ -3,18 +3,9 @@
 /// not run here. Emulated by QEMU's `mps2-an500`. Source: Arm DAI 0500, memory map.
 
 #include <hal/cortex_m/board_base.hpp>
+#include <hal/no_serial_port.hpp>
 
 namespace axial::hal {
-
-/// A serial port that is not there.
-struct NoSerialPort {
-  static std::uint32_t start(std::uint32_t, std::uint32_t) { return 0; }
-  static bool read(std::uint8_t&) { return false; }
-  static bool write(const std::uint8_t*, std::size_t) { return false; }
-  static bool idle() { return true; }
-  static std::uint32_t overruns() { return 0; }
-  static void interrupt() {}
-};
 
 struct Mps2An500 : cortex_m::BoardBase<Mps2An500, 25'000'000> {
   static constexpr const char* name = "mps2_an500";

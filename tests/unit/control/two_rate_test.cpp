@@ -12,7 +12,7 @@ using Code = Status::Code;
 using J = Joints<R, double>;
 
 const J bent{0.1, -0.5, 0.3, 0.2, -0.4, 0.5}, moving{0.5, -1.0, 0.75, 1.0, -0.5, 0.25},
-    faster{1.0, 1.25, -1.5, 0.5, -1.0, 1.5};
+    faster{1.0, 1.125, -1.5, 0.5, -1.0, 1.5};
 
 struct Weak {
   static constexpr auto chain = axial::chain(revolute().mass(1).com(1, 0, 0).effort_limit(0.5).acceleration_limit(10));

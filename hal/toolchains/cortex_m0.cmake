@@ -1,0 +1,9 @@
+# Cortex-M0 (ARMv6-M, no FPU, no long multiply): nRF51 and its kin.
+
+set(AXIAL_CPU_FLAGS
+  -mcpu=cortex-m0          # instruction set and pipeline model
+  -mthumb                  # the only state a Cortex-M has
+  -mfloat-abi=soft         # no FPU: floats in core registers, arithmetic by libgcc's routines
+  -ffp-contract=off)       # nothing to fuse; stated so that constant folding follows the host's rules too
+
+include(${CMAKE_CURRENT_LIST_DIR}/arm_none_eabi.cmake)
