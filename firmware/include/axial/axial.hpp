@@ -4,6 +4,7 @@
 #include <axial/closed_form/scara.hpp>
 #include <axial/control/feedforward.hpp>
 #include <axial/control/two_rate.hpp>
+#include <axial/dynamics/base_wrench.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/dynamics/joint_torque.hpp>

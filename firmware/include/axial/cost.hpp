@@ -3,6 +3,7 @@
 #pragma once
 
 #include <axial/closed_form/scara.hpp>
+#include <axial/dynamics/base_wrench.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/separated_torque.hpp>
@@ -47,6 +48,13 @@ struct ForwardDynamics {
   template <class S, class J, class In>
   static constexpr auto run(const J& q, const J& qd, const J& tau, const In& in) {
     return axial::forward_dynamics<S>(q, qd, tau, in);
+  }
+};
+struct BaseWrench {
+  static constexpr const char* name = "base_wrench";
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J& qd, const J& qdd, const In& in) {
+    return axial::base_wrench<S>(q, qd, qdd, in);
   }
 };
 struct ForwardKinematics {
@@ -99,6 +107,7 @@ inline constexpr Bias bias;
 inline constexpr Gravity gravity;
 inline constexpr MassMatrix mass_matrix;
 inline constexpr ForwardDynamics forward_dynamics;
+inline constexpr BaseWrench base_wrench;
 inline constexpr ForwardKinematics forward_kinematics;
 inline constexpr Jacobian jacobian;
 inline constexpr Separation separation;
@@ -124,6 +133,12 @@ template <class S>
 constexpr void need_all(const Joints<S, Counting>& result) {
   need(result.values);
 }
+template <class S>
+constexpr void need_all(const FloatingDynamics<S, Counting>& result) {
+  need(result.values);
+  need(result.base_acceleration.angular), need(result.base_acceleration.linear);
+}
+constexpr void need_all(const ForceVector<Vec3<Counting>, Vec3<Counting>>& f) { need(f.moment), need(f.force); }
 template <class S>
 constexpr void need_all(const MassMatrix<S, Counting>& result) {
   need(result.values);
@@ -185,7 +200,9 @@ template <class S>
 constexpr void trace_inputs(Inputs<S, Counting>& in, Trace& trace) {
   using Scene = scene_of<S>;
   if constexpr (Scene::template has<axial::RuntimeGravity>) traced(trace, in.gravity);
-  if constexpr (Scene::template has<axial::BaseMotion>) traced(trace, in.base_motion);
+  if constexpr (Scene::template has<axial::BaseWrench>) traced(trace, in.base_wrench);
+  if constexpr (Scene::template has<axial::BaseMotion> || Scene::template has<axial::FloatingBase>)
+    traced(trace, in.base_motion);
   if constexpr (Scene::template has<axial::TipWrench>) traced(trace, in.tip_wrench);
   if constexpr (Scene::template has<axial::ExternalWrenches>) traced(trace, in.wrenches);
   if constexpr (Scene::template has<axial::Payload>) traced(trace, in.payload);

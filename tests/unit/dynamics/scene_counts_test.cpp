@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <axial/cost.hpp>
+#include <cstdio>
 #include <ostream>
 
 #include "generic_robots.hpp"
@@ -81,6 +82,29 @@ struct Geared {
   }();
 };
 
+// The general chain on a body of its own.
+template <int N>
+struct OnABody {
+  static constexpr auto chain = [] {
+    Chain<N> c = generic::chain<N>(general, false);
+    c.base_body = generic::link(revolute(), N, true).parameters();
+    c.has_base_body = true;
+    return c;
+  }();
+};
+struct SolveOfTheBase {
+  template <class S, class J, class In>
+  static constexpr auto run(const J& a, const J& b, const J& c, const In&) {
+    const auto sym = [](const J& j) { return Sym3<Counting>{j[0], j[1], j[2], j[3], j[4], j[5]}; };
+    const Mat3<Vec3<Counting>> coupling{{b[0], b[1], b[2]}, {b[3], b[4], b[5]}, {b[6], b[7], b[8]}};
+    const ForceVector bias{Vec3{a[6], a[7], a[8]}, Vec3{c[6], c[7], c[8]}};
+    const auto solved = free_motion<Counting>(Plain{}, ArticulatedInertia{sym(a), coupling, sym(c)}, bias,
+                                              Reach{Counting{}, Counting{}, Counting{}});
+    const auto& [w, v] = solved.acceleration;
+    return J{w.x, w.y, w.z, v.x, v.y, v.z};
+  }
+};
+
 template <class R, class... F>
 Operations extra() {
   return torque<Scene<R, Gravity, F...>>() - torque<Scene<R, Gravity>>();
@@ -157,4 +181,27 @@ TEST(SceneCounts, OneJointsTorqueCostsNothingOfTheOthers) {
   EXPECT_LE(first.mul + first.add, whole.mul + whole.add);
   const auto all_gravity = cost<R>(algorithm::gravity), tip = cost<R>(OneGravityTorque<5>{});
   EXPECT_LT(tip.mul + tip.add, all_gravity.mul + all_gravity.add);
+}
+
+TEST(SceneCounts, TheSolveOfAFreeBase) {
+  const auto solve = cost<Robot<9, 0>>(SolveOfTheBase{});
+  std::printf("6x6 solve: %d M, %d A, %d D\n", solve.mul, solve.add, solve.div);
+  EXPECT_EQ(solve, (Operations{86, 65, 6, 0}));
+}
+
+// Above a base that moves as it is told: the first link's congruence and inertia, the body's own bias, the solve.
+TEST(SceneCounts, AFreeBaseCostsTheSameWhateverItCarries) {
+  const auto extra_of = [](auto robot) {
+    using R = decltype(robot);
+    return acceleration<Scene<R, axial::FloatingBase>>() - acceleration<Scene<R, axial::BaseMotion, ArticulatedBody>>();
+  };
+  const auto three = extra_of(OnABody<3>{}), six = extra_of(OnABody<6>{});
+  std::printf("free base: %d M, %d A, %d D more than a given one\n", six.mul, six.add, six.div);
+  EXPECT_EQ(three, six);
+  EXPECT_EQ(six, (Operations{212, 208, 6, 0}));
+}
+
+TEST(SceneCounts, ABodyThatTheSceneDoesNotFloatIsFree) {
+  EXPECT_EQ((acceleration<OnABody<3>>()), (acceleration<Robot<3, general>>()));
+  EXPECT_EQ((torque<OnABody<3>>()), (torque<Robot<3, general>>()));
 }

@@ -1,6 +1,7 @@
 // The articulated-body algorithm (ABA) by successive axial screws, with the bias in classical accelerations.
 #pragma once
 
+#include <axial/dynamics/floating_base.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/dynamics/reach.hpp>
 #include <axial/dynamics/reflection.hpp>
@@ -14,6 +15,15 @@ template <class S, class T>
 struct ForwardDynamics : Joints<S, T> {
   Status status{};
 };
+/// On a floating base also the base's own acceleration: angular (rad/s^2) and of the origin of frame 0 (m/s^2, gravity
+/// included), in axes of frame 0. The status names joint -1 where the base itself is near singular.
+template <class S, class T>
+struct FloatingDynamics : ForwardDynamics<S, T> {
+  MotionVector<Vec3<T>, Vec3<T>> base_acceleration{};
+};
+template <class S, class T>
+using ForwardDynamicsOf = std::conditional_t<scene_of<S>::template has<FloatingBase>, FloatingDynamics<robot_of<S>, T>,
+                                             ForwardDynamics<robot_of<S>, T>>;
 
 namespace aba {
 
@@ -168,8 +178,18 @@ struct InMotion {
   AXIAL_INLINE constexpr auto external(I i, const Link& link) const {
     return TipLoads<typename Links::Scene, Input>(in).wrench(i, link);
   }
-  AXIAL_INLINE constexpr auto base() const {
-    return MotionVector{base_angular_acceleration(links, in), base_acceleration(links, in)};
+  /// The base's acceleration against gravity: given, or what the links leave to a base that is free.
+  template <class Joints>
+  AXIAL_INLINE constexpr auto base(const Joints& joints) const {
+    if constexpr (Links::Scene::template has<FloatingBase>) {
+      using T = typename Links::Scalar;
+      auto body = base_link(links);
+      auto own = alone(body, body.body(), body.inertia_differences(), base_velocity(links, in), base_load(links, in));
+      auto all = with_roots(links, joints, own);
+      return free_motion<T>(body, all.inertia, all.bias, all.reach);
+    } else {
+      return FreeMotion{MotionVector{base_angular_acceleration(links, in), base_acceleration(links, in)}, false};
+    }
   }
 };
 
@@ -193,8 +213,24 @@ struct AtRest {
   AXIAL_INLINE constexpr auto external(I, const Link&) const {
     return ForceVector<ZeroVec3, ZeroVec3>{};
   }
-  AXIAL_INLINE constexpr auto base() const { return MotionVector<ZeroVec3, ZeroVec3>{}; }
+  template <class Joints>
+  AXIAL_INLINE constexpr auto base(const Joints&) const {
+    return FreeMotion{MotionVector<ZeroVec3, ZeroVec3>{}, false};
+  }
 };
+
+/// Writes the acceleration of a floating base, with gravity back in it.
+template <class Links, class Input, class Motion, class A>
+AXIAL_INLINE constexpr Status write_base(const Links& links, const Input& in, const Motion& base, int singular,
+                                         A& result) {
+  bool lost = singular >= 0;
+  if constexpr (Links::Scene::template has<FloatingBase>) {
+    const auto& a = base.acceleration;
+    result.base_acceleration = MotionVector{a.angular, a.linear + gravity_at_base(links, in)};
+    lost = lost | base.singular;
+  }
+  return {lost ? Status::Code::near_singular : Status::Code::ok, singular};
+}
 
 /// The algorithm over any form of links and the screws at q; writes one acceleration a joint.
 template <class Links, class Input, class Screws, class Situation, class Tau, class A>
@@ -217,7 +253,8 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
     });
   });
   int singular = -1;
-  outward(links, situation.base(), [&](auto i, const auto& parent) AXIAL_INLINE {
+  auto base = situation.base(joints);
+  outward(links, base.acceleration, [&](auto i, const auto& parent) AXIAL_INLINE {
     auto link = links.link(i);
     const auto& left = joints[i];
     auto moved = to_child(screws[i], to_child(link.x(), parent, link), link) + left.zeta;
@@ -228,7 +265,7 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
       return link.shape(moved + along_axis(joint, own));
     });
   });
-  return {singular < 0 ? Status::Code::ok : Status::Code::near_singular, singular};
+  return write_base(links, in, base, singular, qdd);
 }
 
 /// The classical form: one inward pass carries inertia and bias.

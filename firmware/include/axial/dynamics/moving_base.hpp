@@ -5,10 +5,23 @@
 
 namespace axial {
 
-/// Angular velocity of frame 0, rad/s; zero by type unless the scene names BaseMotion.
+/// Whether frame 0 moves: as it is told, or freely.
+template <class Scene>
+inline constexpr bool base_moves = Scene::template has<BaseMotion> || Scene::template has<FloatingBase>;
+
+/// Acceleration of free fall in axes of frame 0, m/s^2.
+template <class Links, class Input>
+AXIAL_INLINE constexpr auto gravity_at_base(const Links& links, const Input& in) {
+  if constexpr (Links::Scene::template has<RuntimeGravity>)
+    return in.gravity;
+  else
+    return -links.base_acceleration();
+}
+
+/// Angular velocity of frame 0, rad/s; zero by type unless the scene moves it.
 template <class Links, class Input>
 AXIAL_INLINE constexpr auto base_angular_velocity(const Links&, const Input& in) {
-  if constexpr (Links::Scene::template has<BaseMotion>)
+  if constexpr (base_moves<typename Links::Scene>)
     return in.base_motion.angular_velocity;
   else
     return ZeroVec3{};
@@ -16,7 +29,7 @@ AXIAL_INLINE constexpr auto base_angular_velocity(const Links&, const Input& in)
 /// Its angular acceleration, rad/s^2.
 template <class Links, class Input>
 AXIAL_INLINE constexpr auto base_angular_acceleration(const Links&, const Input& in) {
-  if constexpr (Links::Scene::template has<BaseMotion>)
+  if constexpr (base_moves<typename Links::Scene>)
     return in.base_motion.angular_acceleration;
   else
     return ZeroVec3{};
@@ -25,9 +38,9 @@ AXIAL_INLINE constexpr auto base_angular_acceleration(const Links&, const Input&
 template <class Links, class Input>
 AXIAL_INLINE constexpr auto base_acceleration(const Links& links, const Input& in) {
   using Scene = typename Links::Scene;
-  if constexpr (Scene::template has<BaseMotion> && Scene::template has<RuntimeGravity>)
+  if constexpr (base_moves<Scene> && Scene::template has<RuntimeGravity>)
     return in.base_motion.linear_acceleration - in.gravity;
-  else if constexpr (Scene::template has<BaseMotion>)
+  else if constexpr (base_moves<Scene>)
     return in.base_motion.linear_acceleration + links.base_acceleration();
   else if constexpr (Scene::template has<RuntimeGravity>)
     return -in.gravity;

@@ -165,6 +165,12 @@ AXIAL_INLINE constexpr Resistance<T> resistance(const T& d, const Scale& scale) 
   return {select(left, reciprocal(d), T(Zero{})), !(d > T(T(Int<16>{}) * eps * scale))};
 }
 
+/// Of a slide that carries one kilogram, known to the compiler.
+template <class Scale>
+AXIAL_INLINE constexpr Resistance<One> resistance(One, const Scale&) {
+  return {One{}, false};
+}
+
 /// Reflection of an articulated body (inertia, bias p) across its joint, driven by the effort tau; D = I_ss + rotor.
 template <class Joint, class Link, class I, class P, class Z, class Tau, class Scale>
 AXIAL_INLINE constexpr auto reflection(Joint joint, const Link& link, const I& inertia, const P& p, const Z& zeta,

@@ -71,6 +71,7 @@ constexpr double elimination_loss() {
 template <class Scene>
 constexpr Route chosen_route() {
   if (Scene::template has<ArticulatedBody>) return Route::articulated_body;
+  if (Scene::template has<FloatingBase>) return Route::articulated_body;
   if (Scene::template has<SplitArticulatedBody>) return Route::split_articulated_body;
   if (Scene::template has<CompositeBody>) return Route::composite_body;
   constexpr double ten_bits = 1024.0;
@@ -83,7 +84,7 @@ constexpr Route chosen_route() {
 
 /// The form that forward_dynamics<S> takes: the one that the scene names (ArticulatedBody, SplitArticulatedBody,
 /// CompositeBody), else composite bodies where they are cheaper and the elimination can lose at most ten bits, else
-/// ABA. A run-time Model takes ABA.
+/// ABA. A floating base and a run-time Model take ABA.
 template <class S>
 inline constexpr Route forward_dynamics_route = detail::chosen_route<scene_of<S>>();
 }  // namespace axial

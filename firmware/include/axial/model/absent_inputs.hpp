@@ -16,6 +16,12 @@ class add_the_feature_axial_RuntimeGravity_to_the_scene {
 class add_the_feature_axial_BaseMotion_to_the_scene {
   static void base_motion();
 };
+class add_the_feature_axial_BaseWrench_to_the_scene {
+  static void base_wrench();
+};
+class add_the_feature_axial_VelocityThroughWater_to_the_scene {
+  static void velocity_through_water();
+};
 class add_the_feature_axial_TipWrench_to_the_scene {
   static void tip_wrench();
 };
@@ -35,15 +41,20 @@ struct Present {};
 }  // namespace absent
 
 namespace detail {
-template <class Scene, class Tag, class Absent>
-using absent_unless_named = std::conditional_t<Scene::template has<Tag>, absent::Present<Tag>, Absent>;
+template <class Scene, class Tag, class Absent, class... Others>
+using absent_unless_named =
+    std::conditional_t<(Scene::template has<Tag> || ... || Scene::template has<Others>), absent::Present<Tag>, Absent>;
 }
 
 /// Every input that a scene lacks.
 template <class Scene>
 struct AbsentInputs
     : detail::absent_unless_named<Scene, RuntimeGravity, absent::add_the_feature_axial_RuntimeGravity_to_the_scene>,
-      detail::absent_unless_named<Scene, BaseMotion, absent::add_the_feature_axial_BaseMotion_to_the_scene>,
+      detail::absent_unless_named<Scene, BaseMotion, absent::add_the_feature_axial_BaseMotion_to_the_scene,
+                                  FloatingBase>,
+      detail::absent_unless_named<Scene, BaseWrench, absent::add_the_feature_axial_BaseWrench_to_the_scene>,
+      detail::absent_unless_named<Scene, VelocityThroughWater,
+                                  absent::add_the_feature_axial_VelocityThroughWater_to_the_scene>,
       detail::absent_unless_named<Scene, TipWrench, absent::add_the_feature_axial_TipWrench_to_the_scene>,
       detail::absent_unless_named<Scene, ExternalWrenches, absent::add_the_feature_axial_ExternalWrenches_to_the_scene>,
       detail::absent_unless_named<Scene, Payload, absent::add_the_feature_axial_Payload_to_the_scene>,

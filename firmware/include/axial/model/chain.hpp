@@ -1,7 +1,7 @@
 // A robot's chain: gravity, links, base and tool, checked while it compiles.
 #pragma once
 
-#include <axial/model/link.hpp>
+#include <axial/model/base_body.hpp>
 
 namespace axial {
 
@@ -50,6 +50,8 @@ struct Chain {
   Base base{};
   Tool tool{};
   PayloadLimit payload_limit{};
+  LinkParameters base_body{};  ///< inertia of the body that is fixed to frame 0; only a FloatingBase sees it
+  bool has_base_body = false;
 
   /// Index of the link that carries joint i, or LinkParameters::base.
   constexpr int parent(int i) const { return links[i].parent == LinkParameters::previous ? i - 1 : links[i].parent; }
@@ -179,12 +181,17 @@ struct ChainBuilder {
       malformed_robot("axial: payload_limit must be finite and >= 0; give payload_limit(kg, m, kg m^2)");
     chain.payload_limit = limit;
   }
+  constexpr void add(const BaseBody& body) {
+    check_link(body.parameters(), 0);
+    chain.base_body = body.parameters();
+    chain.has_base_body = true;
+  }
 };
 
 }  // namespace detail
 
-/// Builds a robot from links (from the base outwards) and, in any order, gravity(), base(), tool() and
-/// payload_limit().
+/// Builds a robot from links (from the base outwards) and, in any order, gravity(), base(), base_body(),
+/// tool() and payload_limit().
 /// A malformed robot (not finite, negative mass, limits upside down, no link, ...) does not compile.
 template <class... Parts>
 constexpr auto chain(const Parts&... parts) {

@@ -68,6 +68,38 @@ struct BaseMotion : Feature<BaseMotion> {
   };
 };
 
+/// A base that is free to move: the rigid body that the robot declares with axial::base_body() is fixed to frame 0.
+/// Input `base_motion` as for BaseMotion: forward dynamics takes the angular velocity from it and finds the
+/// accelerations; inverse dynamics and base_wrench take all. doc/moving_base.md.
+struct FloatingBase : Feature<FloatingBase> {
+  template <class Robot, class T>
+  struct Input {
+    GivenMotion<T> base_motion{};
+  };
+};
+
+/// Force that the environment (thrusters, a contact) exerts on a floating base: axes and origin of frame 0, input
+/// `base_wrench`.
+struct BaseWrench : Feature<BaseWrench> {
+  template <class Robot, class T>
+  struct Input {
+    ForceVector<Vec3<T>, Vec3<T>> base_wrench{};
+  };
+};
+
+/// Links and base body in still water as they declare it: added mass, buoyancy (where the scene names gravity) and
+/// drag. doc/moving_base.md.
+struct Underwater : Feature<Underwater> {};
+
+/// Velocity of the origin of frame 0 through the water, input `velocity_through_water`, m/s in axes of frame 0: its own
+/// less that of a steady, uniform current. For an underwater base that moves, or a fixed one in a current.
+struct VelocityThroughWater : Feature<VelocityThroughWater> {
+  template <class Robot, class T>
+  struct Input {
+    Vec3<T> velocity_through_water{};
+  };
+};
+
 /// gear^2 J of each drive on its own joint.
 struct RotorInertia : Feature<RotorInertia> {};
 

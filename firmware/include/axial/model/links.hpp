@@ -149,9 +149,10 @@ using parameters_of =
 
 namespace detail {
 template <class Scene, class Parameters>
-using with_rotors = std::conditional_t<std::is_same_v<Parameters, BaseParameters> &&
-                                           Scene::template has<RotorInertia> && !Scene::template has<BaseMotion>,
-                                       BaseParametersAndRotors, Parameters>;
+using with_rotors =
+    std::conditional_t<std::is_same_v<Parameters, BaseParameters> && Scene::template has<RotorInertia> &&
+                           !Scene::template has<BaseMotion> && !Scene::template has<FloatingBase>,
+                       BaseParametersAndRotors, Parameters>;
 }
 
 /// The links of a scene (or of a bare robot) over numbers T, in the form that the scene asks for.

@@ -5,6 +5,23 @@
 
 namespace axial {
 
+/// The links of a run-time model: a table, and the body that is fixed to frame 0.
+template <class SceneType, class ScalarType, int N>
+class ModelLinks : public TableLinks<SceneType, ScalarType, double, N> {
+  using Table = TableLinks<SceneType, ScalarType, double, N>;
+
+ public:
+  AXIAL_INLINE constexpr ModelLinks(const Table& table, const LinkConstants<double>& base)
+      : Table(table), base_(base) {}
+
+  AXIAL_INLINE constexpr auto base_link() const {
+    return TableLink<SceneType, ScalarType, double, detail::UnknownColumns>(base_, nullptr, false);
+  }
+
+ private:
+  const LinkConstants<double>& base_;
+};
+
 /// Up to N links, filled at run time; the algorithms run over it in their looped form. Stands where a robot or scene
 /// stands: `inverse_dynamics(model, q, qd, qdd)` with `Joints<Model<N>, T>`. Features as for Scene; without any,
 /// gravity and rotor inertia. No allocation; add() says false where a link is refused (full, or its parent is not
@@ -33,17 +50,21 @@ class Model {
   /// Pose of frame 0 in the world, and of the tool in the last link's frame: only kinematics sees them.
   constexpr void set_base(const FixedPose& pose) { mounting_.base = pose; }
   constexpr void set_tool(const FixedPose& pose) { mounting_.tool = pose; }
+  /// The body that is fixed to frame 0, for the feature FloatingBase.
+  constexpr void set_base_body(const LinkParameters& body) { base_body_ = link_constants(body, LinkParameters::base); }
+  constexpr void set_base_body(const BaseBody& body) { set_base_body(body.parameters()); }
   constexpr int size() const { return size_; }
   constexpr const LinkConstants<double>& constants(int i) const { return table_[i]; }
 
   template <class T>
   constexpr auto links() const {
-    return TableLinks<Scene, T, double, N>(table_, drives_, size_, mounting_);
+    return ModelLinks<Scene, T, N>(TableLinks<Scene, T, double, N>(table_, drives_, size_, mounting_), base_body_);
   }
 
  private:
   LinkConstants<double> table_[N] = {};
   DriveConstants<double> drives_[N] = {};
+  LinkConstants<double> base_body_{};
   Mounting mounting_{};
   int size_ = 0;
 };

@@ -28,6 +28,17 @@ struct Scene {
   static_assert(!(has<FullParameters> && has<BaseParameters>),
                 "axial: a Scene names both FullParameters and BaseParameters; keep one, or none for each algorithm's "
                 "default");
+  static_assert(!(has<FloatingBase> && has<BaseMotion>),
+                "axial: a Scene names both FloatingBase and BaseMotion; keep FloatingBase for a base that is free, or "
+                "BaseMotion for one that moves as it is told");
+  static_assert(!(has<FloatingBase> && has<Gravity>),
+                "axial: a Scene names Gravity for a floating base, in whose frame gravity turns; name RuntimeGravity "
+                "and give in.gravity in axes of frame 0, or neither in free space");
+  static_assert(!has<BaseWrench> || has<FloatingBase>,
+                "axial: a Scene names BaseWrench for a base that is not free; add FloatingBase or take BaseWrench out");
+  static_assert(!(has<FloatingBase> && (has<SplitArticulatedBody> || has<CompositeBody>)),
+                "axial: forward dynamics of a floating base is that of ArticulatedBody; take SplitArticulatedBody or "
+                "CompositeBody out");
   static_assert(times_named<ArticulatedBody> + times_named<SplitArticulatedBody> + times_named<CompositeBody> <= 1,
                 "axial: a Scene names more than one form of forward dynamics; keep one of ArticulatedBody, "
                 "SplitArticulatedBody and CompositeBody, or none to let the compiler choose");

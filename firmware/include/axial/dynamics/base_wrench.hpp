@@ -1,0 +1,56 @@
+// The force between a robot and what carries it.
+#pragma once
+
+#include <axial/dynamics/floating_base.hpp>
+#include <axial/dynamics/inverse_dynamics.hpp>
+
+namespace axial {
+
+/// A force as plain numbers: moment (N m) about the origin of a frame and force (N), in its axes.
+template <class T>
+using Wrench = ForceVector<Vec3<T>, Vec3<T>>;
+
+namespace rnea {
+
+/// Force that moves the base body as the scene's inputs say, less what pushes it; zero by type where nothing floats.
+template <class Links, class Input>
+AXIAL_INLINE constexpr auto base_body_force(const Links& links, const Input& in) {
+  if constexpr (Links::Scene::template has<FloatingBase>) {
+    auto body = base_link(links);
+    return newton_euler(body, body.body(), body.inertia_differences(), base(links, in)) - base_load(links, in);
+  } else {
+    return ForceVector<ZeroVec3, ZeroVec3>{};
+  }
+}
+
+/// The inward pass of inverse dynamics, without the joints' efforts.
+template <class Links, class Input, class Q, class V, class A>
+AXIAL_INLINE constexpr auto force_on_base(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd) {
+  auto screws = joint_screws(links, in, q);
+  auto motions = link_motions(links, in, screws, qd, qdd);
+  auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, i); };
+  auto joint = [&](auto i, const auto& force) AXIAL_INLINE { return Left{sent_force(links, screws, i, force)}; };
+  return with_roots(links, inward(links, own, joint), base_body_force(links, in));
+}
+
+}  // namespace rnea
+
+/// Force that whatever carries the robot exerts on it at frame 0 for a given motion: moment (N m) about the origin and
+/// force (N), in axes of frame 0, gravity held up. On a floating base: what must push it, besides the input
+/// `base_wrench`, to move with in.base_motion; zero for the motion that forward_dynamics finds.
+/// Inputs as for inverse_dynamics. Always on full parameters: a mount feels what no joint feels.
+template <class S, class T>
+constexpr Wrench<T> base_wrench(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+                                const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
+  static_assert(!scene_of<S>::template has<BaseParameters>,
+                "axial: base_wrench needs every link's own parameters, which BaseParameters regroups; take "
+                "BaseParameters out of the scene");
+  return rnea::force_on_base(links_of<S, T>(), in, q, qd, qdd);
+}
+template <int N, class... F, class T, class M = Model<N, F...>>
+constexpr Wrench<T> base_wrench(const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd,
+                                const Accelerations<M, T>& qdd, const Inputs<M, T>& in = {}) {
+  return rnea::force_on_base(model.template links<T>(), in, q, qd, qdd);
+}
+
+}  // namespace axial

@@ -1,0 +1,39 @@
+// The rigid body that is fixed to frame 0 of a robot on a floating base.
+#pragma once
+
+#include <axial/model/link.hpp>
+
+namespace axial {
+
+/// Fluent description of that body, in axes of frame 0, with the names that a Link has; start with base_body().
+class BaseBody {
+ public:
+  constexpr BaseBody() = default;
+
+  constexpr const LinkParameters& parameters() const { return body_.parameters(); }
+
+  /// Mass in kg.
+  constexpr BaseBody mass(double kg) const { return BaseBody(body_.mass(kg)); }
+  /// Centre of mass in m, in frame 0.
+  constexpr BaseBody com(double x, double y, double z) const { return BaseBody(body_.com(x, y, z)); }
+  /// Inertia tensor in kg m^2 about the centre of mass, axes of frame 0; products are tensor entries.
+  constexpr BaseBody inertia_com(double xx, double yy, double zz, double xy = 0.0, double xz = 0.0,
+                                 double yz = 0.0) const {
+    return BaseBody(body_.inertia_com(xx, yy, zz, xy, xz, yz));
+  }
+  /// Inertia tensor in kg m^2 about the origin of frame 0; give mass and com before it.
+  constexpr BaseBody inertia_origin(double xx, double yy, double zz, double xy = 0.0, double xz = 0.0,
+                                    double yz = 0.0) const {
+    return BaseBody(body_.inertia_origin(xx, yy, zz, xy, xz, yz));
+  }
+
+ private:
+  constexpr explicit BaseBody(const Link& body) : body_(body) {}
+
+  Link body_{JointType::revolute};  // its joint and its drive mean nothing
+};
+
+/// The body that is fixed to frame 0: what a FloatingBase moves with the links.
+constexpr BaseBody base_body() { return {}; }
+
+}  // namespace axial

@@ -1,0 +1,11 @@
+// expect: add_the_feature_axial_BaseWrench_to_the_scene
+#include <axial/axial.hpp>
+#include <robots/scara.hpp>
+
+#ifdef MENDED
+using Scene = axial::Scene<robots::Scara, axial::FloatingBase, axial::BaseWrench>;
+#else
+using Scene = axial::Scene<robots::Scara, axial::FloatingBase>;
+#endif
+
+void give(axial::Inputs<Scene, float>& in) { in.base_wrench.force = {0.0F, 0.0F, 1.0F}; }
