@@ -1,4 +1,4 @@
-// expect: gravity turns; name RuntimeGravity
+// expect: name RuntimeGravity
 #include <axial/axial.hpp>
 #include <robots/scara.hpp>
 

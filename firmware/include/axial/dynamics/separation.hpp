@@ -135,9 +135,9 @@ AXIAL_INLINE constexpr void rest_terms(const Links& links, const Input& in, cons
 /// The algorithm over any form of links. Coefficients that vanish for every q are not set, or set as Zero.
 template <class Links, class Input, class Q, class Screws, class Terms>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const Screws& screws, Terms& terms) {
-  static_assert(!Links::Scene::template has<BaseMotion>,
+  static_assert(!base_moves<typename Links::Scene>,
                 "axial: a base that turns adds terms which are linear in the joint rates, and separate() has no place "
-                "for them; take BaseMotion out of the scene, or use inverse_dynamics");
+                "for them; take BaseMotion or FloatingBase out of the scene, or use inverse_dynamics");
   auto bodies = crba::composite_bodies(links, in, screws);
   auto motions = joint_motions(links, screws);
   for_each_link(links, [&](auto i) AXIAL_INLINE { joint_terms(links, bodies, motions, i, terms); });
