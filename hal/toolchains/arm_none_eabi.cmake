@@ -20,8 +20,8 @@ string(JOIN " " AXIAL_COMMON_FLAGS
   -g                       # symbols for the debugger; takes no flash
   -ffunction-sections      # one section a function and object, so that the linker
   -fdata-sections          # can drop what an image does not use
-  # Long straight-line code lives or dies by its registers; these four were found by trying two dozen flags on seven
-  # kernels (README.md has the figures): -13 % estimated cycles on the M4F, -16 % on the M7 against plain -O2.
+  # Long straight-line code lives or dies by its registers: what these four save, ./axial size --flags tells
+  # (doc/size.md, "Compiler flags").
   -fno-schedule-insns      # scheduling before register allocation lengthens lifetimes and spills more
   -fno-tree-ter            # keep the order in which the kernels are written
   -flive-range-shrinkage   # move definitions to their uses before allocation

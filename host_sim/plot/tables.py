@@ -2,10 +2,12 @@
 
 usage: tables.py DATA_FOLDER DOCUMENT.md...
 
-DATA_FOLDER holds report.json, provenance.json, demo-<robot>-<board>.json, size.json and size_provenance.json. In each document whatever stands between
-<!-- table NAME --> and <!-- end --> is replaced by the table of that name (a key of TABLES).
+DATA_FOLDER holds report.json, provenance.json, demo-<robot>-<board>.json, size.json, size_provenance.json, flags.csv and
+flags_provenance.json. In each document whatever stands between <!-- table NAME --> and <!-- end --> is replaced by the
+table of that name (a key of TABLES).
 """
 
+import csv
 import json
 import pathlib
 import re
@@ -21,11 +23,17 @@ class Data:
         self.report = load(folder / "report.json")
         self.provenance = load(folder / "provenance.json")
         self.size, self.size_provenance = load(folder / "size.json"), load(folder / "size_provenance.json")
+        self.flags, self.flags_provenance = load_csv(folder / "flags.csv"), load(folder / "flags_provenance.json")
         self.demos = [load(file) for file in sorted(folder.glob("demo-*.json"))]
 
 
 def load(file):
     return json.loads(file.read_text(encoding="utf-8"))
+
+
+def load_csv(file):
+    with open(file, encoding="utf-8", newline="") as lines:
+        return list(csv.DictReader(lines))
 
 
 def markdown(header, rows):
@@ -148,7 +156,42 @@ def size_provenance(data):
             "".join(lines))
 
 
-TABLES = {"size_provenance": size_provenance, "size_scenes": size_scenes, "size_contract": size_contract,
+def size_flags(data):
+    """Sets of compiler flags: sums over the kernels, board by board."""
+    boards = unique(row["board"] for row in data.flags)
+    kernels = unique((row["robot"], row["algorithm"]) for row in data.flags)
+    header = [f"sums over {len(kernels)} kernels"]
+    for board in boards:
+        header += [f"{board}: instructions", "cycles, estimated", "against the first", "flash", "stack"]
+    rows = []
+    for name, changes in unique((row["flags"], row["changes"]) for row in data.flags):
+        line = [name + (f": `{changes}`" if changes else "")]
+        for board in boards:
+            first, own = (flag_totals(data, each, board) for each in (data.flags[0]["flags"], name))
+            cycles = own["cycles_estimated"]
+            line += [flag_cell(own["instructions"]), flag_cell(cycles),
+                     "" if cycles is None else f"{cycles / first['cycles_estimated'] - 1:+.1%}",
+                     flag_cell(own["flash_bytes"]), flag_cell(own["stack_bytes"])]
+        rows.append(line)
+    made = data.flags_provenance
+    own_flags = "".join(f"- `{board}`: `{flags}`\n" for board, flags in made["flags"].items())
+    return (markdown(header, rows) + f"\nCompiled at commit `{made['commit']}` with {made['compiler']}; the toolchain file's flags:\n\n" +
+            own_flags)
+
+
+def flag_totals(data, name, board):
+    """Of one set on one board: sums, of the stack the largest; None where a kernel has no count."""
+    rows = [row for row in data.flags if (row["flags"], row["board"]) == (name, board)]
+    return {figure: of(int(row[figure]) for row in rows) if all(row[figure] for row in rows) else None
+            for figure, of in (("instructions", sum), ("cycles_estimated", sum), ("flash_bytes", sum), ("stack_bytes", max))}
+
+
+def flag_cell(number):
+    return "loops" if number is None else grouped(number)
+
+
+TABLES = {"size_flags": size_flags,
+          "size_provenance": size_provenance, "size_scenes": size_scenes, "size_contract": size_contract,
           "size_stm32f405": lambda data: size_of(data, "stm32f405"),
           "size_mps2_an500": lambda data: size_of(data, "mps2_an500", "fast"),
           "size_stm32f100": lambda data: size_of(data, "stm32f100"),

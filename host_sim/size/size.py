@@ -73,10 +73,14 @@ def some_work_of(options):
 
 def print_table(rows):
     header = ["board", "robot", "scene", "algorithm", "variant", "contract", *SHOWN]
-    cells = [header] + [[str(row[name]) for name in header] for row in rows]
-    widths = [max(len(line[i]) for line in cells) for i in range(len(header))]
+    print_columns([header] + [[str(row[name]) for name in header] for row in rows], 6)
+
+
+def print_columns(cells, words):
+    """The first columns are words, the others numbers, aligned to the right."""
+    widths = [max(len(line[i]) for line in cells) for i in range(len(cells[0]))]
     for line in cells:
-        print("  ".join(cell.rjust(width) if i > 5 else cell.ljust(width)
+        print("  ".join(cell.rjust(width) if i >= words else cell.ljust(width)
                         for i, (cell, width) in enumerate(zip(line, widths))).rstrip())
 
 
@@ -110,13 +114,17 @@ def run_targets(options):
 
 
 def run_provenance(options):
-    """What the rows depend on: the compiler, the flags of each board, the commit."""
-    output = lambda *command: subprocess.run(command, check=True, capture_output=True, text=True).stdout.split("\n")[0]
     flags = {board: next(line.partition("=")[2] for line in
                          (measure.IMAGES / board / "CMakeCache.txt").read_text(encoding="utf-8").splitlines()
                          if line.startswith("CMAKE_CXX_FLAGS:")) for board in boards_of(options)}
-    write_json(options.file, {"commit": output("git", "-C", str(measure.ROOT), "describe", "--always", "--dirty"),
-                              "compiler": output("arm-none-eabi-g++", "--version"), "flags": flags})
+    write_json(options.file, provenance(flags))
+
+
+def provenance(flags):
+    """What the rows depend on: the compiler, the flags of each board, the commit."""
+    output = lambda *command: subprocess.run(command, check=True, capture_output=True, text=True).stdout.split("\n")[0]
+    return {"commit": output("git", "-C", str(measure.ROOT), "describe", "--always", "--dirty"),
+            "compiler": output("arm-none-eabi-g++", "--version"), "flags": flags}
 
 
 def run_budgets(options):

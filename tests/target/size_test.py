@@ -15,6 +15,8 @@ import harness
 sys.path.insert(0, str(emulator.ROOT / "host_sim/size"))
 import cycles  # noqa: E402
 import execution  # noqa: E402
+import flag_sets  # noqa: E402
+import flags  # noqa: E402
 import image  # noqa: E402
 import measure  # noqa: E402
 import size  # noqa: E402
@@ -86,6 +88,14 @@ class Size(harness.BoardTest):
             self.assertEqual(divisions(figures, figures.depths.reached.__contains__), [], probe.name)
             self.assertNotEqual(divisions(figures, lambda _: True), [])
 
+    def test_an_unrolled_kernel_executes_what_stands_there(self):
+        """What ./axial size --flags relies on."""
+        cpu = measure.description(self.board)["cpu"]
+        for probe, row in self.rows.items():
+            program = image.Image(measure.path_of(self.board, probe.name))
+            if probe.scene == "bare":
+                self.assertEqual(flags.cost(program, cpu), (row["instructions"], row["cycles_estimated"]), probe.name)
+
     def test_a_fused_multiply_add_saves_instructions_not_cycles(self):
         for probe, row in self.rows.items():
             if probe.contract == "fast":
@@ -94,17 +104,74 @@ class Size(harness.BoardTest):
                 self.assertGreater(row["cycles_estimated"], apart["cycles_estimated"], probe.name)
 
 
+def compiled(source):
+    """A small program in C that starts at f."""
+    options = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16", "-O1", "-ffreestanding"]
+    with tempfile.TemporaryDirectory(prefix="axial-") as folder:
+        elf = pathlib.Path(folder) / "program.elf"
+        subprocess.run(["arm-none-eabi-gcc", *options, "-x", "c", "-", "-nostdlib", "-Wl,-e,f", "-o", elf], check=True,
+                       input="#define APART __attribute__((noinline))\n" + source, text=True, capture_output=True)
+        return image.Image(elf)
+
+
+class FlagSets(unittest.TestCase):
+    OWN = ("-mthumb", "-O2", "-fno-tree-ter", "-ffp-contract=off")
+
+    def test_changes(self):
+        own, both, name = flag_sets.parse("# a comment\n\nown\nsize, order   !-fno-tree-ter -Os\ncontract fast -ffp-contract=fast\n")
+        self.assertEqual((own.name, own.apply(self.OWN)), ("own", list(self.OWN)))
+        self.assertEqual((both.name, both.apply(self.OWN)), ("size, order", ["-mthumb", "-O2", "-ffp-contract=off", "-Os"]))
+        self.assertEqual(flags.contract(name.apply(self.OWN)), "fast")
+        self.assertEqual(flags.contract(self.OWN), "off")
+
+    def test_what_is_wrong_is_named(self):
+        for why, text in {
+            "line 2: 'ter' is not a flag": "own\nx -fno-tree-ter ter",
+            "line 3: a set without a name": "own\n\n-O3",
+            "line 2: a second 'own'": "own\nown -O3",
+            "the first set must change nothing": "fast -O3",
+            "the first set": "# nothing",
+        }.items():
+            with self.subTest(why), self.assertRaisesRegex(flag_sets.Invalid, why):
+                flag_sets.parse(text)
+        with self.assertRaisesRegex(flag_sets.Invalid, "'x' takes away -fweb, which is not among -mthumb"):
+            flag_sets.parse("own\nx !-fweb")[1].apply(self.OWN)
+
+    def test_own_sets_fit_the_boards(self):
+        sets = flag_sets.parse(flags.SETS.read_text(encoding="utf-8"))
+        made = [tuple(each.apply(flags.own_flags("stm32f405"))) for each in sets]
+        self.assertEqual(len(made), len(set(made)))
+
+    def test_commands_are_taken_apart(self):
+        found = flags.split("/usr/bin/ccache /usr/bin/g++ -DA=1 '-DB=\"\"' -I/x -mthumb -O2 -Wall -std=c++17 -MD -MT a.o -o a.o -c /y/kernel.cpp", ())
+        self.assertEqual(found, (("/usr/bin/ccache", "/usr/bin/g++"), ("-DA=1", '-DB=""', "-I/x", "-std=c++17"), (), "/y/kernel.cpp"))
+
+
+class StraightLine(unittest.TestCase):
+    """What is executed, without executing it; Size compares it with QEMU."""
+
+    def executed(self, source):
+        program = compiled(source)
+        return [name for name, *_ in flags.straight_line(program, program.functions["f"])]
+
+    def test_a_call_counts_as_often_as_it_is_made(self):
+        g = "void APART g(void) { asm volatile(\"nop\"); }"
+        self.assertEqual(self.executed(g + "void f(void) { g(); g(); asm volatile(\"\"); }"),
+                         ["push", "bl", "nop", "bx", "bl", "nop", "bx", "pop"])
+
+    def test_branches_and_loops_are_refused(self):
+        for source in ("int f(int n) { int s = 0; do { asm volatile(\"\"); s += n; } while (--n); return s; }",
+                       "void f(int n) { if (n) asm volatile(\"wfi\\n wfi\\n wfi\\n wfi\\n wfi\\n wfi\\n wfi\"); }"):
+            with self.assertRaises(flags.NotStraight):
+                self.executed(source)
+
+
 class Stack(unittest.TestCase):
     """The stack of small programs whose depth is known by construction."""
 
     def depth(self, source):
-        flags = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16", "-O1", "-ffreestanding"]
-        with tempfile.TemporaryDirectory(prefix="axial-") as folder:
-            elf = pathlib.Path(folder) / "program.elf"
-            subprocess.run(["arm-none-eabi-gcc", *flags, "-x", "c", "-", "-nostdlib", "-Wl,-e,f", "-o", elf], check=True,
-                           input="#define APART __attribute__((noinline))\n" + source, text=True, capture_output=True)
-            program = image.Image(elf)
-            return stack.StackDepth(program).of(program.functions["f"])
+        program = compiled(source)
+        return stack.StackDepth(program).of(program.functions["f"])
 
     def test_known_depths(self):
         leaf = "int APART f(int a) { return a + 1; }"

@@ -12,6 +12,9 @@ in QEMU, and an estimate of cycles from them (doc/size.md). Prints a table, writ
   --output FOLDER     where the files go; default output/size
   --json FILE         the rows once more, as an array of objects
   --documents         alone: measures all anew and writes doc/data/size.*, doc/pictures/size.* and the tables of doc/size.md
+  --flags             the compiler flags instead: some sets of them (host_sim/size/flags.txt), compiled for seven kernels on the
+                      Cortex-M4F and the Cortex-M7, without QEMU; writes flags.csv. May be followed by --json FILE and
+                      --output FOLDER, or by --documents alone: writes doc/data/flags* and their table (part of --documents)
   --update-budgets    alone: writes tests/target/budgets.json, 2 % above what is measured now
 Exits non-zero when something can not be bounded or counts disagree.
 END
@@ -24,6 +27,10 @@ run() {
       (($# == 1)) || fail_usage "--documents stands alone; see ./axial size --help"
       write_size_documents
       ;;
+    --flags)
+      shift
+      compare_flags "$@"
+      ;;
     --update-budgets)
       (($# == 1)) || fail_usage "--update-budgets stands alone; see ./axial size --help"
       build_probes --quick
@@ -34,6 +41,32 @@ run() {
       size_py measure "$@"
       ;;
   esac
+}
+
+compare_flags() {
+  if [[ ${1:-} == --documents ]]; then
+    (($# == 1)) || fail_usage "--flags --documents stands alone; see ./axial size --help"
+    write_flag_data
+    write_size_tables
+  else
+    configure_flag_boards
+    flags_py measure "$@"
+  fi
+}
+
+flags_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/size/flags.py" "$@"; }
+
+configure_flag_boards() {
+  local board
+  for board in $(flags_py boards); do
+    build "$board" size-empty-scara
+  done
+}
+
+write_flag_data() {
+  configure_flag_boards
+  flags_py measure --output "$AXIAL_ROOT/doc/data"
+  flags_py provenance "$AXIAL_ROOT/doc/data/flags_provenance.json"
 }
 
 size_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/size/size.py" "$@"; }
@@ -55,5 +88,10 @@ write_size_documents() {
   size_py measure --output "$doc/data"
   size_py provenance "$doc/data/size_provenance.json"
   mv "$doc"/data/size.{png,svg} "$doc/pictures/"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$doc/data" "$doc/size.md"
+  write_flag_data
+  write_size_tables
+}
+
+write_size_tables() {
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/size.md"
 }
