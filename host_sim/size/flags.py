@@ -59,8 +59,11 @@ class Compilation(NamedTuple):
 
 
 def own_flags(board):
-    cache = (measure.IMAGES / board / "CMakeCache.txt").read_text(encoding="utf-8")
-    return tuple(re.search(r"^CMAKE_CXX_FLAGS:\w+=(.*)$", cache, re.MULTILINE)[1].split())
+    """Of its toolchain file."""
+    toolchain = measure.ROOT / measure.description(board)["toolchain"]
+    script = pathlib.Path(__file__).parent / "toolchain_flags.cmake"
+    return tuple(subprocess.run(["cmake", f"-DTOOLCHAIN={toolchain}", "-P", script], check=True, capture_output=True,
+                                text=True).stdout.split())
 
 
 def contract(flags):

@@ -139,8 +139,11 @@ class FlagSets(unittest.TestCase):
 
     def test_own_sets_fit_the_boards(self):
         sets = flag_sets.parse(flags.SETS.read_text(encoding="utf-8"))
-        made = [tuple(each.apply(flags.own_flags("stm32f405"))) for each in sets]
-        self.assertEqual(len(made), len(set(made)))
+        for board in flags.BOARDS:
+            own = flags.own_flags(board)
+            self.assertIn("-O2", own)
+            made = [tuple(each.apply(own)) for each in sets]
+            self.assertEqual(len(made), len(set(made)))
 
     def test_commands_are_taken_apart(self):
         found = flags.split("/usr/bin/ccache /usr/bin/g++ -DA=1 '-DB=\"\"' -I/x -mthumb -O2 -Wall -std=c++17 -MD -MT a.o -o a.o -c /y/kernel.cpp", ())
