@@ -23,10 +23,10 @@ struct OfModel {
 
 template <int N>
 std::unique_ptr<Contender> of_size(Algorithm algorithm, const oracle::Chain<double>& chain, const States& states) {
-  using Model = axial::Model<N>;
+  using Model = axial::Model<N, axial::Gravity, axial::RotorInertia, axial::Unbranched>;
   const OfModel<Model> caller{cases::to_model<Model>(chain)};
   if (algorithm == Algorithm::composite_body) {
-    using Composite = axial::Model<N, axial::Gravity, axial::CompositeBody>;
+    using Composite = axial::Model<N, axial::Gravity, axial::CompositeBody, axial::Unbranched>;
     const OfModel<Composite> composite{cases::to_model<Composite>(chain)};
     return std::make_unique<Ours<Composite, double, Algorithm::forward_dynamics, OfModel<Composite>>>(states,
                                                                                                       composite);

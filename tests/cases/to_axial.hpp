@@ -18,6 +18,7 @@ inline axial::LinkParameters to_axial(const oracle::Link<double>& link) {
   p.type = link.type == oracle::Joint::revolute ? axial::JointType::revolute : axial::JointType::prismatic;
   p.parent = link.parent < 0 ? axial::LinkParameters::base : link.parent;
   p.alpha = to_axial_angle(link.alpha), p.a = link.a, p.d = link.d, p.theta = to_axial_angle(link.theta);
+  p.gamma = to_axial_angle(link.gamma), p.b = link.b;
   p.mass = link.mass;
   p.com[0] = link.com.x, p.com[1] = link.com.y, p.com[2] = link.com.z;
   const oracle::Mat3<double>& I = link.inertia;

@@ -7,13 +7,14 @@ namespace oracle {
 
 enum class Joint { revolute, prismatic };
 
-/// A link in SI units and radians. Pose in its parent: Rx(alpha) Tx(a) Rz(theta) Tz(d), where theta + q (revolute) or
-/// d + q (prismatic) holds the joint variable. Friction acts on the joint side.
+/// A link in SI units and radians. Pose in its parent: Rz(gamma) Tz(b) Rx(alpha) Tx(a) Rz(theta) Tz(d), where theta + q
+/// (revolute) or d + q (prismatic) holds the joint variable. Friction acts on the joint side.
 template <class T>
 struct Link {
   Joint type = Joint::revolute;
   int parent = -1;  ///< index of the link that carries the joint; -1: frame 0
   T alpha{}, a{}, d{}, theta{};
+  T gamma{}, b{};  ///< a branch of a tree; 0 in serial chains
   T mass{};
   Vec3<T> com{};      ///< in the link's frame
   Mat3<T> inertia{};  ///< about the centre of mass, axes of the link's frame

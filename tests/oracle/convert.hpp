@@ -53,13 +53,27 @@ template <class To, class From>
 Chain<To> convert(const Chain<From>& source) {
   Chain<To> result;
   for (const Link<From>& l : source.links)
-    result.links.push_back({l.type, l.parent, convert_angle<To>(l.alpha), static_cast<To>(l.a), static_cast<To>(l.d),
-                            convert_angle<To>(l.theta), static_cast<To>(l.mass), convert<To>(l.com),
-                            convert<To>(l.inertia), static_cast<To>(l.rotor_inertia), static_cast<To>(l.gear),
-                            static_cast<To>(l.viscous), static_cast<To>(l.coulomb_forward),
-                            static_cast<To>(l.coulomb_backward), static_cast<To>(l.static_friction),
-                            static_cast<To>(l.stribeck_speed), static_cast<To>(l.smooth_speed),
-                            static_cast<To>(l.spring_stiffness), static_cast<To>(l.spring_rest)});
+    result.links.push_back({l.type,
+                            l.parent,
+                            convert_angle<To>(l.alpha),
+                            static_cast<To>(l.a),
+                            static_cast<To>(l.d),
+                            convert_angle<To>(l.theta),
+                            convert_angle<To>(l.gamma),
+                            static_cast<To>(l.b),
+                            static_cast<To>(l.mass),
+                            convert<To>(l.com),
+                            convert<To>(l.inertia),
+                            static_cast<To>(l.rotor_inertia),
+                            static_cast<To>(l.gear),
+                            static_cast<To>(l.viscous),
+                            static_cast<To>(l.coulomb_forward),
+                            static_cast<To>(l.coulomb_backward),
+                            static_cast<To>(l.static_friction),
+                            static_cast<To>(l.stribeck_speed),
+                            static_cast<To>(l.smooth_speed),
+                            static_cast<To>(l.spring_stiffness),
+                            static_cast<To>(l.spring_rest)});
   result.gravity = convert<To>(source.gravity);
   result.base = convert<To>(source.base), result.tool = convert<To>(source.tool);
   return result;

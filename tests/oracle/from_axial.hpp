@@ -21,6 +21,7 @@ Link<T> link_from_axial(const axial::LinkParameters& p, int parent) {
   link.parent = parent;
   link.alpha = angle_from_axial<T>(p.alpha), link.a = T(p.a), link.d = T(p.d);
   link.theta = angle_from_axial<T>(p.theta);
+  link.gamma = angle_from_axial<T>(p.gamma), link.b = T(p.b);
   link.mass = T(p.mass);
   link.com = {T(p.com[0]), T(p.com[1]), T(p.com[2])};
   const auto& I = p.inertia_com;

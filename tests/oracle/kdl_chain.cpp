@@ -47,7 +47,9 @@ KDL::Joint kdl_joint(const Link<double>& link, const KDL::Frame& first) {
 }
 
 KDL::Frame x_screw(const Chain<double>& chain, int i) {
-  return i < chain.size() ? KDL::Frame::DH_Craig1989(chain[i].a, chain[i].alpha, 0.0, 0.0) : KDL::Frame::Identity();
+  if (i >= chain.size()) return KDL::Frame::Identity();
+  const KDL::Frame branch(KDL::Rotation::RotZ(chain[i].gamma), KDL::Vector(0.0, 0.0, chain[i].b));
+  return branch * KDL::Frame::DH_Craig1989(chain[i].a, chain[i].alpha, 0.0, 0.0);
 }
 
 void check(int error) {

@@ -13,10 +13,17 @@ Mat3<T> rotation_z(T sine, T cosine) {
 }
 
 template <class T>
+Pose<T> branch_pose(const Link<T>& link) {
+  T sine, cosine;
+  sincos_of_constant(link.gamma, sine, cosine);
+  return {rotation_z(sine, cosine), {T(0), T(0), link.b}};
+}
+
+template <class T>
 Pose<T> pose_in_parent(const Link<T>& link, T q) {
   T sine, cosine;
   sincos_of_constant(link.alpha, sine, cosine);
-  const Pose<T> x_screw{rotation_x(sine, cosine), {link.a, T(0), T(0)}};
+  const Pose<T> x_screw = branch_pose(link) * Pose<T>{rotation_x(sine, cosine), {link.a, T(0), T(0)}};
   if (link.type == Joint::revolute) {
     const T angle = link.theta + q;
     return x_screw * Pose<T>{rotation_z(sin(angle), cos(angle)), {T(0), T(0), link.d}};

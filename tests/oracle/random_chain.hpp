@@ -32,6 +32,13 @@ class RandomChains {
       result.links[std::size_t(i)].parent = below(i + 1) - 1;
     return result;
   }
+  /// A tree with branch screws, right-angle and general, on most of its links.
+  Chain<double> branched_tree(int n) {
+    Chain<double> result = tree(n);
+    for (auto& link : result.links)
+      if (below(4) > 0) link.gamma = twist(), link.b = below(4) > 0 ? uniform(-0.5, 0.5) : 0.0;
+    return result;
+  }
   Vector<double> vector(int n, double size) {
     Vector<double> result;
     for (int i = 0; i < n; ++i)

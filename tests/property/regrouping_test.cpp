@@ -19,7 +19,7 @@ constexpr double torque_tolerance = 1e-12;
 constexpr double acceleration_tolerance = 1e-9;
 
 struct Table {
-  LinkConstants<double> links[most];
+  TreeLinkConstants<double> links[most];
   int size;
 };
 template <class M>
@@ -56,7 +56,7 @@ struct Case {
 template <class M>
 Case<M> random_case(oracle::RandomChains& random, int k) {
   const int n = 1 + random.below(most);
-  const auto chain = k % 3 == 0 ? random.tree(n) : random.chain(n);
+  const auto chain = k % 3 == 0 ? random.tree(n) : k % 3 == 1 ? random.branched_tree(n) : random.chain(n);
   Case<M> c{};
   c.full = c.base = table(cases::to_model<M>(chain));
   c.mounting.gravity = {chain.gravity.x, chain.gravity.y, chain.gravity.z};

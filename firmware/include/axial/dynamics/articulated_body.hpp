@@ -68,8 +68,7 @@ AXIAL_INLINE constexpr auto move(Revolute, const Link& link, const Screw& screw,
   auto angular = cross_z(turning, qd);
   // d lies on the axis, which turns with the parent: w_parent x (w_parent x d) in terms of this link's products.
   auto on_axis = screw.shift * Vec3{p.y + angular.y, p.x - angular.x, u.z.z};
-  auto linear =
-      link.sum(LinearAcceleration{}, to_child(screw, to_child(x, parent.u * Vec3{x.shift, Zero{}, Zero{}})), on_axis);
+  auto linear = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, parent.u * translation(x))), on_axis);
   return Velocity{w, p, u, MotionVector{angular, linear}};
 }
 template <class Link, class Screw, class Parent, class V>
@@ -80,7 +79,7 @@ AXIAL_INLINE constexpr auto move(Prismatic, const Link& link, const Screw& screw
   auto w = to_child(screw, to_child(x, parent.w));
   auto p = products(w, link);
   auto u = rotation_acceleration(w, still, p, link);
-  auto linear = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, parent.u * Vec3{x.shift, Zero{}, Zero{}})),
+  auto linear = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, parent.u * translation(x))),
                          u * along_z(screw.shift), cross_z(w, qd + qd));
   return Velocity{w, p, u, MotionVector{still, linear}};
 }
@@ -150,7 +149,7 @@ AXIAL_INLINE constexpr auto reflect(Kind joint, const Link& link, const Screw& s
   auto r = reflection(joint, link, tree.inertia, tree.bias, velocity.zeta, tau, singularity_scale(joint, tree.reach));
   Subtree sent{to_parent(x, to_parent(screw, r.inertia, link), link),
                to_parent(x, to_parent(screw, r.bias, link), link),
-               seen_from(tree.reach, detail::absolute(x.shift) + detail::absolute(screw.shift))};
+               seen_from(tree.reach, shift_length(x) + shift_length(screw))};
   return Left{r.gain, r.free, velocity.zeta, r.singular, sent};
 }
 

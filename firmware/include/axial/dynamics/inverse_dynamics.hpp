@@ -40,8 +40,9 @@ AXIAL_INLINE constexpr auto base(const Links& links, const Input& in) {
 }
 
 /// Rotation of a revolute link from its parent's; `a` is left out. Points of the joint's axis accelerate, relative to
-/// one another, whatever the joint does: behind a twist by a multiple of 90 degrees the third column of U is one of the
-/// parent's U, and the angular acceleration follows from it, which takes 2M 3A less than the other way round.
+/// one another, whatever the joint does: where the axis is one of the parent's (behind turns by multiples of 90
+/// degrees) the third column of U is one of the parent's U, and the angular acceleration follows from it, which takes
+/// 2M 3A less than the other way round.
 template <class Link, class Screw, class Parent, class V, class A>
 AXIAL_INLINE constexpr auto turn(const Link& link, const Screw& screw, const Parent& parent, const V& qd,
                                  const A& qdd) {
@@ -50,8 +51,9 @@ AXIAL_INLINE constexpr auto turn(const Link& link, const Screw& screw, const Par
   auto turning = to_child(screw, to_child(x, parent.w));
   auto w = link.sum(AngularVelocity{}, turning, along_z(qd));
   auto p = products(w, link);
-  if constexpr (is_structural_v<decltype(x.cos)> && is_structural_v<decltype(x.sin)>) {
-    auto axis = to_child(screw, to_child(x, parent.u * to_parent(x, along_z(One{}))));
+  auto at_parent = to_parent(x, along_z(One{}));
+  if constexpr (is_structural_vector<decltype(at_parent)>) {
+    auto axis = to_child(screw, to_child(x, parent.u * at_parent));
     auto dw = Vec3{link.sum(AngularAcceleration{}, p.x, -axis.y), link.sum(AngularAcceleration{}, axis.x, -p.y),
                    link.sum(AngularAcceleration{}, to_child(x, parent.dw).z, qdd)};
     return Motion{w, dw, ZeroVec3{}, p, rotation_acceleration(w, dw, p, axis, link)};
@@ -69,7 +71,7 @@ AXIAL_INLINE constexpr auto move(Revolute, const Link& link, const Screw& screw,
                                  const A& qdd) {
   using namespace quantity;
   auto x = link.x();
-  auto at_axis = link.sum(LinearAcceleration{}, parent.a, parent.u * Vec3{x.shift, Zero{}, Zero{}});
+  auto at_axis = link.sum(LinearAcceleration{}, parent.a, parent.u * translation(x));
   auto m = turn(link, screw, parent, qd, qdd);
   auto a = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, at_axis)), m.u * along_z(screw.shift));
   return Motion{m.w, m.dw, a, m.p, m.u};
@@ -81,7 +83,7 @@ AXIAL_INLINE constexpr auto move(Prismatic, const Link& link, const Screw& screw
                                  const A& qdd) {
   using namespace quantity;
   auto x = link.x();
-  auto at_axis = link.sum(LinearAcceleration{}, parent.a, parent.u * Vec3{x.shift, Zero{}, Zero{}});
+  auto at_axis = link.sum(LinearAcceleration{}, parent.a, parent.u * translation(x));
   auto w = to_child(screw, to_child(x, parent.w));
   auto dw = to_child(screw, to_child(x, parent.dw));
   auto p = products(w, link);

@@ -26,14 +26,26 @@ struct Jacobian {
 
 namespace kinematics {
 
+/// Way from the parent's origin to the joint's axis in world axes, `rotation` being the parent's.
+template <class Axis, class C, class S, class L, class Turn, class R>
+AXIAL_INLINE constexpr auto way(const AxialScrew<Axis, C, S, L, Turn>& x, const R& rotation) {
+  return x.shift * x_column(rotation);
+}
+template <class Z, class X, class R>
+AXIAL_INLINE constexpr auto way(const BranchScrew<Z, X>& branch, const R& rotation) {
+  auto row = [&](const auto& r) AXIAL_INLINE { return to_child(branch.z, r); };
+  Mat3 turned{row(rotation.x), row(rotation.y), row(rotation.z)};
+  return branch.z.shift * z_column(rotation) + way(branch.x, turned);
+}
+
 /// Pose of a link's frame from its parent's: Rx(alpha) Tx(a) Rz(theta) Tz(d), 24M+ for the axes, 6M 6A for the origin.
 template <class Link, class Screw, class P>
 AXIAL_INLINE constexpr auto place(const Link& link, const Screw& screw, const P& parent) {
   auto x = link.x();
   auto row = [&](const auto& r) AXIAL_INLINE { return to_child(screw, to_child(x, r)); };
   Mat3 rotation{row(parent.rotation.x), row(parent.rotation.y), row(parent.rotation.z)};
-  return Pose{rotation, link.sum(quantity::Length{}, parent.position, x.shift * x_column(parent.rotation),
-                                 screw.shift * z_column(rotation))};
+  return Pose{rotation,
+              link.sum(quantity::Length{}, parent.position, way(x, parent.rotation), screw.shift * z_column(rotation))};
 }
 
 /// Poses of all links' frames in the world, each with its structural zeros.

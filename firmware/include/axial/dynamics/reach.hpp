@@ -36,6 +36,16 @@ AXIAL_INLINE constexpr auto absolute(const X& x) {
 }
 }  // namespace detail
 
+/// Distance of a child's origin from its parent's, at most: the lengths of the shifts on the way.
+template <class Axis, class C, class S, class L, class Turn>
+AXIAL_INLINE constexpr auto shift_length(const AxialScrew<Axis, C, S, L, Turn>& screw) {
+  return detail::absolute(screw.shift);
+}
+template <class Z, class X>
+AXIAL_INLINE constexpr auto shift_length(const BranchScrew<Z, X>& branch) {
+  return shift_length(branch.z) + shift_length(branch.x);
+}
+
 /// Of one rigid body: the polar moment is half the trace of its inertia.
 template <class Body>
 AXIAL_INLINE constexpr auto reach(const Body& body) {

@@ -62,8 +62,8 @@ constexpr double elimination_loss() {
     const double all = (c.prismatic ? carried[i].mass : 0.5 * carried[i].polar) + rotor;
     worst = all > worst * own ? (own > 0.0 ? all / own : 1e300) : worst;
     if (c.parent >= 0)
-      carried[c.parent] =
-          carried[c.parent] + seen_from(carried[i], magnitude(c.a) + magnitude(c.d) + travel(Robot::chain.links[i]));
+      carried[c.parent] = carried[c.parent] + seen_from(carried[i], magnitude(c.branch.b) + magnitude(c.a) +
+                                                                        magnitude(c.d) + travel(Robot::chain.links[i]));
   }
   return worst;
 }

@@ -76,6 +76,10 @@ constexpr void check_geometry(const LinkParameters& p, int index) {
   if (!finite(p.alpha.radians) || !finite(p.theta.radians))
     malformed_robot(
         "axial: alpha or theta of a link is not finite; give radians, or degrees with alpha_deg and theta_deg");
+  if (!finite(p.gamma.radians) || !finite(p.b))
+    malformed_robot(
+        "axial: gamma or b of a link's branch is not finite; give branch(radians, metres) or branch_deg(degrees, "
+        "metres)");
   if (p.parent != LinkParameters::previous && (p.parent < LinkParameters::base || p.parent >= index))
     malformed_robot(
         "axial: parent() of a link must name an earlier link or LinkParameters::base; list links from the base "

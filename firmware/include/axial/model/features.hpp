@@ -153,6 +153,10 @@ struct SineCosines : Feature<SineCosines> {
 /// Loops over a table of links instead of unrolling: small code for small flash, and for long chains.
 struct Looped : Feature<Looped> {};
 
+/// For a run-time Model: no link has a branch (add() refuses one), so that no time goes into branch screws that are not
+/// there. A robot's type says so by itself.
+struct Unbranched : Feature<Unbranched> {};
+
 /// Inertial parameters regrouped at compile time (base_parameters.hpp): the default of inverse dynamics, its gravity
 /// and bias parts, and the mass matrix. Naming it makes forward dynamics use them too: cheaper, but links become
 /// differences of large numbers, so only short, well-conditioned arms stay exact.

@@ -8,8 +8,9 @@ namespace axial {
 enum class JointType : unsigned char { revolute, prismatic };
 
 /// What a link is, in SI units and radians. Frame i is fixed to link i, its z axis is joint i's axis; the transform
-/// from frame i-1 to frame i is Rx(alpha) Tx(a) Rz(theta) Tz(d) (modified Denavit-Hartenberg). All fields are inputs
-/// as written by the author of the robot; the algorithms use LinkConstants, derived from them.
+/// from frame i-1 to frame i is Rx(alpha) Tx(a) Rz(theta) Tz(d) (modified Denavit-Hartenberg); in a tree it starts from
+/// the parent's frame, and Rz(gamma) Tz(b) may come before it. All fields are inputs as written by the author of the
+/// robot; the algorithms use LinkConstants, derived from them.
 struct LinkParameters {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
   static constexpr int previous = -2;  ///< parent: the link before this one
@@ -17,6 +18,8 @@ struct LinkParameters {
 
   JointType type = JointType::revolute;
   int parent = previous;            ///< index of the link that carries this joint, or base
+  double b = 0.0;                   ///< m, along z of the parent's frame, before all else
+  Angle gamma;                      ///< rad, about z of the parent's frame
   double a = 0.0;                   ///< m, along x of frame i-1
   Angle alpha;                      ///< rad, about x of frame i-1
   double d = 0.0;                   ///< m, along z of frame i; a prismatic joint's offset
@@ -154,6 +157,16 @@ class Link {
   /// Index of the link that carries this joint (0 is the first), or LinkParameters::base. Default: the link before.
   constexpr Link parent(int index) const {
     return with([&](auto& p) { p.parent = index; });
+  }
+  /// Where this joint leaves a parent that carries several: before alpha and a, a turn in radians about and a shift in
+  /// m along the parent's z axis (Khalil and Kleinfinger's tree parameters gamma and b). Use branch_deg for right
+  /// angles.
+  constexpr Link branch(double gamma, double b) const {
+    return with([&](auto& p) { p.gamma = Angle::from_radians(gamma), p.b = b; });
+  }
+  /// The same with gamma in degrees; 0, 90, 180, -90 are exact and cost nothing.
+  constexpr Link branch_deg(double gamma, double b) const {
+    return with([&](auto& p) { p.gamma = Angle::from_degrees(gamma), p.b = b; });
   }
 
  private:

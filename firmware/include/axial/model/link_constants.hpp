@@ -22,10 +22,28 @@ struct LinkConstants {
   T rotor{};                                   ///< gear^2 J on the joint, kg m^2 or kg
 };
 
+/// The z-screw of a branch, along the parent's z axis: before the x-screw.
+template <class T>
+struct BranchConstants {
+  T cos_gamma{}, sin_gamma{}, b{};
+};
+
+/// Constants of a link in a tree. Looped tables of robots without a branch hold LinkConstants only.
+template <class T>
+struct TreeLinkConstants : LinkConstants<T> {
+  BranchConstants<T> branch{};
+  /// Whether there is anything before the x-screw.
+  constexpr bool branches() const {
+    return branch.sin_gamma < T(0) || branch.sin_gamma > T(0) || branch.cos_gamma < T(0) || branch.b < T(0) ||
+           branch.b > T(0);
+  }
+};
+
 /// Constants of a link from its description. Parallel-axis theorem for the inertia about the origin.
-constexpr LinkConstants<double> link_constants(const LinkParameters& p, int parent) {
+constexpr TreeLinkConstants<double> link_constants(const LinkParameters& p, int parent) {
   const double m = p.mass, x = p.com[0], y = p.com[1], z = p.com[2];
-  LinkConstants<double> c;
+  TreeLinkConstants<double> c;
+  c.branch = {p.gamma.cos, p.gamma.sin, p.b};
   c.prismatic = p.type == JointType::prismatic;
   c.parent = parent;
   c.cos_alpha = p.alpha.cos, c.sin_alpha = p.alpha.sin, c.a = p.a;
@@ -53,15 +71,30 @@ inline constexpr T LinkConstants<T>::*link_numbers[] = {
     &LinkConstants<T>::jxz,       &LinkConstants<T>::jyz,       &LinkConstants<T>::jzz_jyy,
     &LinkConstants<T>::jxx_jzz,   &LinkConstants<T>::jyy_jxx,   &LinkConstants<T>::rotor};
 
+/// Those of a branch, likewise.
+template <class T>
+inline constexpr T BranchConstants<T>::*branch_numbers[] = {&BranchConstants<T>::cos_gamma,
+                                                            &BranchConstants<T>::sin_gamma, &BranchConstants<T>::b};
+
 /// The same constants in another number format.
 template <class T>
-constexpr LinkConstants<T> converted(const LinkConstants<double>& c) {
-  LinkConstants<T> result;
+constexpr void convert(const TreeLinkConstants<double>& c, LinkConstants<T>& result) {
   result.prismatic = c.prismatic;
   result.parent = c.parent;
   for (std::size_t i = 0; i < sizeof(link_numbers<T>) / sizeof(link_numbers<T>[0]); ++i)
     result.*link_numbers<T>[i] = NumberTraits<T>::constant(c.*link_numbers<double>[i]);
-  return result;
+}
+template <class T>
+constexpr void convert(const TreeLinkConstants<double>& c, TreeLinkConstants<T>& result) {
+  convert(c, static_cast<LinkConstants<T>&>(result));
+  for (std::size_t i = 0; i < sizeof(branch_numbers<T>) / sizeof(branch_numbers<T>[0]); ++i)
+    result.branch.*branch_numbers<T>[i] = NumberTraits<T>::constant(c.branch.*branch_numbers<double>[i]);
+}
+template <class Row>
+constexpr Row converted_row(const TreeLinkConstants<double>& c) {
+  Row row{};
+  convert(c, row);
+  return row;
 }
 
 }  // namespace axial

@@ -9,8 +9,7 @@
 #include <axial/model/joints.hpp>
 #include <axial/model/link_constants.hpp>
 #include <axial/scalar/rounding.hpp>
-#include <axial/spatial/inertia.hpp>
-#include <axial/spatial/screw.hpp>
+#include <axial/spatial/branch_screw.hpp>
 
 namespace axial {
 
@@ -22,7 +21,7 @@ namespace detail {
 
 template <int N>
 struct ConstantsTable {
-  LinkConstants<double> links[N];
+  TreeLinkConstants<double> links[N];
 };
 
 template <class Robot, class Parameters, int... I>
@@ -59,6 +58,8 @@ template <class T>
 using Member = T LinkConstants<T>::*;
 template <class T>
 using DriveMember = T DriveConstants<T>::*;
+template <class T>
+using BranchMember = T BranchConstants<T>::*;
 
 // Whether a link of a robot declares this; a run-time model may.
 template <class Robot, class T, DriveMember<T> M>
@@ -77,13 +78,20 @@ template <class View, class Source>
 class LinkAccess {
   using C = LinkConstants<Source>;
   using D = DriveConstants<Source>;
+  using B = BranchConstants<Source>;
   AXIAL_INLINE constexpr const View& self() const { return static_cast<const View&>(*this); }
 
  public:
+  /// The constant way from the parent's frame to the joint's axis: the x-screw, behind a z-screw where there is a
+  /// branch.
   AXIAL_INLINE constexpr auto x() const {
-    return x_screw(self().template get<&C::cos_alpha>(), self().template get<&C::sin_alpha>(),
-                   self().template get<&C::a>())
-        .with_turn(self().template beyond_45_degrees<&C::sin_alpha>());
+    if constexpr (View::branches)
+      return BranchScrew{z_screw(self().template branch<&B::cos_gamma>(), self().template branch<&B::sin_gamma>(),
+                                 self().template branch<&B::b>())
+                             .with_turn(self().template branch_beyond_45_degrees<&B::sin_gamma>()),
+                         twist()};
+    else
+      return twist();
   }
   AXIAL_INLINE constexpr auto mass() const { return self().template get<&C::mass>(); }
   AXIAL_INLINE constexpr auto first_moment() const {
@@ -134,6 +142,11 @@ class LinkAccess {
   }
 
  private:
+  AXIAL_INLINE constexpr auto twist() const {
+    return x_screw(self().template get<&C::cos_alpha>(), self().template get<&C::sin_alpha>(),
+                   self().template get<&C::a>())
+        .with_turn(self().template beyond_45_degrees<&C::sin_alpha>());
+  }
   template <class T>
   AXIAL_INLINE constexpr auto turned_screw(const SinCos<T>& q) const {
     auto ct = self().template get<&C::cos_theta>();
@@ -171,6 +184,11 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
   AXIAL_INLINE static constexpr auto get() {
     return literal<T>([] { return detail::robot_constants<typename Scene::Robot, Parameters>.links[I].*M; });
   }
+  static constexpr bool branches = detail::robot_constants<typename Scene::Robot, Parameters>.links[I].branches();
+  template <detail::BranchMember<double> M>
+  AXIAL_INLINE static constexpr auto branch() {
+    return literal<T>([] { return detail::robot_constants<typename Scene::Robot, Parameters>.links[I].branch.*M; });
+  }
   template <detail::DriveMember<double> M>
   AXIAL_INLINE static constexpr auto drive() {
     return literal<T>([] { return detail::robot_drives<typename Scene::Robot, double>.links[I].*M; });
@@ -179,6 +197,11 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
   template <detail::Member<double> Sine>
   AXIAL_INLINE static constexpr auto beyond_45_degrees() {
     constexpr double sine = detail::robot_constants<typename Scene::Robot, Parameters>.links[I].*Sine;
+    return std::bool_constant<(sine * sine > 0.5)>{};
+  }
+  template <detail::BranchMember<double> Sine>
+  AXIAL_INLINE static constexpr auto branch_beyond_45_degrees() {
+    constexpr double sine = detail::robot_constants<typename Scene::Robot, Parameters>.links[I].branch.*Sine;
     return std::bool_constant<(sine * sine > 0.5)>{};
   }
   /// Calls f with the kind of this joint.
@@ -202,11 +225,13 @@ class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source, Colu
  public:
   using Scene = SceneType;
   static constexpr bool unrolled = false;
-  const LinkConstants<Source>& row;
+  static constexpr bool branches = Columns::any_branch;
+  using Constants = typename Columns::template Row<Source>;
+  const Constants& row;
   const DriveConstants<Source>* drives;  ///< of this link; null where the scene names none
   bool is_last;
 
-  AXIAL_INLINE constexpr TableLink(const LinkConstants<Source>& constants, const DriveConstants<Source>* own, bool last)
+  AXIAL_INLINE constexpr TableLink(const Constants& constants, const DriveConstants<Source>* own, bool last)
       : row(constants), drives(own), is_last(last) {}
 
   template <detail::Member<Source> M>
@@ -217,6 +242,14 @@ class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source, Colu
     else
       return number(row.*M);
   }
+  template <detail::BranchMember<Source> M>
+  AXIAL_INLINE constexpr auto branch() const {
+    constexpr double common = Columns::common(M);
+    if constexpr (common == 0.0 || common == 1.0 || common == -1.0)
+      return Int<static_cast<int>(common)>{};
+    else
+      return number(row.branch.*M);
+  }
   template <detail::DriveMember<Source> M>
   AXIAL_INLINE constexpr auto drive() const {
     if constexpr (detail::any_drive_has<typename Scene::Robot, Source, M>(0))
@@ -226,6 +259,10 @@ class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source, Colu
   }
   template <detail::Member<Source>>
   AXIAL_INLINE static constexpr AnyTurn beyond_45_degrees() {
+    return {};
+  }
+  template <detail::BranchMember<Source>>
+  AXIAL_INLINE static constexpr AnyTurn branch_beyond_45_degrees() {
     return {};
   }
   template <class F>

@@ -78,16 +78,19 @@ AXIAL_INLINE constexpr Pose<Mat3<Vec3<T>>, Vec3<T>> pose_of(const FixedPose& p) 
 }
 
 /// A table of links with one type for all; the table may be constexpr, or filled at run time.
-template <class SceneType, class ScalarType, class Source, int Capacity, class Columns = detail::UnknownColumns>
+template <class SceneType, class ScalarType, class Source, int Capacity,
+          class Columns = detail::UnknownColumns<!SceneType::template has<Unbranched>>>
 class TableLinks {
  public:
   using Scene = SceneType;
   using Scalar = ScalarType;
   static constexpr bool unrolled = false;
   static constexpr int capacity = Capacity;
+  using SharedColumns = Columns;
+  using Constants = typename Columns::template Row<Source>;
 
   /// `drives` may be null where the scene names neither Friction nor JointSprings.
-  AXIAL_INLINE constexpr TableLinks(const LinkConstants<Source>* table, const DriveConstants<Source>* drives, int size,
+  AXIAL_INLINE constexpr TableLinks(const Constants* table, const DriveConstants<Source>* drives, int size,
                                     const Mounting& mounting)
       : table_(table), drives_(drives), size_(size), mounting_(mounting) {}
 
@@ -110,7 +113,7 @@ class TableLinks {
   AXIAL_INLINE constexpr int last() const { return size_ - 1; }
 
  private:
-  const LinkConstants<Source>* table_;
+  const Constants* table_;
   const DriveConstants<Source>* drives_;
   int size_;
   const Mounting& mounting_;
@@ -118,12 +121,15 @@ class TableLinks {
 
 namespace detail {
 
+template <class Robot, class Parameters>
+using ColumnsOf = KnownColumns<RobotConstants<Robot, Parameters>>;
 template <class Robot, class T, class Parameters, int... I>
 AXIAL_INLINE constexpr auto converted_table(std::integer_sequence<int, I...>) {
+  using Row = typename ColumnsOf<Robot, Parameters>::template Row<T>;
   struct Table {
-    LinkConstants<T> links[sizeof...(I)];
+    Row links[sizeof...(I)];
   };
-  return Table{{converted<T>(robot_constants<Robot, Parameters>.links[I])...}};
+  return Table{{converted_row<Row>(robot_constants<Robot, Parameters>.links[I])...}};
 }
 template <class Robot, class T, class Parameters>
 inline constexpr auto robot_table =
@@ -162,7 +168,7 @@ AXIAL_INLINE constexpr auto links_of() {
   using Robot = typename Scene::Robot;
   using Parameters = detail::with_rotors<Scene, parameters_of<Scene, DefaultParameters>>;
   if constexpr (Scene::template has<Looped>) {
-    using Columns = detail::KnownColumns<detail::RobotConstants<Robot, Parameters>>;
+    using Columns = detail::ColumnsOf<Robot, Parameters>;
     return TableLinks<Scene, T, T, Robot::chain.size, Columns>(detail::robot_table<Robot, T, Parameters>.links,
                                                                detail::drives_of<Scene, T>(), Robot::chain.size,
                                                                detail::robot_mounting<Robot>);

@@ -11,21 +11,21 @@ class ModelLinks : public TableLinks<SceneType, ScalarType, double, N> {
   using Table = TableLinks<SceneType, ScalarType, double, N>;
 
  public:
-  AXIAL_INLINE constexpr ModelLinks(const Table& table, const LinkConstants<double>& base)
+  AXIAL_INLINE constexpr ModelLinks(const Table& table, const TreeLinkConstants<double>& base)
       : Table(table), base_(base) {}
 
   AXIAL_INLINE constexpr auto base_link() const {
-    return TableLink<SceneType, ScalarType, double, detail::UnknownColumns>(base_, nullptr, false);
+    return TableLink<SceneType, ScalarType, double, typename Table::SharedColumns>(base_, nullptr, false);
   }
 
  private:
-  const LinkConstants<double>& base_;
+  const TreeLinkConstants<double>& base_;
 };
 
 /// Up to N links, filled at run time; the algorithms run over it in their looped form. Stands where a robot or scene
 /// stands: `inverse_dynamics(model, q, qd, qdd)` with `Joints<Model<N>, T>`. Features as for Scene; without any,
 /// gravity and rotor inertia. No allocation; add() says false where a link is refused (full, or its parent is not
-/// before it).
+/// before it, or it has a branch and the features name Unbranched).
 template <int N, class... Features>
 class Model {
  public:
@@ -39,6 +39,7 @@ class Model {
 
   constexpr bool add(const LinkParameters& link) {
     const int parent = link.parent == LinkParameters::previous ? size_ - 1 : link.parent;
+    if (Scene::template has<Unbranched> && link_constants(link, parent).branches()) return false;
     if (size_ >= N || parent >= size_ || parent < LinkParameters::base) return false;
     drives_[size_] = drive_constants(link);
     table_[size_++] = link_constants(link, parent);
@@ -54,7 +55,7 @@ class Model {
   constexpr void set_base_body(const LinkParameters& body) { base_body_ = link_constants(body, LinkParameters::base); }
   constexpr void set_base_body(const BaseBody& body) { set_base_body(body.parameters()); }
   constexpr int size() const { return size_; }
-  constexpr const LinkConstants<double>& constants(int i) const { return table_[i]; }
+  constexpr const TreeLinkConstants<double>& constants(int i) const { return table_[i]; }
 
   template <class T>
   constexpr auto links() const {
@@ -62,9 +63,9 @@ class Model {
   }
 
  private:
-  LinkConstants<double> table_[N] = {};
+  TreeLinkConstants<double> table_[N] = {};
   DriveConstants<double> drives_[N] = {};
-  LinkConstants<double> base_body_{};
+  TreeLinkConstants<double> base_body_{};
   Mounting mounting_{};
   int size_ = 0;
 };

@@ -25,6 +25,13 @@ struct Vec3 {
 template <class X, class Y, class Z>
 Vec3(X, Y, Z) -> Vec3<X, Y, Z>;
 
+/// True for a vector whose elements the type system knows.
+template <class V>
+inline constexpr bool is_structural_vector = false;
+template <class X, class Y, class Z>
+inline constexpr bool is_structural_vector<Vec3<X, Y, Z>> =
+    is_structural_v<X>&& is_structural_v<Y>&& is_structural_v<Z>;
+
 using ZeroVec3 = Vec3<Zero, Zero, Zero>;
 
 template <class A, class B, class C, class D, class E, class F>
