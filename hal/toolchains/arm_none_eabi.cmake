@@ -34,10 +34,10 @@ string(JOIN " " AXIAL_CXX_ONLY_FLAGS
   -fno-rtti                # nothing is virtual
   -fno-threadsafe-statics) # one core; a guard would pull in library code
 
-set(CMAKE_C_FLAGS_INIT "${AXIAL_COMMON_FLAGS}")
-set(CMAKE_CXX_FLAGS_INIT "${AXIAL_COMMON_FLAGS} ${AXIAL_CXX_ONLY_FLAGS}")
-
-# The flags above are the whole truth: no build type adds to them.
+# The flags above are the whole truth: no build type adds to them, and a build folder that is older than a change of them
+# gets the change.
+set(CMAKE_C_FLAGS "${AXIAL_COMMON_FLAGS}" CACHE STRING "set by the toolchain file" FORCE)
+set(CMAKE_CXX_FLAGS "${AXIAL_COMMON_FLAGS} ${AXIAL_CXX_ONLY_FLAGS}" CACHE STRING "set by the toolchain file" FORCE)
 foreach(type DEBUG RELEASE RELWITHDEBINFO MINSIZEREL)
   set(CMAKE_C_FLAGS_${type} "" CACHE STRING "set by the toolchain file" FORCE)
   set(CMAKE_CXX_FLAGS_${type} "" CACHE STRING "set by the toolchain file" FORCE)

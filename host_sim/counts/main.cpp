@@ -20,9 +20,9 @@ void add_errors(nlohmann::ordered_json& object, const counts::Row& row, const st
       object["error_float"] = e.in_float, object["error_double"] = e.in_double;
 }
 
-nlohmann::ordered_json table(const std::string& robot) {
+nlohmann::ordered_json table(const std::string& robot, bool with_errors) {
   const auto rows = counts::rows(robot);
-  const auto errors = counts::errors(robot);
+  const auto errors = with_errors ? counts::errors(robot) : std::vector<counts::Errors>{};
   nlohmann::ordered_json array = nlohmann::ordered_json::array();
   for (const auto& row : rows) {
     nlohmann::ordered_json object{
@@ -39,10 +39,12 @@ nlohmann::ordered_json table(const std::string& robot) {
 int main(int argc, char** argv) {
   CLI::App app("operation counts of every algorithm, robot and count model");
   std::string robot;
+  bool without_errors = false;
   app.add_option("--robot", robot, "only this robot");
+  app.add_flag("--without-errors", without_errors, "counts alone");
   CLI11_PARSE(app, argc, argv);
   try {
-    std::printf("%s\n", table(robot).dump(1).c_str());
+    std::printf("%s\n", table(robot, !without_errors).dump(1).c_str());
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "counts: %s\n", error.what());

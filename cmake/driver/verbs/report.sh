@@ -10,7 +10,7 @@ with the oracle, prints a table and writes CSV, JSON and a picture of error agai
   --board NAME        only this board
   --output FOLDER     where the files go; default output/report
   --json FILE         the rows once more, as an array of objects
-  --documents         alone: runs all reports, demos, sizes and counts anew and writes the tables and pictures of README.md and doc/
+  --documents         alone: runs all reports, demos, sizes, counts and comparisons anew and writes the tables and pictures of README.md and doc/
 Exits non-zero when an error is above its bound.
 END
 }
@@ -31,6 +31,7 @@ run() {
 write_documents() {
   "$AXIAL_ROOT/axial" size --documents
   "$AXIAL_ROOT/axial" counts --documents
+  "$AXIAL_ROOT/axial" compare --documents
   local doc=$AXIAL_ROOT/doc board robot
   host_sim report --output "$doc/data"
   for board in "${BOARDS[@]}"; do

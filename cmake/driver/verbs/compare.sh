@@ -1,0 +1,49 @@
+# shellcheck shell=bash
+# summary: Newton-Euler against separation against the closed form: operations, instructions, errors, two rates
+
+usage() {
+  cat <<'END_OF_USAGE'
+usage: ./axial compare [options]
+Installs and builds what is missing. Compares the ways to a torque for RRP, RRPR, 6R and 7R arms: recursive Newton-Euler,
+the Automatic Separation Method, the SCARA's closed form; operations, instructions on a Cortex-M4F and a Cortex-M0 in QEMU,
+errors against the oracle, and the error of a feed-forward whose terms are refreshed slowly (doc/separation.md).
+  --output FOLDER     where the files go; default output/separation
+  --json FILE         the rows once more, as an array of objects
+  --documents         alone: writes doc/data/separation*.json, doc/pictures/separation.* and the tables of doc/separation.md
+END_OF_USAGE
+}
+
+run() {
+  ensure_packages
+  if [[ ${1:-} == --documents ]]; then
+    (($# == 1)) || fail_usage "--documents stands alone; see ./axial compare --help"
+    write_separation_documents
+  else
+    compare_py "$@"
+  fi
+}
+
+# Errors, counts and sizes go to a folder of their own, which is what the table is made from.
+compare_py() {
+  build host-release compare counts
+  local program=$AXIAL_ROOT/build/host-release/host_sim folder algorithm board
+  folder=$(mktemp -d)
+  mkdir "$folder/sizes"
+  "$program/compare/compare" "$AXIAL_ROOT/host_sim/trajectories" >"$folder/errors.json"
+  "$program/counts/counts" --without-errors >"$folder/counts.json"
+  for algorithm in inverse_dynamics separation separated_torque closed_form; do
+    for board in stm32f405 nrf51; do
+      "$AXIAL_ROOT/axial" size --board "$board" --scene bare --algorithm "$algorithm" --output "$folder/size" \
+        --json "$folder/sizes/$board-$algorithm.json" >/dev/null
+    done
+  done
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/compare/compare.py" "$folder"/{errors,counts}.json "$folder/sizes" "$@"
+  rm -r "$folder"
+}
+
+write_separation_documents() {
+  local doc=$AXIAL_ROOT/doc
+  compare_py --output "$doc/data" --provenance "$doc/data/separation_provenance.json"
+  mv "$doc"/data/separation.{png,svg} "$doc/pictures/"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/separation_tables.py" "$doc/data" "$doc/separation.md"
+}

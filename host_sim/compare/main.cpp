@@ -1,0 +1,46 @@
+// Writes the errors of Newton-Euler, separation and closed form, and of two-rate feed-forward, as JSON on standard
+// output.
+#include <host_sim/compare/methods.hpp>
+#include <host_sim/trajectory/files.hpp>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+nlohmann::ordered_json measured(const std::string& trajectories) {
+  nlohmann::ordered_json methods = nlohmann::ordered_json::array(), rates = methods;
+  for (const std::string& name : compare::robots()) {
+    std::fprintf(stderr, "compare: errors of %s\n", name.c_str());
+    for (const auto& e : compare::method_errors(name))
+      methods.push_back({{"robot", e.robot},
+                         {"method", e.method},
+                         {"scalar", e.scalar},
+                         {"error", e.error},
+                         {"error_rms", e.error_rms}});
+    const auto robot = host_sim::find_robot(name);
+    const auto cycle = host_sim::load_trajectory(trajectories + "/" + name + ".json", name, robot.limits);
+    for (const auto& e : compare::two_rate_errors(name, cycle))
+      rates.push_back({{"robot", e.robot}, {"ticks", e.ticks}, {"error", e.error}, {"error_rms", e.error_rms}, {"error_ahead", e.error_ahead}});
+  }
+  return {{"methods", methods}, {"two_rate", rates}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("errors of the ways to a torque");
+  std::string trajectories;
+  app.add_option("trajectories", trajectories, "folder of the robots' cycles")->required();
+  CLI11_PARSE(app, argc, argv);
+  try {
+    std::printf("%s\n", measured(trajectories).dump(1).c_str());
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "compare: %s\n", error.what());
+    return 1;
+  }
+}
