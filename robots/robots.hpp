@@ -6,6 +6,8 @@
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>
 #include <robots/scara_rrpr.hpp>
+#include <robots/torso.hpp>
+#include <robots/two_arm.hpp>
 
 namespace robots {
 
@@ -31,7 +33,10 @@ struct List {
   }
 };
 
+/// The serial arms: what the demo, the tables and the peers of the library know.
 using All = List<Scara, ScaraRrpr, Puma560, Panda, Planar2r>;
+/// Robots with branches.
+using Trees = List<TwoArm, Torso>;
 
 template <class Visit>
 constexpr void for_each(Visit&& visit) {

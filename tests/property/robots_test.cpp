@@ -24,7 +24,8 @@ class Robot : public testing::Test {
  public:
   using Type = R;
 };
-using Robots = testing::Types<robots::Scara, robots::ScaraRrpr, robots::Puma560, robots::Panda, robots::Planar2r>;
+using Robots =
+    testing::Types<robots::Scara, robots::ScaraRrpr, robots::Puma560, robots::Panda, robots::Planar2r, robots::TwoArm>;
 TYPED_TEST_SUITE(Robot, Robots);
 
 template <class S, class T>

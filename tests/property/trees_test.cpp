@@ -2,6 +2,7 @@
 // the oracle.
 #include <axial/model/model.hpp>
 #include <cases/to_axial.hpp>
+#include <robots/torso.hpp>
 
 #include "support.hpp"
 
@@ -119,6 +120,14 @@ double distance(const oracle::Mat3<quad>& a, const Mat3<Vec3<double>>& b) {
          distance(a.c2, {b.x.z, b.y.z, b.z.z});
 }
 
+// Of a point of link k per unit rate of joint j.
+oracle::Vec3<quad> expected_speed(const oracle::Chain<double>& chain, const std::vector<oracle::Pose<quad>>& poses,
+                                  const oracle::Vec3<quad>& point, int j, int k) {
+  const auto& pose = poses[std::size_t(j)];
+  if (!chain.moves(j, k)) return {};
+  return chain[j].type == oracle::Joint::revolute ? cross(pose.rotation.c2, point - pose.position) : pose.rotation.c2;
+}
+
 }  // namespace
 
 TEST(BranchedTrees, TorquesEqualTheOracle) {
@@ -173,11 +182,38 @@ TEST(BranchedTrees, PosesAndJacobianEqualTheOracle) {
     }
     const auto J = jacobian(model, q);
     const auto columns = oracle::tool_jacobian(exact.chain, exact.q);
+    const int hand = random.below(model.size());
+    const auto of_link = jacobian(model, hand, q);
+    const auto origin = reference[std::size_t(hand)].position;
     for (int j = 0; j < model.size(); ++j) {
       const auto &A = columns.angular, &L = columns.linear;
       EXPECT_LE(distance({A(0, j), A(1, j), A(2, j)}, J[j].angular), 1e-13) << j;
       EXPECT_LE(distance({L(0, j), L(1, j), L(2, j)}, J[j].linear), 1e-13) << j;
+      EXPECT_LE(distance(expected_speed(s.chain, reference, origin, j, hand), of_link[j].linear), 1e-13) << j;
     }
+  }
+}
+
+// A type with branches: unrolled, and in the loop over its own table.
+TEST(BranchedTrees, ATorsoEqualsTheOracle) {
+  using R = robots::Torso;
+  using Compact = Scene<R, Gravity, RotorInertia, Looped, CompositeBody>;
+  using CompactArticulated = Scene<R, Gravity, RotorInertia, Looped, ArticulatedBody>;
+  const auto chain = oracle::of_robot<quad, R>();
+  oracle::RandomChains random(2023);
+  for (int k = 0; k < 20; ++k) {
+    const auto state = property::random_state<R>(random);
+    const auto q = joints<R, double>(state.q), qd = joints<R, double>(state.qd), qdd = joints<R, double>(state.qdd);
+    const auto tau = oracle::inverse_dynamics(chain, oracle::convert<quad>(state.q), oracle::convert<quad>(state.qd),
+                                              oracle::convert<quad>(state.qdd));
+    const auto M = oracle::mass_matrix(chain, oracle::convert<quad>(state.q));
+    const auto ours = inverse_dynamics<R>(q, qd, qdd);
+    EXPECT_LE(oracle::relative_error(property::vector(ours), tau), exact_double);
+    EXPECT_LE(oracle::relative_error(property::vector(inverse_dynamics<Compact>(q, qd, qdd)), tau), exact_double);
+    for (const auto& m : {mass_matrix<R>(q), mass_matrix<Compact>(q)})
+      EXPECT_LE(oracle::relative_error(oracle::convert<quad>(property::matrix(m)), M), exact_double);
+    for (const auto& a : {forward_dynamics<Compact>(q, qd, ours), forward_dynamics<CompactArticulated>(q, qd, ours)})
+      EXPECT_LE(oracle::relative_error(property::vector<R>(a), state.qdd), acceleration_double);
   }
 }
 

@@ -32,13 +32,22 @@ constexpr axial::Link random_link(Random& r) {
   return r.below(2) == 0 ? link : link.rotor_inertia(r.uniform(0, 2e-4), 100);
 }
 
+constexpr axial::Link random_branch(Random& r, const axial::Link& link) {
+  constexpr double turns[] = {0, 90, -90, 180, 53, -28};
+  const double gamma = turns[r.below(6)];
+  return link.branch_deg(gamma, r.below(3) * r.uniform(-0.25, 0.25));
+}
+
 template <int N>
 constexpr axial::Chain<N> random_chain(unsigned seed, bool tree) {
   Random r(seed);
   axial::Chain<N> chain;
   chain.gravity = {r.uniform(-9, 9), 0.0, r.uniform(-9, 9)};
-  for (int i = 0; i < N; ++i)
-    chain.links[i] = random_link(r).parent(tree ? r.below(i + 1) - 1 : i - 1).parameters();
+  for (int i = 0; i < N; ++i) {
+    auto link = random_link(r).parent(tree ? r.below(i + 1) - 1 : i - 1);
+    if (tree && r.below(3) > 0) link = random_branch(r, link);
+    chain.links[i] = link.parameters();
+  }
   return chain;
 }
 

@@ -1,6 +1,7 @@
 // Forward dynamics by composite bodies: what the elimination leaves out, and what it says of singular joints.
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
+#include <robots/robots.hpp>
 
 using namespace axial;
 
@@ -39,6 +40,23 @@ TEST(CompositeBody, BranchesDoNotMeetInTheElimination) {
       EXPECT_FALSE(present<Branched>[i][j]) << i << " " << j;
   for (int i = 0; i < 5; ++i)
     EXPECT_TRUE(present<Branched>[i][0] && present<Branched>[i][i]) << i;
+}
+
+template <class R>
+void expect_limbs_apart() {
+  using Full = StaticLinks<scene_of<R>, double, BaseParametersAndRotors>;
+  const auto moves = [](int j, int i) {
+    while (i > j)
+      i = R::chain.parent(i);
+    return i == j;
+  };
+  for (int i = 0; i < R::chain.size; ++i)
+    for (int j = 0; j < i; ++j)
+      EXPECT_TRUE(moves(j, i) || !crba::structure<Full>.present[i][j]) << i << ' ' << j;
+}
+TEST(CompositeBody, LimbsOfTheTreesAreApart) {
+  expect_limbs_apart<robots::TwoArm>();
+  expect_limbs_apart<robots::Torso>();
 }
 
 TEST(CompositeBody, PerpendicularAxesDoNotMeetEither) {

@@ -36,6 +36,18 @@ TEST(Kinematics, AMasslessChainCompiles) {
   EXPECT_NEAR(forward_kinematics<Bare>(q).tool.position.y, -0.5F, 1e-6F);
 }
 
+TEST(Jacobian, OfALinkIsThatOfItsOrigin) {
+  const Joints<Branched, double> q{0.3, 0.4, 0.5};
+  const auto j = jacobian<Branched, 1>(q);
+  const auto origin = forward_kinematics<Branched>(q).frames[1].position;
+  EXPECT_EQ(j[0].linear.x, -origin.y);
+  EXPECT_EQ(j[0].linear.y, origin.x);
+  EXPECT_EQ(j[1].angular.z, 1.0);
+  EXPECT_EQ(j[1].linear.x, 0.0);   // its origin lies on its axis
+  EXPECT_EQ(j[2].angular.z, 0.0);  // the other branch
+  EXPECT_EQ((jacobian<Scene<Branched, Looped>, 1>(q)[0].linear.y), origin.x);
+}
+
 TEST(Jacobian, HasNoColumnForJointsThatDoNotCarryTheTool) {
   const Joints<Branched, double> q{0.3, 0.4, 0.5};
   const auto j = jacobian<Branched>(q);

@@ -74,19 +74,28 @@ AXIAL_INLINE constexpr auto column(Prismatic, const Axis& axis, const Arm&) {
   return MotionVector{ZeroVec3{}, axis};
 }
 
-/// Columns of the joints that carry the tool; the rest stay as they are.
-template <class Links, class Input, class Q, class Result>
-AXIAL_INLINE constexpr void columns(const Links& links, const Input& in, const Q& q, Result& jacobian) {
+/// Columns of the joints that carry link k, for a point of it in the world; the rest stay as they are.
+template <class Links, class Poses, class K, class Point, class Result>
+AXIAL_INLINE constexpr void columns(const Links& links, const Poses& poses, K k, const Point& point, Result& jacobian) {
   using T = typename Links::Scalar;
-  auto poses = frames(links, in, q);
-  auto tool = poses[links.last()] * links.tool_pose();
   auto write = [&](auto i) AXIAL_INLINE {
     jacobian[i] = links.link(i).on_joint([&](auto joint) AXIAL_INLINE {
-      return column(joint, z_column(poses[i].rotation), tool.position - poses[i].position).template dense<T>();
+      return column(joint, z_column(poses[i].rotation), point - poses[i].position).template dense<T>();
     });
   };
-  write(links.last());
-  for_each_ancestor(links, links.last(), write);
+  write(k);
+  for_each_ancestor(links, k, write);
+}
+template <class Links, class Input, class Q, class Result>
+AXIAL_INLINE constexpr void tool_columns(const Links& links, const Input& in, const Q& q, Result& jacobian) {
+  auto poses = frames(links, in, q);
+  auto tool = poses[links.last()] * links.tool_pose();
+  columns(links, poses, links.last(), tool.position, jacobian);
+}
+template <class Links, class Input, class K, class Q, class Result>
+AXIAL_INLINE constexpr void link_columns(const Links& links, const Input& in, K k, const Q& q, Result& jacobian) {
+  auto poses = frames(links, in, q);
+  columns(links, poses, k, poses[k].position, jacobian);
 }
 
 }  // namespace kinematics
@@ -112,13 +121,33 @@ constexpr ForwardKinematics<M, T> forward_kinematics(const Model<N, F...>& model
 template <class S, class T>
 constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   Jacobian<robot_of<S>, T> result{};
-  kinematics::columns(links_of<S, T>(), in, q, result);
+  kinematics::tool_columns(links_of<S, T>(), in, q, result);
+  return result;
+}
+/// The same for the origin of one link's frame, such as the other hand of a tree: jacobian<Robot, 3>(q).
+template <class S, int Link, class T>
+constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+  static_assert(Link >= 0 && Link < joint_count<S>,
+                "axial: the robot has no such link; links are counted from 0, base outwards");
+  Jacobian<robot_of<S>, T> result{};
+  if constexpr (scene_of<S>::template has<Looped>)
+    kinematics::link_columns(links_of<S, T>(), in, Link, q, result);
+  else
+    kinematics::link_columns(links_of<S, T>(), in, Index<Link>{}, q, result);
   return result;
 }
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {}) {
   Jacobian<M, T> result{};
-  kinematics::columns(model.template links<T>(), in, q, result);
+  kinematics::tool_columns(model.template links<T>(), in, q, result);
+  return result;
+}
+/// 0 <= link < model.size().
+template <int N, class... F, class T, class M = Model<N, F...>>
+constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, int link, const Positions<M, T>& q,
+                                  const Inputs<M, T>& in = {}) {
+  Jacobian<M, T> result{};
+  kinematics::link_columns(model.template links<T>(), in, link, q, result);
   return result;
 }
 

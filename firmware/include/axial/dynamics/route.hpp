@@ -21,17 +21,29 @@ struct RouteCost {
   int articulated = 0;
   int composite = 0;
 };
+/// What a branch adds (tests/unit/dynamics/tree_counts_test.cpp); with composite bodies each joint outboard crosses it.
+constexpr RouteCost branch_cost(const TreeLinkConstants<double>& link) {
+  const bool turned = link.branch.sin_gamma != 0.0 && link.branch.cos_gamma != 0.0;
+  const bool shifted = link.branch.b != 0.0;
+  return turned ? RouteCost{134, 77} : shifted ? RouteCost{38, 25} : RouteCost{};
+}
+constexpr int crossing_cost(const TreeLinkConstants<double>& link) {
+  const bool turned = link.branch.sin_gamma != 0.0 && link.branch.cos_gamma != 0.0;
+  return turned ? 16 : link.branch.b != 0.0 ? 4 : 0;
+}
 template <class Robot>
 constexpr RouteCost route_cost() {
   RouteCost cost;
   for (int i = 0; i < Robot::chain.size; ++i) {
-    int depth = 0;
-    for (int j = Robot::chain.parent(i); j >= 0; j = Robot::chain.parent(j))
-      ++depth;
+    int depth = 0, crossings = 0;
+    for (int j = i; Robot::chain.parent(j) >= 0; j = Robot::chain.parent(j))
+      ++depth, crossings += crossing_cost(robot_constants<Robot>.links[j]);
     if (depth == 0) continue;
     const bool parallel = robot_constants<Robot>.links[i].sin_alpha == 0.0;
-    cost.articulated += parallel ? 80 : 390;
-    cost.composite += parallel ? 32 + depth * (15 + depth) : 220 + depth * (23 + 2 * depth);
+    const auto branch = branch_cost(robot_constants<Robot>.links[i]);
+    cost.articulated += (parallel ? 80 : 390) + branch.articulated;
+    cost.composite +=
+        (parallel ? 32 + depth * (15 + depth) : 220 + depth * (23 + 2 * depth)) + branch.composite + crossings;
   }
   return cost;
 }
