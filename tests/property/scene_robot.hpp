@@ -8,20 +8,21 @@
 
 namespace property {
 
-/// Four general links: a slide among turns, every kind of friction, springs, rotors.
+/// Four general links: a slide among turns, branches on the base and on the slide, every kind of friction, springs,
+/// rotors.
 struct Everything {
   // A line a group of values.
   // clang-format off
   static constexpr auto chain = axial::chain(
       axial::gravity(1.5, -2.25, -9.5),
-      axial::revolute().alpha(0.4).a(0.125).d(0.25)
+      axial::revolute().branch(-0.3, 0.125).alpha(0.4).a(0.125).d(0.25)
           .mass(4.5).com(0.0625, -0.03125, 0.125).inertia_com(0.25, 0.1875, 0.21875, 0.015625, -0.03125, 0.0078125)
           .rotor_inertia(0.0001220703125, 64)
           .viscous(0.375).coulomb(1.25, -0.75).stribeck(2.0, 0.25).smooth_speed(0.5).spring(12.0, 0.25),
       axial::prismatic().alpha_deg(90).a(0.25).d(0.125).theta(0.3)
           .mass(2.5).com(0.03125, 0.0625, -0.125).inertia_com(0.0625, 0.09375, 0.078125, 0.0, 0.015625, 0.0)
           .rotor_inertia(0.00048828125, 32).viscous(24.0).coulomb(6.0).spring(200.0, 0.0625),
-      axial::revolute().alpha_deg(-90).d(0.1875).theta(-0.7)
+      axial::revolute().branch(0.7, 0.1875).alpha_deg(-90).d(0.1875).theta(-0.7)
           .mass(1.5).com(-0.0625, 0.03125, 0.09375).inertia_com(0.03125, 0.0234375, 0.0390625, 0.00390625, 0.0, 0.0078125)
           .coulomb(0.5, -0.25).smooth_speed(1.0).rotor_inertia(0.000030517578125, 96),
       axial::revolute().alpha(1.1).a(0.0625)
