@@ -203,6 +203,7 @@ constexpr void trace_inputs(Inputs<S, Counting>& in, Trace& trace) {
   if constexpr (Scene::template has<axial::BaseWrench>) traced(trace, in.base_wrench);
   if constexpr (Scene::template has<axial::BaseMotion> || Scene::template has<axial::FloatingBase>)
     traced(trace, in.base_motion);
+  if constexpr (Scene::template has<axial::VelocityThroughWater>) traced(trace, in.velocity_through_water);
   if constexpr (Scene::template has<axial::TipWrench>) traced(trace, in.tip_wrench);
   if constexpr (Scene::template has<axial::ExternalWrenches>) traced(trace, in.wrenches);
   if constexpr (Scene::template has<axial::Payload>) traced(trace, in.payload);

@@ -92,6 +92,22 @@ struct OnABody {
     return c;
   }();
 };
+// The general chain in water: every constant declared, or none.
+template <int N, bool Declared>
+struct InWater {
+  static constexpr auto chain = [] {
+    Chain<N> c = generic::chain<N>(general, false);
+    for (int i = 0; Declared && i < N; ++i) {
+      const double k = 1.0 + 0.01 * i;
+      Link water = revolute().added_mass(0.51 * k, 1.52 * k, 2.53 * k, 0.14 * k, 0.25 * k, 0.36 * k);
+      water = water.buoyancy(1.87 * k, 0.11 * k, 0.06 * k, 0.14 * k);
+      water = water.drag_linear(2.1 * k, 3.2 * k, 1.3 * k, 0.24 * k, 0.35 * k, 0.16 * k);
+      c.links[i].water =
+          water.drag_quadratic(8.1 * k, 12.2 * k, 16.3 * k, 0.54 * k, 0.25 * k, 0.17 * k).parameters().water;
+    }
+    return c;
+  }();
+};
 struct SolveOfTheBase {
   template <class S, class J, class In>
   static constexpr auto run(const J& a, const J& b, const J& c, const In&) {
@@ -204,4 +220,26 @@ TEST(SceneCounts, AFreeBaseCostsTheSameWhateverItCarries) {
 TEST(SceneCounts, ABodyThatTheSceneDoesNotFloatIsFree) {
   EXPECT_EQ((acceleration<OnABody<3>>()), (acceleration<Robot<3, general>>()));
   EXPECT_EQ((torque<OnABody<3>>()), (torque<Robot<3, general>>()));
+}
+
+TEST(SceneCounts, WaterCostsWhatTheLinksDeclare) {
+  using None = InWater<3, false>;
+  EXPECT_EQ((torque<Scene<None, axial::Underwater>>()), (torque<Scene<None>>()));
+  EXPECT_EQ((acceleration<Scene<None, axial::Underwater, ArticulatedBody>>()),
+            (acceleration<Scene<None, ArticulatedBody>>()));
+  EXPECT_EQ((torque<InWater<3, true>>()), (torque<None>())) << "unnamed, it is nothing";
+  const auto per_link = [](auto more, auto less, auto count) {
+    return count(more, Scene<decltype(more), axial::Gravity, axial::Underwater, ArticulatedBody>{}) -
+           count(less, Scene<decltype(less), axial::Gravity, axial::Underwater, ArticulatedBody>{}) -
+           (count(more, Scene<decltype(more), axial::Gravity, ArticulatedBody>{}) -
+            count(less, Scene<decltype(less), axial::Gravity, ArticulatedBody>{}));
+  };
+  const auto id =
+      per_link(InWater<6, true>{}, InWater<5, true>{}, [](auto, auto scene) { return torque<decltype(scene)>(); });
+  const auto fd = per_link(InWater<6, true>{}, InWater<5, true>{},
+                           [](auto, auto scene) { return acceleration<decltype(scene)>(); });
+  std::printf("a link's water: %d M %d A of the torque, %d M %d A of the acceleration\n", id.mul, id.add, fd.mul,
+              fd.add);
+  EXPECT_EQ(id, (Operations{89, 72, 0, 0}));
+  EXPECT_EQ(fd, (Operations{86, 66, 0, 0}));
 }

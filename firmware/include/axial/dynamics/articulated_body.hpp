@@ -116,6 +116,15 @@ AXIAL_INLINE constexpr auto alone(const Link& link, const Body& body, const D& d
   return Subtree{articulated(body), ForceVector{moment, force} - external, reach(body)};
 }
 
+/// The same with the mass of the water that moves with it.
+template <class Links, class Water, class Tree>
+AXIAL_INLINE constexpr auto immersed(const Links&, const Water& water, const Tree& tree) {
+  if constexpr (Links::Scene::template has<Underwater>)
+    return Subtree{tree.inertia + water().inertia(), tree.bias, tree.reach + reach_of(water())};
+  else
+    return tree;
+}
+
 /// What the outward pass needs of a joint, and what the parent gets.
 template <class G, class U, class Z, class S>
 struct Left {
@@ -154,12 +163,13 @@ AXIAL_INLINE constexpr auto reflect(Kind joint, const Link& link, const Screw& s
 }
 
 /// What drives a moving structure: joint speeds, the base's motion, forces from outside, friction and springs.
-template <class Links, class Input, class Q, class V>
+template <class Links, class Input, class Q, class V, class Water>
 struct InMotion {
   const Links& links;
   const Input& in;
   const Q& q;
   const V& qd;
+  const Water& water;
 
   template <class I, class Link, class Tau>
   AXIAL_INLINE constexpr auto effort(I i, const Link& link, const Tau& tau) const {
@@ -173,9 +183,11 @@ struct InMotion {
                                AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i])); });
     });
   }
-  template <class I, class Link>
-  AXIAL_INLINE constexpr auto external(I i, const Link& link) const {
-    return TipLoads<typename Links::Scene, Input>(in).wrench(i, link);
+  template <class I, class Link, class Body, class Vel>
+  AXIAL_INLINE constexpr auto external(I i, const Link& link, const Body& body, const Vel& velocity) const {
+    constexpr ZeroVec3 still;
+    return TipLoads<typename Links::Scene, Input>(in).wrench(i, link) -
+           force_on_water(links, i, link, body, water[i], velocity.p, velocity.u, still, still);
   }
   /// The base's acceleration against gravity: given, or what the links leave to a base that is free.
   template <class Joints>
@@ -183,8 +195,13 @@ struct InMotion {
     if constexpr (Links::Scene::template has<FloatingBase>) {
       using T = typename Links::Scalar;
       auto body = base_link(links);
-      auto own = alone(body, body.body(), body.inertia_differences(), base_velocity(links, in), base_load(links, in));
-      auto all = with_roots(links, joints, own);
+      auto velocity = base_velocity(links, in);
+      constexpr ZeroVec3 still;
+      auto load = base_load(links, in) - base_force_on_water(links, in, body, velocity.p, velocity.u, still, still);
+      auto own = alone(body, body.body(), body.inertia_differences(), velocity, load);
+      auto all = with_roots(links, joints,
+                            immersed(
+                                links, [&]() AXIAL_INLINE { return water_of_base(links); }, own));
       return free_motion<T>(body, all.inertia, all.bias, all.reach);
     } else {
       return FreeMotion{MotionVector{base_angular_acceleration(links, in), base_acceleration(links, in)}, false};
@@ -208,8 +225,8 @@ struct AtRest {
   AXIAL_INLINE constexpr Velocities velocities(const Screws&) const {
     return {};
   }
-  template <class I, class Link>
-  AXIAL_INLINE constexpr auto external(I, const Link&) const {
+  template <class I, class Link, class Body, class Vel>
+  AXIAL_INLINE constexpr auto external(I, const Link&, const Body&, const Vel&) const {
     return ForceVector<ZeroVec3, ZeroVec3>{};
   }
   template <class Joints>
@@ -225,7 +242,10 @@ AXIAL_INLINE constexpr Status write_base(const Links& links, const Input& in, co
   bool lost = singular >= 0;
   if constexpr (Links::Scene::template has<FloatingBase>) {
     const auto& a = base.acceleration;
-    result.base_acceleration = MotionVector{a.angular, a.linear + gravity_at_base(links, in)};
+    if constexpr (Links::Scene::template has<Underwater>)
+      result.base_acceleration = a;
+    else
+      result.base_acceleration = MotionVector{a.angular, a.linear + gravity_at_base(links, in)};
     lost = lost | base.singular;
   }
   return {lost ? Status::Code::near_singular : Status::Code::ok, singular};
@@ -242,7 +262,9 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
     auto link = links.link(i);
     auto body = loads.body(link);
     auto differences = loaded_differences<typename Links::Scene>(link, body);
-    return link.shape(alone(link, body, differences, velocities[i], situation.external(i, link)));
+    auto own = alone(link, body, differences, velocities[i], situation.external(i, link, body, velocities[i]));
+    return link.shape(immersed(
+        links, [&]() AXIAL_INLINE { return water_of(links, i); }, own));
   };
   auto joints = inward(links, own, [&](auto i, const auto& tree) AXIAL_INLINE {
     auto link = links.link(i);
@@ -272,7 +294,9 @@ template <class Links, class Input, class Q, class V, class Tau, class A>
 AXIAL_INLINE constexpr Status run(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
                                   A& qdd) {
   auto screws = joint_screws(links, in, q);
-  return accelerations(links, in, screws, InMotion<Links, Input, Q, V>{links, in, q, qd}, tau, qdd);
+  auto water = immersions(links, in, screws, qd);
+  return accelerations(links, in, screws, InMotion<Links, Input, Q, V, decltype(water)>{links, in, q, qd, water}, tau,
+                       qdd);
 }
 
 /// The split form: the bias torque by RNEA over `bias_links`, then the structure at rest under what is left of tau.

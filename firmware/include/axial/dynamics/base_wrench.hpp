@@ -17,7 +17,9 @@ template <class Links, class Input>
 AXIAL_INLINE constexpr auto base_body_force(const Links& links, const Input& in) {
   if constexpr (Links::Scene::template has<FloatingBase>) {
     auto body = base_link(links);
-    return newton_euler(body, body.body(), body.inertia_differences(), base(links, in)) - base_load(links, in);
+    auto motion = base(links, in);
+    return newton_euler(body, body.body(), body.inertia_differences(), motion) - base_load(links, in) +
+           base_force_on_water(links, in, body, motion.p, motion.u, motion.dw, motion.a);
   } else {
     return ForceVector<ZeroVec3, ZeroVec3>{};
   }
@@ -28,7 +30,8 @@ template <class Links, class Input, class Q, class V, class A>
 AXIAL_INLINE constexpr auto force_on_base(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd) {
   auto screws = joint_screws(links, in, q);
   auto motions = link_motions(links, in, screws, qd, qdd);
-  auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, i); };
+  auto water = immersions(links, in, screws, qd);
+  auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, water, i); };
   auto joint = [&](auto i, const auto& force) AXIAL_INLINE { return Left{sent_force(links, screws, i, force)}; };
   return with_roots(links, inward(links, own, joint), base_body_force(links, in));
 }

@@ -3,8 +3,7 @@
 
 #include <axial/dynamics/base_solve.hpp>
 #include <axial/dynamics/moving_base.hpp>
-#include <axial/dynamics/passes.hpp>
-#include <axial/model/base_link.hpp>
+#include <axial/dynamics/water.hpp>
 
 namespace axial {
 
@@ -14,6 +13,16 @@ template <class Links, class Input>
 AXIAL_INLINE constexpr auto base_load(const Links&, const Input& in) {
   if constexpr (Links::Scene::template has<BaseWrench>)
     return in.base_wrench;
+  else
+    return ForceVector<ZeroVec3, ZeroVec3>{};
+}
+
+/// force_on_water of the base body.
+template <class Links, class Input, class Body, class P, class U, class DW, class A>
+AXIAL_INLINE constexpr auto base_force_on_water(const Links& links, const Input& in, const Body& body, const P& p,
+                                                const U& rate, const DW& dw, const A& a) {
+  if constexpr (Links::Scene::template has<Underwater>)
+    return water_force(body, water_of_base(links), body.body(), base_immersion(links, in), p, rate, dw, a);
   else
     return ForceVector<ZeroVec3, ZeroVec3>{};
 }

@@ -7,6 +7,7 @@
 #include <axial/dynamics/joint_screws.hpp>
 #include <axial/dynamics/loads.hpp>
 #include <axial/dynamics/moving_base.hpp>
+#include <axial/dynamics/water.hpp>
 #include <axial/model/model.hpp>
 
 namespace axial {
@@ -115,14 +116,17 @@ AXIAL_INLINE constexpr auto link_motions(const Links& links, const Input& in, co
   });
 }
 
-/// Force that moves link i with its payload, less what pushes it from outside.
-template <class Links, class Input, class Motions, class I>
-AXIAL_INLINE constexpr auto own_force(const Links& links, const Input& in, const Motions& motions, I i) {
+/// Force that moves link i with its payload, and the water about it, less what pushes it from outside.
+template <class Links, class Input, class Motions, class Water, class I>
+AXIAL_INLINE constexpr auto own_force(const Links& links, const Input& in, const Motions& motions, const Water& water,
+                                      I i) {
   const TipLoads<typename Links::Scene, Input> loads(in);
   auto link = links.link(i);
   auto body = loads.body(link);
   auto differences = loaded_differences<typename Links::Scene>(link, body);
-  return link.shape(newton_euler(link, body, differences, motions[i]) - loads.wrench(i, link));
+  const auto& m = motions[i];
+  return link.shape(newton_euler(link, body, differences, m) - loads.wrench(i, link) +
+                    force_on_water(links, i, link, body, water[i], m.p, m.u, m.dw, m.a));
 }
 
 /// Effort of joint i that bears a force and drives its rotor, friction and spring.
@@ -155,7 +159,8 @@ template <class Links, class Input, class Q, class Screws, class V, class A, cla
 AXIAL_INLINE constexpr void efforts(const Links& links, const Input& in, const Q& q, const Screws& screws, const V& qd,
                                     const A& qdd, Tau& tau) {
   auto motions = link_motions(links, in, screws, qd, qdd);
-  auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, i); };
+  auto water = immersions(links, in, screws, qd);
+  auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, water, i); };
   auto joint = [&](auto i, const auto& force) AXIAL_INLINE {
     tau[i] = joint_effort(links, i, force, q, qd, qdd);
     return Left{sent_force(links, screws, i, force)};

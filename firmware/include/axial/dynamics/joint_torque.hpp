@@ -7,16 +7,17 @@ namespace axial {
 namespace rnea {
 
 // Force that joint I bears, from the tips of its own branch: recursion over a tree of types.
-template <class Links, class Input, class Screws, class Motions>
+template <class Links, class Input, class Screws, class Motions, class Water>
 struct Branch {
   const Links& links;
   const Input& in;
   const Screws& screws;
   const Motions& motions;
+  const Water& water;
 
   template <int I>
   AXIAL_INLINE constexpr auto force(Index<I> i) const {
-    return detail::loaded(own_force(links, in, motions, i), children<I, I + 1>());
+    return detail::loaded(own_force(links, in, motions, water, i), children<I, I + 1>());
   }
   template <int I, int C>
   AXIAL_INLINE constexpr auto children() const {
@@ -29,9 +30,9 @@ struct Branch {
   }
   /// In the looped form: a child has a larger index than its parent.
   AXIAL_INLINE constexpr auto force(int joint) const {
-    Row<std::decay_t<decltype(own_force(links, in, motions, 0))>, Links::capacity> total;
+    Row<std::decay_t<decltype(own_force(links, in, motions, water, 0))>, Links::capacity> total;
     for (int i = joint; i < links.size(); ++i)
-      total[i] = own_force(links, in, motions, i);
+      total[i] = own_force(links, in, motions, water, i);
     for (int i = links.size(); --i > joint;) {
       const int parent = links.parent_index(i);
       if (parent >= joint) total[parent] = total[parent] + sent_force(links, screws, i, total[i]);
@@ -45,7 +46,9 @@ AXIAL_INLINE constexpr auto run_joint(const Links& links, const Input& in, I joi
                                       const A& qdd) {
   auto screws = joint_screws(links, in, q);
   auto motions = link_motions(links, in, screws, qd, qdd);
-  const Branch<Links, Input, decltype(screws), decltype(motions)> branch{links, in, screws, motions};
+  auto water = immersions(links, in, screws, qd);
+  const Branch<Links, Input, decltype(screws), decltype(motions), decltype(water)> branch{links, in, screws, motions,
+                                                                                          water};
   if constexpr (Links::unrolled)
     return joint_effort(links, joint, branch.force(joint), q, qd, qdd);
   else

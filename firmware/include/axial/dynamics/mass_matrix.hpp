@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/dynamics/inverse_dynamics.hpp>
+#include <axial/dynamics/reflection.hpp>
 #include <axial/spatial/congruence.hpp>
 
 namespace axial {
@@ -49,6 +50,28 @@ AXIAL_INLINE constexpr auto unit_force(Prismatic, const B& body) {
   return ForceVector{Vec3{h.y, -h.x, Zero{}}, Vec3{Zero{}, Zero{}, body.mass}};
 }
 
+/// Of a body whose mass is not the same in all directions.
+template <class A, class C, class L>
+AXIAL_INLINE constexpr auto unit_force(Revolute joint, const ArticulatedInertia<A, C, L>& body) {
+  auto column = joint_column(joint, body);
+  return ForceVector{column.angular, column.linear};
+}
+template <class A, class C, class L>
+AXIAL_INLINE constexpr auto unit_force(Prismatic joint, const ArticulatedInertia<A, C, L>& body) {
+  auto column = joint_column(joint, body);
+  return ForceVector{column.angular, column.linear};
+}
+
+/// A link with its payload and, underwater, its added mass: then a general symmetric 6x6.
+template <class Links, class Loads, class I>
+AXIAL_INLINE constexpr auto own_body(const Links& links, const Loads& loads, I i) {
+  auto link = links.link(i);
+  if constexpr (Links::Scene::template has<Underwater>)
+    return link.shape(articulated(loads.body(link)) + water_of(links, i).inertia());
+  else
+    return link.shape(loads.body(link));
+}
+
 /// Carries the force of joint i, beyond the screw of link j, towards the base and sets the row M(i, .) on its way.
 template <class Links, class Screws, class F, class I, class J, class Matrix>
 AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, const F& force, I i, J j, Matrix& m) {
@@ -79,7 +102,7 @@ AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, cons
 template <class Links, class Input, class Screws>
 AXIAL_INLINE constexpr auto composite_bodies(const Links& links, const Input& in, const Screws& screws) {
   const TipLoads<typename Links::Scene, Input> loads(in);
-  auto own = [&](auto i) AXIAL_INLINE { return links.link(i).shape(loads.body(links.link(i))); };
+  auto own = [&](auto i) AXIAL_INLINE { return own_body(links, loads, i); };
   return inward(links, own, [&](auto i, const auto& body) AXIAL_INLINE {
     auto link = links.link(i);
     auto turned = link.shape(to_parent(screws[i], body, link));
@@ -111,7 +134,7 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
 
 /// Mass matrix M(q), with the rotor inertias and the payload that the scene names; symmetric positive definite.
 /// Source: composite rigid bodies (Walker and Orin 1982) with the spatial-inertia congruence of McMillan and Orin 1995,
-/// Table II. In: q (rad or m). Out: M(i, j).
+/// Table II; underwater with added mass, as 6x6 inertias (Table II, symmetric 6x6). In: q (rad or m). Out: M(i, j).
 template <class S, class T>
 constexpr MassMatrix<robot_of<S>, T> mass_matrix(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   MassMatrix<robot_of<S>, T> m{};

@@ -34,11 +34,16 @@ AXIAL_INLINE constexpr auto base_angular_acceleration(const Links&, const Input&
   else
     return ZeroVec3{};
 }
-/// Acceleration of its origin against gravity, m/s^2.
+/// Acceleration of its origin against gravity, m/s^2. Underwater without gravity, which is a force there: added mass
+/// has no weight.
 template <class Links, class Input>
 AXIAL_INLINE constexpr auto base_acceleration(const Links& links, const Input& in) {
   using Scene = typename Links::Scene;
-  if constexpr (base_moves<Scene> && Scene::template has<RuntimeGravity>)
+  if constexpr (Scene::template has<Underwater> && base_moves<Scene>)
+    return in.base_motion.linear_acceleration;
+  else if constexpr (Scene::template has<Underwater>)
+    return ZeroVec3{};
+  else if constexpr (base_moves<Scene> && Scene::template has<RuntimeGravity>)
     return in.base_motion.linear_acceleration - in.gravity;
   else if constexpr (base_moves<Scene>)
     return in.base_motion.linear_acceleration + links.base_acceleration();

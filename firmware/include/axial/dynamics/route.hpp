@@ -86,6 +86,7 @@ constexpr Route chosen_route() {
   if (Scene::template has<FloatingBase>) return Route::articulated_body;
   if (Scene::template has<SplitArticulatedBody>) return Route::split_articulated_body;
   if (Scene::template has<CompositeBody>) return Route::composite_body;
+  if (Scene::template has<Underwater>) return Route::articulated_body;  // composites with added mass are 6x6 too
   constexpr double ten_bits = 1024.0;
   constexpr auto cost = route_cost<typename Scene::Robot>();
   return cost.composite < cost.articulated && elimination_loss<Scene>() <= ten_bits ? Route::composite_body
@@ -96,7 +97,7 @@ constexpr Route chosen_route() {
 
 /// The form that forward_dynamics<S> takes: the one that the scene names (ArticulatedBody, SplitArticulatedBody,
 /// CompositeBody), else composite bodies where they are cheaper and the elimination can lose at most ten bits, else
-/// ABA. A floating base and a run-time Model take ABA.
+/// ABA. A floating base, an underwater scene and a run-time Model take ABA.
 template <class S>
 inline constexpr Route forward_dynamics_route = detail::chosen_route<scene_of<S>>();
 }  // namespace axial

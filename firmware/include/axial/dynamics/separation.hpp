@@ -138,6 +138,10 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
   static_assert(!base_moves<typename Links::Scene>,
                 "axial: a base that turns adds terms which are linear in the joint rates, and separate() has no place "
                 "for them; take BaseMotion or FloatingBase out of the scene, or use inverse_dynamics");
+  static_assert(
+      !Links::Scene::template has<Underwater>,
+      "axial: drag and added mass have no place in the terms of separate(); take Underwater out of the scene, "
+      "or use inverse_dynamics, bias_torque and mass_matrix");
   auto bodies = crba::composite_bodies(links, in, screws);
   auto motions = joint_motions(links, screws);
   for_each_link(links, [&](auto i) AXIAL_INLINE { joint_terms(links, bodies, motions, i, terms); });

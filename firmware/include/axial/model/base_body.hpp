@@ -26,6 +26,22 @@ class BaseBody {
                                     double yz = 0.0) const {
     return BaseBody(body_.inertia_origin(xx, yy, zz, xy, xz, yz));
   }
+  /// What water does to it, as for a Link, in axes of frame 0.
+  constexpr BaseBody added_mass(double mx, double my, double mz, double ix = 0.0, double iy = 0.0,
+                                double iz = 0.0) const {
+    return BaseBody(body_.added_mass(mx, my, mz, ix, iy, iz));
+  }
+  constexpr BaseBody buoyancy(double displaced_kg, double x, double y, double z) const {
+    return BaseBody(body_.buoyancy(displaced_kg, x, y, z));
+  }
+  constexpr BaseBody drag_linear(double x, double y, double z, double rx = 0.0, double ry = 0.0,
+                                 double rz = 0.0) const {
+    return BaseBody(body_.drag_linear(x, y, z, rx, ry, rz));
+  }
+  constexpr BaseBody drag_quadratic(double x, double y, double z, double rx = 0.0, double ry = 0.0,
+                                    double rz = 0.0) const {
+    return BaseBody(body_.drag_quadratic(x, y, z, rx, ry, rz));
+  }
 
  private:
   constexpr explicit BaseBody(const Link& body) : body_(body) {}

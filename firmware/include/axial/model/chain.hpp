@@ -132,6 +132,21 @@ constexpr void check_limits(const LinkParameters& p) {
   if (!(p.effort_limit > 0.0)) malformed_robot("axial: effort_limit of a link must be > 0");
 }
 
+constexpr bool not_negative(const double* values, int count) {
+  for (int i = 0; i < count; ++i)
+    if (!(values[i] >= 0.0) || !finite(values[i])) return false;
+  return true;
+}
+
+constexpr void check_water(const WaterParameters& w) {
+  if (!not_negative(w.added_mass, 3) || !not_negative(w.added_inertia, 3))
+    malformed_robot("axial: added_mass of a link must be finite and >= 0; give kg and kg m^2 along the link's axes");
+  if (!not_negative(&w.displaced_mass, 1) || !finite(w.centre, 3))
+    malformed_robot("axial: buoyancy of a link must be finite and >= 0; give buoyancy(kg of water, x, y, z)");
+  if (!not_negative(w.drag_linear, 6) || !not_negative(w.drag_quadratic, 6))
+    malformed_robot("axial: drag of a link is negative and would feed energy in; give finite values >= 0");
+}
+
 constexpr void check_link(const LinkParameters& p, int index) {
   check_geometry(p, index);
   check_inertia(p);
@@ -139,6 +154,7 @@ constexpr void check_link(const LinkParameters& p, int index) {
   check_stribeck(p);
   check_spring(p);
   check_limits(p);
+  check_water(p.water);
 }
 
 constexpr void check_pose(const FixedPose& pose) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/model/angle.hpp>
+#include <axial/model/water.hpp>
 
 namespace axial {
 
@@ -44,6 +45,7 @@ struct LinkParameters {
   double speed_limit = unlimited;         ///< rad/s or m/s
   double acceleration_limit = unlimited;  ///< rad/s^2 or m/s^2
   double effort_limit = unlimited;        ///< N m or N
+  WaterParameters water{};                ///< only scenes that name Underwater see it
 };
 
 /// Fluent builder of LinkParameters; every call returns a changed copy. Start with revolute() or prismatic().
@@ -152,6 +154,38 @@ class Link {
   /// Largest effort, N m or N.
   constexpr Link effort_limit(double max) const {
     return with([&](auto& p) { p.effort_limit = max; });
+  }
+
+  /// Added mass in kg along the axes of frame i and added inertia in kg m^2 about them, at the centre of buoyancy.
+  constexpr Link added_mass(double mx, double my, double mz, double ix = 0.0, double iy = 0.0, double iz = 0.0) const {
+    return with([&](auto& p) {
+      p.water.added_mass[0] = mx, p.water.added_mass[1] = my, p.water.added_mass[2] = mz;
+      p.water.added_inertia[0] = ix, p.water.added_inertia[1] = iy, p.water.added_inertia[2] = iz;
+    });
+  }
+  /// Mass of the water that the link displaces, kg, and its centre of buoyancy in frame i, m.
+  constexpr Link buoyancy(double displaced_kg, double x, double y, double z) const {
+    return with([&](auto& p) {
+      p.water.displaced_mass = displaced_kg;
+      p.water.centre[0] = x, p.water.centre[1] = y, p.water.centre[2] = z;
+    });
+  }
+  /// Drag in proportion to the velocity of the centre of buoyancy along the axes of frame i, N s/m, and to the angular
+  /// velocity about them, N m s/rad.
+  constexpr Link drag_linear(double x, double y, double z, double rx = 0.0, double ry = 0.0, double rz = 0.0) const {
+    return with([&](auto& p) {
+      const double values[] = {x, y, z, rx, ry, rz};
+      for (int i = 0; i < 6; ++i)
+        p.water.drag_linear[i] = values[i];
+    });
+  }
+  /// The same in proportion to speed times its magnitude, axis by axis: N s^2/m^2, N m s^2/rad^2.
+  constexpr Link drag_quadratic(double x, double y, double z, double rx = 0.0, double ry = 0.0, double rz = 0.0) const {
+    return with([&](auto& p) {
+      const double values[] = {x, y, z, rx, ry, rz};
+      for (int i = 0; i < 6; ++i)
+        p.water.drag_quadratic[i] = values[i];
+    });
   }
 
   /// Index of the link that carries this joint (0 is the first), or LinkParameters::base. Default: the link before.

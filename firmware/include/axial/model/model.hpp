@@ -11,15 +11,20 @@ class ModelLinks : public TableLinks<SceneType, ScalarType, double, N> {
   using Table = TableLinks<SceneType, ScalarType, double, N>;
 
  public:
-  AXIAL_INLINE constexpr ModelLinks(const Table& table, const TreeLinkConstants<double>& base)
-      : Table(table), base_(base) {}
+  /// `waters`: of the links, and of the base body last.
+  AXIAL_INLINE constexpr ModelLinks(const Table& table, const TreeLinkConstants<double>& base,
+                                    const WaterConstants<double>* waters)
+      : Table(table), base_(base), waters_(waters) {}
 
   AXIAL_INLINE constexpr auto base_link() const {
     return TableLink<SceneType, ScalarType, double, typename Table::SharedColumns>(base_, nullptr, false);
   }
+  AXIAL_INLINE constexpr const WaterConstants<double>& water(int i) const { return waters_[i]; }
+  AXIAL_INLINE constexpr const WaterConstants<double>& base_water() const { return waters_[N]; }
 
  private:
   const TreeLinkConstants<double>& base_;
+  const WaterConstants<double>* waters_;
 };
 
 /// Up to N links, filled at run time; the algorithms run over it in their looped form. Stands where a robot or scene
@@ -41,6 +46,7 @@ class Model {
     const int parent = link.parent == LinkParameters::previous ? size_ - 1 : link.parent;
     if (Scene::template has<Unbranched> && link_constants(link, parent).branches()) return false;
     if (size_ >= N || parent >= size_ || parent < LinkParameters::base) return false;
+    waters_[size_] = water_constants(link.water);
     drives_[size_] = drive_constants(link);
     table_[size_++] = link_constants(link, parent);
     return true;
@@ -52,20 +58,25 @@ class Model {
   constexpr void set_base(const FixedPose& pose) { mounting_.base = pose; }
   constexpr void set_tool(const FixedPose& pose) { mounting_.tool = pose; }
   /// The body that is fixed to frame 0, for the feature FloatingBase.
-  constexpr void set_base_body(const LinkParameters& body) { base_body_ = link_constants(body, LinkParameters::base); }
+  constexpr void set_base_body(const LinkParameters& body) {
+    base_body_ = link_constants(body, LinkParameters::base);
+    waters_[N] = water_constants(body.water);
+  }
   constexpr void set_base_body(const BaseBody& body) { set_base_body(body.parameters()); }
   constexpr int size() const { return size_; }
   constexpr const TreeLinkConstants<double>& constants(int i) const { return table_[i]; }
 
   template <class T>
   constexpr auto links() const {
-    return ModelLinks<Scene, T, N>(TableLinks<Scene, T, double, N>(table_, drives_, size_, mounting_), base_body_);
+    return ModelLinks<Scene, T, N>(TableLinks<Scene, T, double, N>(table_, drives_, size_, mounting_), base_body_,
+                                   waters_);
   }
 
  private:
   TreeLinkConstants<double> table_[N] = {};
   DriveConstants<double> drives_[N] = {};
   TreeLinkConstants<double> base_body_{};
+  WaterConstants<double> waters_[N + 1] = {};
   Mounting mounting_{};
   int size_ = 0;
 };

@@ -36,6 +36,11 @@ struct Scene {
                 "and give in.gravity in axes of frame 0, or neither in free space");
   static_assert(!has<BaseWrench> || has<FloatingBase>,
                 "axial: a Scene names BaseWrench for a base that is not free; add FloatingBase or take BaseWrench out");
+  static_assert(!has<VelocityThroughWater> || has<Underwater>,
+                "axial: a Scene names VelocityThroughWater but no water; add Underwater");
+  static_assert(!(has<Underwater> && (has<FloatingBase> || has<BaseMotion>)) || has<VelocityThroughWater>,
+                "axial: an underwater base that moves goes through the water; add VelocityThroughWater and give "
+                "in.velocity_through_water in axes of frame 0");
   static_assert(!(has<FloatingBase> && (has<SplitArticulatedBody> || has<CompositeBody>)),
                 "axial: forward dynamics of a floating base is that of ArticulatedBody; take SplitArticulatedBody or "
                 "CompositeBody out");
