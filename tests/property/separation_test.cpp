@@ -170,7 +170,7 @@ void expect_random_equal_to_oracle(bool tree, int chains) {
   double worst = 0.0;
   for (int k = 0; k < chains; ++k) {
     const int n = 1 + k % 16;
-    const auto source = tree ? random.tree(n) : random.chain(n);
+    const auto source = tree ? random.branched_tree(n) : random.chain(n);
     const auto q = random.vector(n, 3.0), qd = random.vector(n, 2.0), qdd = random.vector(n, 4.0);
     SCOPED_TRACE(testing::Message() << "chain " << k << " of " << n << " joints");
     const auto chain = oracle::convert<quad>(source);
