@@ -116,13 +116,14 @@ AXIAL_INLINE constexpr auto alone(const Link& link, const Body& body, const D& d
   return Subtree{articulated(body), ForceVector{moment, force} - external, reach(body)};
 }
 
-/// The same with the mass of the water that moves with it.
-template <class Links, class Water, class Tree>
-AXIAL_INLINE constexpr auto immersed(const Links&, const Water& water, const Tree& tree) {
-  if constexpr (Links::Scene::template has<Underwater>)
-    return Subtree{tree.inertia + water().inertia(), tree.bias, tree.reach + reach_of(water())};
-  else
-    return tree;
+/// The same with the mass of the water that moves with it; `water` is Dry where there is none.
+template <class Water, class Tree>
+AXIAL_INLINE constexpr auto immersed(const Water& water, const Tree& tree) {
+  return Subtree{tree.inertia + water.inertia(), tree.bias, tree.reach + reach_of(water)};
+}
+template <class Tree>
+AXIAL_INLINE constexpr auto immersed(const Dry&, const Tree& tree) {
+  return tree;
 }
 
 /// What the outward pass needs of a joint, and what the parent gets.
@@ -199,9 +200,7 @@ struct InMotion {
       constexpr ZeroVec3 still;
       auto load = base_load(links, in) - base_force_on_water(links, in, body, velocity.p, velocity.u, still, still);
       auto own = alone(body, body.body(), body.inertia_differences(), velocity, load);
-      auto all = with_roots(links, joints,
-                            immersed(
-                                links, [&]() AXIAL_INLINE { return water_of_base(links); }, own));
+      auto all = with_roots(links, joints, immersed(water_about_base(links), own));
       return free_motion<T>(body, all.inertia, all.bias, all.reach);
     } else {
       return FreeMotion{MotionVector{base_angular_acceleration(links, in), base_acceleration(links, in)}, false};
@@ -263,8 +262,7 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
     auto body = loads.body(link);
     auto differences = loaded_differences<typename Links::Scene>(link, body);
     auto own = alone(link, body, differences, velocities[i], situation.external(i, link, body, velocities[i]));
-    return link.shape(immersed(
-        links, [&]() AXIAL_INLINE { return water_of(links, i); }, own));
+    return link.shape(immersed(water_about(links, i), own));
   };
   auto joints = inward(links, own, [&](auto i, const auto& tree) AXIAL_INLINE {
     auto link = links.link(i);

@@ -31,6 +31,23 @@ struct Dry {
   }
 };
 
+/// The water about link i; Dry where the scene is.
+template <class Links, class I>
+AXIAL_INLINE constexpr auto water_about(const Links& links, I i) {
+  if constexpr (Links::Scene::template has<Underwater>)
+    return water_of(links, i);
+  else
+    return Dry{};
+}
+/// The water about the base body.
+template <class Links>
+AXIAL_INLINE constexpr auto water_about_base(const Links& links) {
+  if constexpr (Links::Scene::template has<Underwater>)
+    return water_of_base(links);
+  else
+    return Dry{};
+}
+
 /// Of frame 0.
 template <class Links, class Input>
 AXIAL_INLINE constexpr auto base_immersion(const Links& links, const Input& in) {
