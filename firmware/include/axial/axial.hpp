@@ -12,5 +12,6 @@
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/dynamics/separated_torque.hpp>
 #include <axial/dynamics/separation.hpp>
+#include <axial/model/classical.hpp>
 #include <axial/model/consistency.hpp>
 #include <axial/model/model.hpp>

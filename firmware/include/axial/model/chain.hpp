@@ -172,6 +172,8 @@ constexpr void check_pose(const FixedPose& pose) {
 
 template <class T>
 inline constexpr bool is_link = std::is_same_v<T, Link>;
+template <class T>
+inline constexpr bool is_foreign_link = std::is_base_of_v<LinkBuilder<T>, T> && !is_link<T>;
 
 template <int N>
 struct ChainBuilder {
@@ -216,6 +218,9 @@ struct ChainBuilder {
 template <class... Parts>
 constexpr auto chain(const Parts&... parts) {
   constexpr int count = (0 + ... + static_cast<int>(detail::is_link<Parts>));
+  static_assert(!(false || ... || detail::is_foreign_link<Parts>),
+                "axial: a link of chain() is revolute() or prismatic(), in MDH frames; classical links make a "
+                "classical_chain()");
   static_assert(count > 0, "axial: a chain needs at least one link; add axial::revolute() or axial::prismatic()");
   detail::ChainBuilder<(count > 0 ? count : 1)> builder;
   (builder.add(parts), ...);
