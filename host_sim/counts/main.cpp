@@ -1,5 +1,6 @@
 // Writes what every algorithm costs for every robot and count model, and the forward errors of forward dynamics, as
 // JSON on standard output.
+#include <host_sim/counts/congruence_rows.hpp>
 #include <host_sim/counts/errors.hpp>
 #include <host_sim/counts/rows.hpp>
 
@@ -34,17 +35,32 @@ nlohmann::ordered_json table(const std::string& robot, bool with_errors) {
   return array;
 }
 
+nlohmann::ordered_json congruences() {
+  nlohmann::ordered_json array = nlohmann::ordered_json::array();
+  for (const auto& row : counts::congruence_rows())
+    array.push_back({{"congruence", row.congruence},
+                     {"mul", row.cost.mul},
+                     {"add", row.cost.add},
+                     {"scenario", "rods, straight, zigzag and curled"},
+                     {"links", row.links},
+                     {"error_float", row.in_float},
+                     {"error_double", row.in_double}});
+  return array;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app("operation counts of every algorithm, robot and count model");
   std::string robot;
-  bool without_errors = false;
+  bool without_errors = false, only_congruences = false;
   app.add_option("--robot", robot, "only this robot");
   app.add_flag("--without-errors", without_errors, "counts alone");
+  app.add_flag("--congruences", only_congruences, "instead: ours beside a dense and a planar-rotation congruence");
   CLI11_PARSE(app, argc, argv);
   try {
-    std::printf("%s\n", table(robot, !without_errors).dump(1).c_str());
+    const auto rows = only_congruences ? congruences() : table(robot, !without_errors);
+    std::printf("%s\n", rows.dump(1).c_str());
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "counts: %s\n", error.what());

@@ -2,7 +2,7 @@
 
 usage: count_tables.py DATA_FOLDER DOCUMENT.md
 
-DATA_FOLDER holds counts.json, published_counts.json and counts_provenance.json.
+DATA_FOLDER holds counts.json, congruences.json, published_counts.json and counts_provenance.json.
 """
 
 import pathlib
@@ -24,6 +24,7 @@ class Data:
         self.counts = {(row["robot"], row["algorithm"], row["parameters"]): row for row in self.rows}
         self.bars = {(row["robot"], row["algorithm"], row["parameters"]): row
                      for row in load(folder / "published_counts.json")["rows"]}
+        self.congruences = load(folder / "congruences.json")
         self.provenance = load(folder / "counts_provenance.json")
         self.robots = unique(row["robot"] for row in self.rows)
 
@@ -34,7 +35,7 @@ def pair(operations):
 
 def ours(row):
     """Multiplications/additions, and divisions where there are some."""
-    return pair((row["mul"], row["add"])) + (f" {row['div']}D" if row["div"] else "")
+    return pair((row["mul"], row["add"])) + (f" {row['div']}D" if row.get("div") else "")
 
 
 def against(row, bar):
@@ -80,12 +81,23 @@ def counts_forms(data):
     return markdown(["robot, form, parameters", "M/A", "M + A", "error, float", "error, double", "forward_dynamics"], rows)
 
 
+def counts_congruences(data):
+    """Ways to carry the inertia across a link: operations, then the error in float for every length of chain."""
+    links = unique(row["links"] for row in data.congruences)
+    rows = []
+    for name in unique(row["congruence"] for row in data.congruences):
+        of_name = {row["links"]: row for row in data.congruences if row["congruence"] == name}
+        first = of_name[links[0]]
+        rows.append([name, ours(first), str(first["mul"] + first["add"])] + [f"{of_name[n]['error_float']:.1e}" for n in links])
+    return markdown(["congruence", "M/A a link", "M + A"] + [f"error, float, N = {n}" for n in links], rows)
+
+
 def counts_provenance(data):
     p = data.provenance
     return f"Counted at commit `{p['commit']}`; errors with {p['compiler']}, `{p['flags']}`.\n"
 
 
-TABLES = {table.__name__: table for table in (counts_bars, counts_plain, counts_forms, counts_provenance)}
+TABLES = {table.__name__: table for table in (counts_bars, counts_plain, counts_forms, counts_congruences, counts_provenance)}
 
 
 def main(folder, document):

@@ -10,7 +10,7 @@ Prints a table beside openSYMORO and what a trace could reach, writes JSON and a
   --robot NAME        only this robot or count model
   --output FOLDER     where the files go; default output/counts
   --json FILE         the rows once more, as an array of objects
-  --documents         alone: writes doc/data/counts*.json, doc/pictures/counts.* and the tables of doc/counts.md
+  --documents         alone: writes doc/data/counts*.json and congruences.json, doc/pictures/counts.* and the tables of doc/counts.md
   --update-pins       alone: writes tests/host_sim/operation_counts.json, the counts that tests expect
 Exits non-zero when a count model needs more operations than openSYMORO, or the closed form more than published.
 END_OF_USAGE
@@ -40,6 +40,8 @@ write_counts_documents() {
   local doc=$AXIAL_ROOT/doc
   counts_py --output "$doc/data" --provenance "$doc/data/counts_provenance.json" \
     --cache "$AXIAL_ROOT/build/host-release/CMakeCache.txt"
+  "$AXIAL_ROOT/build/host-release/host_sim/counts/counts" --congruences >"$doc/data/congruences.json.new"
+  mv "$doc/data/congruences.json.new" "$doc/data/congruences.json"
   mv "$doc"/data/counts.{png,svg} "$doc/pictures/"
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/count_tables.py" "$doc/data" "$doc/counts.md"
 }
