@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 import style
 
 TITLES = {
-    "inverse_dynamics": "Inverse dynamics, and the closed form", "forward_dynamics": "Forward dynamics",
+    "inverse_dynamics": "Inverse dynamics, separation, closed form", "forward_dynamics": "Forward dynamics",
     "mass_matrix": "Mass matrix", "bias": "Bias torque", "gravity": "Gravity torque",
     "forward_kinematics": "Forward kinematics", "jacobian": "Jacobian",
 }
@@ -42,7 +42,7 @@ def main(csv_file):
 
 
 def job_of(row):
-    return "inverse_dynamics" if row["subject"] == "closed_form" else row["subject"]
+    return "inverse_dynamics" if row["subject"] in ("closed_form", "separation") else row["subject"]
 
 
 def unique(values):

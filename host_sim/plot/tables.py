@@ -13,7 +13,7 @@ import pathlib
 import re
 import sys
 
-KERNELS = ["inverse_dynamics", "closed_form", "gravity", "bias", "mass_matrix", "forward_dynamics",
+KERNELS = ["inverse_dynamics", "separation", "closed_form", "gravity", "bias", "mass_matrix", "forward_dynamics",
            "forward_kinematics", "jacobian"]
 MARKED = re.compile(r"(<!-- table (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
 

@@ -68,6 +68,7 @@ Vector jacobian(const Inputs& in) {
 using Kernel = Vector (*)(const Inputs&);
 const std::map<std::string, Kernel> kernels = {{"inverse_dynamics", inverse_dynamics},
                                                {"closed_form", inverse_dynamics},
+                                               {"separation", inverse_dynamics},
                                                {"bias", bias},
                                                {"gravity", gravity},
                                                {"mass_matrix", mass_matrix},

@@ -60,9 +60,10 @@ ReportRow row_of(const Key& key, const Group& group, const std::vector<Values>& 
   return row;
 }
 
-/// What is interchangeable: the closed form computes what inverse dynamics computes.
+/// What is interchangeable: the closed form and separation compute what inverse dynamics computes.
 std::string job_of(const ReportRow& row) {
-  const std::string kernel = row.subject == "closed_form" ? "inverse_dynamics" : row.subject;
+  const bool torque = row.subject == "closed_form" || row.subject == "separation";
+  const std::string kernel = torque ? "inverse_dynamics" : row.subject;
   return kernel + "/" + row.robot + "/" + row.board;
 }
 

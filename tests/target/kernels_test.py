@@ -43,7 +43,7 @@ class Kernels(harness.BoardTest):
                     seen[kernel, scalar] += 1
                     counts[kernel, scalar].add(int(count))
                 self.assertEqual(set(seen.values()), {STATES})
-                self.assertGreaterEqual(len(seen), 7)
+                self.assertGreaterEqual(len(seen), 8)
                 self.check_constant_time(counts)
 
     def test_one_count_for_every_input(self):
@@ -52,7 +52,7 @@ class Kernels(harness.BoardTest):
         hard = self.board == "stm32f405"
         for robot in harness.ROBOTS:
             ranges = [row[1:2] + list(map(int, row[3:])) for row in self.rows(robot) if row[0] == "range"]
-            self.assertGreaterEqual(len({kernel for kernel, *_ in ranges}), 7 + 2, "kernels and the other routes")
+            self.assertGreaterEqual(len({kernel for kernel, *_ in ranges}), 8 + 2, "kernels and the other routes")
             self.assertGreaterEqual(min(states for _, states, _, _ in ranges), 10000 if hard else 500)
             varying = [kernel for kernel, _, least, most in ranges if least != most]
             constant = {kernel for kernel, *_ in ranges} - set(varying)

@@ -31,6 +31,19 @@ struct InverseDynamics {
   }
 };
 
+/// The same torque with its terms apart: separated and summed.
+template <class Robot, class T>
+struct SeparationKernel {
+  static constexpr const char* name = "separation";
+  static auto run(const MotionState<Robot, T>& s, const Joints<Robot, T>&) {
+    return torque(separate<Robot>(s.q), s.qd, s.qdd);
+  }
+  template <class Put>
+  static void write(const Joints<Robot, T>& tau, Put put) {
+    write_joints(tau, put);
+  }
+};
+
 template <class Robot, class T>
 struct BiasTorque {
   static constexpr const char* name = "bias";

@@ -92,6 +92,7 @@ auto measure(int index, const MotionState<Robot, T>& state, const Joints<Robot, 
 template <class T>
 [[gnu::noinline]] void measure_all(int index, const MotionState<Robot, T>& state) {
   const auto tau = measure<InverseDynamics<Robot, T>>(index, state, {});
+  measure<SeparationKernel<Robot, T>>(index, state, tau);
   measure<BiasTorque<Robot, T>>(index, state, tau);
   measure<GravityTorque<Robot, T>>(index, state, tau);
   measure<MassMatrixKernel<Robot, T>>(index, state, tau);
@@ -152,6 +153,7 @@ void print_range_of_route() {
 
 void print_ranges() {
   print_range<InverseDynamics<Robot, float>>();
+  print_range<SeparationKernel<Robot, float>>();
   print_range<BiasTorque<Robot, float>>();
   print_range<GravityTorque<Robot, float>>();
   print_range<MassMatrixKernel<Robot, float>>();
