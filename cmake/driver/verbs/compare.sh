@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# summary: Newton-Euler against separation against the closed form: operations, instructions, errors, two rates
+# summary: sets Newton-Euler against separation against the closed form: operations, instructions, errors, two rates
 
 usage() {
   cat <<'END_OF_USAGE'

@@ -50,13 +50,15 @@ constexpr Status check_all(const Positions<robot_of<S>, T>& q, const Velocities<
   return check_request<S>(q, qd, qdd);
 }
 
-// What the request asks for, unless it is not finite: then the last safe output.
+// Sets what the request asks for, unless it is not finite: then the result stays the last safe output.
 template <class S, class T>
-constexpr FeedforwardResult<S, T> safe(FeedforwardState<S, T>& state, Efforts<robot_of<S>, T> tau) {
-  if (!all_finite<S>(tau)) return {state.last_safe, {Status::Code::not_finite, -1}};
-  const Status status = clamp_efforts<S>(tau);
-  state.last_safe = tau;
-  return {tau, status};
+constexpr void hand_out(FeedforwardResult<S, T>& result, FeedforwardState<S, T>& state, Efforts<robot_of<S>, T>& tau) {
+  if (!all_finite<S>(tau)) {
+    result.status = {Status::Code::not_finite, -1};
+    return;
+  }
+  result.status = clamp_efforts<S>(tau);
+  result.tau = state.last_safe = tau;
 }
 
 }  // namespace detail
@@ -71,8 +73,11 @@ template <class S, class T>
 constexpr FeedforwardResult<S, T> feedforward(FeedforwardState<S, T>& state, const Positions<robot_of<S>, T>& q,
                                               const Velocities<robot_of<S>, T>& qd,
                                               const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
-  if (const Status status = detail::check_all<S, T>(q, qd, qdd, in); !status.ok()) return {state.last_safe, status};
-  return detail::safe<S>(state, inverse_dynamics<S>(q, qd, qdd, in));
+  FeedforwardResult<S, T> result{state.last_safe, detail::check_all<S, T>(q, qd, qdd, in)};
+  if (!result.status.ok()) return result;
+  auto tau = inverse_dynamics<S>(q, qd, qdd, in);
+  detail::hand_out<S>(result, state, tau);
+  return result;
 }
 
 }  // namespace axial

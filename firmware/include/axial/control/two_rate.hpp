@@ -52,7 +52,10 @@ constexpr FeedforwardResult<S, T> two_rate_feedforward(TwoRateState<S, T>& state
                                                        const Accelerations<robot_of<S>, T>& qdd) {
   if (!state.ready) return {state.output.last_safe, {Status::Code::not_ready, -1}};
   if (const Status status = check_request<S>(state.q, qd, qdd); !status.ok()) return {state.output.last_safe, status};
-  return detail::safe<S>(state.output, torque(state.terms, qd, qdd));
+  FeedforwardResult<S, T> result{state.output.last_safe, {}};
+  auto tau = torque(state.terms, qd, qdd);
+  detail::hand_out<S>(result, state.output, tau);
+  return result;
 }
 
 }  // namespace axial
