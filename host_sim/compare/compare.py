@@ -126,9 +126,8 @@ def main():
         write_json(options.json, [{"subject": "method", **row} for row in result["methods"]] +
                    [{"subject": "two_rate", **row} for row in result["two_rate"]])
     if options.provenance:
-        commit = subprocess.run(["git", "-C", str(ROOT), "describe", "--always", "--dirty"], check=True,
-                                capture_output=True, text=True).stdout.strip()
-        write_json(options.provenance, {"commit": commit})
+        commit = subprocess.run([ROOT / "host_sim/system/commit.sh"], check=True, capture_output=True, text=True)
+        write_json(options.provenance, {"commit": commit.stdout.strip()})
     subprocess.run([sys.executable, "-E", ROOT / "host_sim/plot/separation.py", folder / "separation.json"], check=True)
     print(f"written: {folder}/separation.json, separation.png, separation.svg")
 

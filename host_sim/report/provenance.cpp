@@ -37,7 +37,7 @@ nlohmann::json provenance() {
   for (const std::string& board : board_names())
     boards[board] = {{"compiler", first_line({"arm-none-eabi-g++", "--version"})},
                      {"flags", cached(board, "CMAKE_CXX_FLAGS")}};
-  return {{"commit", first_line({"git", "-C", AXIAL_ROOT, "describe", "--always", "--dirty"})}, {"boards", boards}};
+  return {{"commit", first_line({AXIAL_ROOT "/host_sim/system/commit.sh"})}, {"boards", boards}};
 }
 
 }  // namespace host_sim

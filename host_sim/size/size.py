@@ -123,7 +123,7 @@ def run_provenance(options):
 def provenance(flags):
     """What the rows depend on: the compiler, the flags of each board, the commit."""
     output = lambda *command: subprocess.run(command, check=True, capture_output=True, text=True).stdout.split("\n")[0]
-    return {"commit": output("git", "-C", str(measure.ROOT), "describe", "--always", "--dirty"),
+    return {"commit": output(measure.ROOT / "host_sim/system/commit.sh"),
             "compiler": output("arm-none-eabi-g++", "--version"), "flags": flags}
 
 
