@@ -7,6 +7,7 @@ import json
 import sys
 
 import matplotlib.pyplot as plt
+from matplotlib.ticker import MaxNLocator
 
 import style
 
@@ -23,6 +24,7 @@ def bars(panel, board, methods, robots):
                    color=style.COLOURS[(0, 6, 4, 2)[place]], label=label)
     panel.set_yticks(range(len(robots)), robots)
     panel.invert_yaxis()
+    panel.xaxis.set_major_locator(MaxNLocator(4))
     panel.set_xlabel("instructions (QEMU)")
     panel.set_title(BOARDS[board], fontsize=9.5)
 
@@ -33,7 +35,7 @@ def rates(panel, rows, robots):
         ticks = [row["ticks"] for row in own]
         panel.loglog(ticks, [row["error"] for row in own], "o-", color=style.COLOURS[2 * i], label=robot)
         panel.loglog(ticks, [row["error_ahead"] for row in own], "x:", color=style.COLOURS[2 * i])
-    panel.set_xlabel("ms between refreshes (crosses: separated half a period ahead)")
+    panel.set_xlabel("ms between refreshes; crosses: half of it ahead")
     panel.set_ylabel("largest error / largest torque")
     panel.set_title("Two rates along a pick-and-place cycle", fontsize=9.5)
     panel.legend()
