@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # Configuring and building presets.
 
-readonly BOARDS=(stm32f405 stm32f100)
+readonly BOARDS=(stm32f405 stm32f100 nrf51)
 
 # build PRESET [TARGET...]: configures when there is something new to configure, then builds.
 build() {

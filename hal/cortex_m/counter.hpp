@@ -1,9 +1,11 @@
 #pragma once
 /// How much a piece of code costs: cycles on silicon, instructions in QEMU.
 ///
-/// DWT's cycle counter where it advances. QEMU leaves it at 0; there, with `-icount shift=6`, every instruction takes
-/// 64 ns of virtual time (128 ns with 7) and SysTick tells the time, so SysTick counts instructions. One SysTick tick
-/// is shorter than one instruction on every board, and the bracket restarts the counter, so the conversion is exact.
+/// DWT's cycle counter where it advances. QEMU leaves it at 0, ARMv6-M has none; there, with `-icount shift=6`, every
+/// instruction takes 64 ns of virtual time (128 ns with 7) and SysTick tells the time, so SysTick counts instructions.
+/// One SysTick tick is shorter than one instruction on every board, and the bracket restarts the counter, so the
+/// conversion is exact. Where SysTick stands still too (an nRF51 on silicon has none) nothing is counted, and the scale
+/// says so.
 
 #include <cstdint>
 
@@ -15,8 +17,6 @@ namespace axial::hal::cortex_m {
 
 /// Virtual time of an instruction under `-icount shift=6`, which suits all but slow clocks.
 constexpr std::uint32_t usual_instruction_ns = 64;
-/// A count that the counter could not hold.
-constexpr std::uint32_t count_overflow = 0xFFFFFFFF;
 
 constexpr std::uint32_t greatest_common_divisor(std::uint32_t a, std::uint32_t b) {
   return b == 0 ? a : greatest_common_divisor(b, a % b);
@@ -39,9 +39,6 @@ constexpr std::uint32_t instructions_of(std::uint32_t ticks, const CounterScale&
   return ((2 * ticks - 1) * scale.numerator + 2 * scale.denominator - 1) / (2 * scale.denominator);
 }
 
-/// A piece of code to measure: a function and its argument.
-using Measured = void (*)(void*);
-
 /// Restarts the counter at `counter` (a store of anything clears DWT and SysTick alike), calls `code(argument)`,
 /// returns the counter. Between the store and the load lie `blx` and the code, nothing else, whatever the compiler.
 [[gnu::naked, gnu::noinline]] inline std::uint32_t bracket(Register*, Measured, void*) {
@@ -58,27 +55,34 @@ using Measured = void (*)(void*);
 [[gnu::naked, gnu::noinline]] inline void empty_code(void*) { asm volatile("bx lr"); }
 
 /// The counter of a board whose emulated core clock is `emulator_Hz`, as its board.json has the emulator run.
-template <std::uint32_t emulator_Hz, std::uint32_t instruction_ns = usual_instruction_ns>
+template <std::uint32_t emulator_Hz, std::uint32_t instruction_ns_ = usual_instruction_ns>
 class Counter {
   static constexpr std::uint32_t sys_tick_span = 1u << 24;
-  static constexpr CounterScale emulated = instructions_of_ticks(emulator_Hz, instruction_ns);
+  static constexpr CounterScale emulated = instructions_of_ticks(emulator_Hz, instruction_ns_);
   static_assert(3 * emulated.numerator <= 2 * emulated.denominator,
                 "a SysTick tick must be shorter than 2/3 of an emulated instruction: raise the icount shift");
   static_assert(emulated.numerator < 128, "instructions_of would leave 32 bits: widen it");
 
  public:
-  /// Finds out whether DWT counts; measures the empty bracket.
+  /// Virtual time of an instruction in the emulator.
+  static constexpr std::uint32_t instruction_ns = instruction_ns_;
+  /// More instructions than these do not fit SysTick.
+  static constexpr auto span =
+      static_cast<std::uint32_t>(std::uint64_t{sys_tick_span} * emulated.numerator / emulated.denominator);
+
+  /// Finds out what counts; measures the empty bracket.
   static void start() {
-    debug_monitor_control() |= trace_enable;
-    dwt().cycle_count = 0;
-    dwt().control |= dwt_cycle_counter_enable;
-    asm volatile("nop\n\tnop\n\tnop\n\tnop");
-    cycles_ = dwt().cycle_count != 0;
+    kind_ = dwt_counts()                            ? CounterKind::cycles
+            : by_sys_tick(empty_code, nullptr) != 0 ? CounterKind::instructions
+                                                    : CounterKind::none;
     empty_ = 0;
     empty_ = count(empty_code, nullptr);
   }
 
-  static CounterScale scale() { return cycles_ ? CounterScale{CounterKind::cycles, 1, 1} : emulated; }
+  static CounterScale scale() {
+    if (kind_ == CounterKind::instructions) return emulated;
+    return kind_ == CounterKind::cycles ? CounterScale{kind_, 1, 1} : CounterScale{kind_, 0, 0};
+  }
 
   /// The empty bracket: call and return. Already subtracted from every count.
   static std::uint32_t empty() { return empty_; }
@@ -87,12 +91,21 @@ class Counter {
   /// where SysTick's 24 bits did not suffice.
   static std::uint32_t count(Measured code, void* argument) {
     const InterruptMask mask;
-    if (cycles_) return bracket(&dwt().cycle_count, code, argument) - empty_;
+    if (kind_ == CounterKind::cycles) return bracket(&dwt().cycle_count, code, argument) - empty_;
     const std::uint32_t ticks = by_sys_tick(code, argument);
     return ticks == count_overflow ? ticks : instructions_of(ticks, emulated) - empty_;
   }
 
  private:
+  static bool dwt_counts() {
+    if constexpr (!has_dwt) return false;
+    debug_monitor_control() |= trace_enable;
+    dwt().cycle_count = 0;
+    dwt().control |= dwt_cycle_counter_enable;
+    asm volatile("nop\n\tnop\n\tnop\n\tnop");
+    return dwt().cycle_count != 0;
+  }
+
   /// Borrows SysTick: the control tick's period resumes where it stood, less the time that the code took.
   static std::uint32_t by_sys_tick(Measured code, void* argument) {
     auto& tick = sys_tick();
@@ -119,7 +132,7 @@ class Counter {
     tick.reload = period;
   }
 
-  inline static bool cycles_ = false;
+  inline static CounterKind kind_ = CounterKind::none;
   inline static std::uint32_t empty_ = 0;
 };
 

@@ -4,6 +4,7 @@
 
 #include <hal/cortex_m/registers.hpp>
 #include <hal/cortex_m/semihosting.hpp>
+#include <hal/cortex_m/start_up.hpp>
 #include <hal/text.hpp>
 
 namespace axial::hal::cortex_m {
@@ -13,10 +14,12 @@ namespace axial::hal::cortex_m {
 namespace {
 
 /// A breakpoint that no debugger takes escalates to a hard fault and leaves the configurable faults clear; any other
-/// fault sets one of them, and its pc need not be readable.
+/// fault sets one of them (not on ARMv6-M, which has none), and its pc need not be readable.
 bool is_unanswered_semihosting(const ExceptionFrame& frame) {
   constexpr std::uint16_t breakpoint_ab = 0xBEAB;
-  return system_control().configurable_fault == 0 && *reinterpret_cast<const std::uint16_t*>(frame.pc) == breakpoint_ab;
+  const auto* at = reinterpret_cast<const std::uint16_t*>(frame.pc);
+  return system_control().configurable_fault == 0 && at >= axial_code_begin && at < axial_code_end &&
+         *at == breakpoint_ab;
 }
 
 void step_over(ExceptionFrame& frame) {

@@ -27,6 +27,12 @@ struct DwtRegisters {
 };
 constexpr std::uintptr_t dwt_address = 0xE0001000;
 constexpr std::uint32_t dwt_cycle_counter_enable = 1u << 0;
+/// ARMv6-M has no cycle counter.
+#ifdef __ARM_ARCH_6M__
+constexpr bool has_dwt = false;
+#else
+constexpr bool has_dwt = true;
+#endif
 inline DwtRegisters& dwt() { return at<DwtRegisters>(dwt_address); }
 
 /// Debug exception and monitor control: bit 24 powers DWT.

@@ -67,7 +67,7 @@ constexpr VectorTable make_vectors() {
   for (auto& handler : table.board)
     handler = axial_fault;
   table.core[reset] = axial_reset;
-  table.core[sys_tick_index] = Board::tick_interrupt;
+  table.core[sys_tick_index] = Board::sys_tick_interrupt;
   for (const auto& interrupt : Board::interrupts)
     table.board[interrupt.number] = interrupt.handler;
   return table;

@@ -8,6 +8,7 @@ extern "C" {
 extern std::uint32_t axial_stack_bottom[], axial_stack_top[];
 extern std::uint32_t axial_data_begin[], axial_data_end[], axial_data_image[];
 extern std::uint32_t axial_bss_begin[], axial_bss_end[];
+extern const std::uint16_t axial_code_begin[], axial_code_end[];
 }
 
 namespace axial::hal::cortex_m {

@@ -23,7 +23,7 @@ struct HostBoardState {
 
 struct HostBoard {
   static constexpr const char* name = "host";
-  static constexpr std::uint32_t baud = 2'000'000;
+  static constexpr std::uint32_t baud = 2'000'000, tick_Hz = 1000;
 
   inline static HostBoardState state{};
 

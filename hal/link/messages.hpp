@@ -28,7 +28,7 @@ enum class MessageType : std::uint8_t {
 
 enum class Mode : std::uint8_t {
   lock_step = 0,    ///< a set-point is answered at once; its sequence number is the time
-  free_running = 1  ///< the newest set-point is answered at the 1 kHz tick; the watchdog is armed
+  free_running = 1  ///< the newest set-point is answered at the board's tick; the watchdog is armed
 };
 
 enum class TorqueStatus : std::uint8_t {

@@ -102,6 +102,12 @@ class Emulator:
             if number == sequence:
                 return link.torque(answer)
 
+    def listen(self, seconds):
+        """Waits, and reads meanwhile: a socket that nobody reads takes some 270 single bytes, then the port is stuck."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            self._pump(max(end - time.monotonic(), 0))
+
     def stats(self, sequence=0):
         self.send(link.frame(link.STATS_REQUEST, sequence))
         return link.stats(self.expect(link.STATS)[1])

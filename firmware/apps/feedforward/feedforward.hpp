@@ -3,7 +3,7 @@
 /// so that the same source runs on a microcontroller, in an emulator and inside a host test.
 ///
 /// Lock-step: every set-point is answered at once; its sequence number is the time. Free-running: the newest set-point
-/// is answered at the 1 kHz tick; without one for `watchdog_ticks` the last safe torque is repeated, reported and
+/// is answered at the board's tick; without one for `watchdog_ticks` the last safe torque is repeated, reported and
 /// counted.
 
 #include <cstddef>
@@ -18,15 +18,14 @@ namespace axial::apps {
 
 namespace link = hal::link;
 
-constexpr std::uint32_t tick_Hz = 1000;
 constexpr std::uint32_t watchdog_ticks = 20;
 
 /// `Board`: see hal/README.md. `Controller`: see controller.hpp; `joints`, `name`, load(set-point), compute(), which is
 /// measured, store(torque) and store_last_safe(torque).
 template <class Board, class Controller>
 class Feedforward {
-  static_assert(link::fits_tick(Controller::joints, Board::baud, tick_Hz),
-                "A set-point and its answer do not fit a tick of 1 ms: raise the board's baud rate.");
+  static_assert(link::fits_tick(Controller::joints, Board::baud, Board::tick_Hz),
+                "A set-point and its answer do not fit a tick: raise the board's baud rate or lower its tick_Hz.");
 
  public:
   void start() {
@@ -133,7 +132,7 @@ class Feedforward {
     sequence_ = {};
     fresh_ = false;
     age_ = 0;
-    mode_ == link::Mode::free_running ? Board::start_tick(tick_Hz) : Board::stop_tick();
+    mode_ == link::Mode::free_running ? Board::start_tick(Board::tick_Hz) : Board::stop_tick();
     last_tick_ = Board::ticks();
     greet();
   }
@@ -149,7 +148,7 @@ class Feedforward {
     hello.mode = static_cast<std::uint8_t>(mode_);
     hello.clock_Hz = clock.core_Hz;
     hello.baud = Board::baud_running();
-    hello.tick_Hz = tick_Hz;
+    hello.tick_Hz = Board::tick_Hz;
     hello.counter_numerator = counter.numerator;
     hello.counter_denominator = counter.denominator;
     hello.empty_bracket = Board::empty_bracket();

@@ -24,8 +24,9 @@ constexpr int range_states = 10000;
 #else
 constexpr int range_states = 500;
 #endif
-/// All kernels of a long arm in soft double take 150 KiB.
-constexpr bool has_room_for_double = Board::flash_bytes >= 256 * 1024;
+/// All kernels in soft double take up to 33 KiB a joint (a Cortex-M0).
+constexpr bool has_room_for_double =
+    Board::flash_bytes >= 256 * 1024 && Board::flash_bytes >= 40 * 1024 * joint_count<Robot>;
 constexpr bool has_closed_form = std::string_view(Robot::name) == "scara";
 
 void print(float value) {
