@@ -1,9 +1,12 @@
 // All robots of this folder, their names, and a walk over them that compiles on a microcontroller too.
 #pragma once
 
+#include <robots/indy7.hpp>
 #include <robots/panda.hpp>
+#include <robots/panda_slow.hpp>
 #include <robots/planar2r.hpp>
 #include <robots/puma560.hpp>
+#include <robots/roarm_m2.hpp>
 #include <robots/scara.hpp>
 #include <robots/scara_rrpr.hpp>
 #include <robots/torso.hpp>
@@ -37,6 +40,8 @@ struct List {
 using All = List<Scara, ScaraRrpr, Puma560, Panda, Planar2r>;
 /// Robots with branches.
 using Trees = List<TwoArm, Torso>;
+/// Serial arms on which others published bounds of fixed-point errors, at the limits of that comparison.
+using Published = List<Indy7, RoarmM2, PandaSlow>;
 
 template <class Visit>
 constexpr void for_each(Visit&& visit) {
