@@ -15,17 +15,24 @@ struct SinCosBits {
 
 namespace detail {
 
-/// floor(a b / 2^32) for one a and many b, whose halves are made once where there is no long multiplication.
+/// floor(a b / 2^32) for one a and many b: where there is no long multiplication, the halves of a are made once.
 class Multiplier {
  public:
-  AXIAL_INLINE explicit constexpr Multiplier(std::uint32_t a) : a_{a}, low_{a & 0xFFFFU}, high_{a >> 16} {}
-  AXIAL_INLINE constexpr std::uint32_t value() const { return a_; }
+  AXIAL_INLINE explicit constexpr Multiplier(std::uint32_t a)
+      : a_{a}, low_{static_cast<std::uint16_t>(a)}, high_{a >> 16} {}
   AXIAL_INLINE constexpr std::uint32_t high() const { return high_; }
   AXIAL_INLINE constexpr std::uint32_t operator*(std::uint32_t b) const {
 #if AXIAL_LONG_MULTIPLY == 0 && defined(__ARM_ARCH_6M__)
     if (!__builtin_is_constant_evaluated()) return high_word_by_assembler(low_, high_, b);
 #endif
     return multiply_high(a_, b);
+  }
+  AXIAL_INLINE constexpr std::uint32_t square() const {
+#if AXIAL_LONG_MULTIPLY
+    return multiply_high(a_, a_);
+#else
+    return high_ * high_ + ((high_ * low_ + ((low_ * low_) >> 17)) >> 15);
+#endif
   }
 
  private:
@@ -34,12 +41,19 @@ class Multiplier {
 
 }  // namespace detail
 
-/// Sine and cosine of bam 2 pi / 2^32 rad, within 6.5e-10; exact at quarter turns; sin(-x) = -sin(x), cos(-x) = cos(x).
+/// What sine and cosine err at most, over all angles (`./axial exhaustive`).
+inline constexpr double sincos_error = 6.5e-10;
+
+/// Sine and cosine of bam 2 pi / 2^32 rad, within sincos_error; exact at quarter turns, symmetric:
+/// sin(-x) = -sin(x), cos(-x) = cos(x). 52 instructions on a Cortex-M3 or M4, 201 on a Cortex-M0, load and store
+/// included.
 AXIAL_INLINE constexpr SinCosBits sincos(std::uint32_t bam) {
   // v / 2^32: the distance to the nearest quarter turn over an eighth of a turn; z / 2^32 its square.
   const std::uint32_t x = bam << 2, minus = 0U - (x >> 31), distance = (x ^ minus) - minus;
   auto v = detail::Multiplier((distance << 1) - (distance >> 31));
-  auto z = detail::Multiplier(multiply_high(v.value(), v.value()));
+  auto z = detail::Multiplier(v.square());
+  // Coefficients: minimax by reweighted least squares in 40 digits (1.7e-12 for sin, 5.4e-11 for cos), then their last
+  // bits by random descent on the largest error of the integers as computed here, over 4 * 10^5 angles.
   // sin = v (b0 - z (b1 - ...)), 32 fractional bits in b0 and 35 in the others.
   const std::uint32_t b3 = 1256540U - ((z.high() * 10571U) >> 16);
   const std::uint32_t b0 = 3373259426U - ((z * (2774394679U - z * (85569236U - z * b3))) >> 3);
