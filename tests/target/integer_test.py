@@ -1,0 +1,30 @@
+"""What the integer primitives cost on the target: the lines `count,<name>,<n>` of the self-test, which checks their bits."""
+
+import re
+
+import emulator
+import harness
+
+# Instructions at most, operands loaded and the result stored; narrow factors are made narrow in 2 or 3 of them.
+SHORT = {"multiply": 22, "multiply_narrow": 22, "multiply_high": 23, "multiply_high_narrow": 23,
+         "multiply_high_unsigned": 26, "accumulate": 26, "accumulate_narrow": 26, "deduct": 26, "deduct_narrow": 26,
+         "sincos": 201, "reciprocal": 66}
+LONG = {"multiply": 3, "multiply_narrow": 7, "multiply_high": 4, "multiply_high_narrow": 8, "multiply_high_unsigned": 4,
+        "accumulate": 6, "accumulate_narrow": 8, "deduct": 7, "deduct_narrow": 10, "sincos": 52, "reciprocal": 34}
+
+
+class Integers(harness.BoardTest):
+    def test_counts(self):
+        code, text = emulator.run(self.board, "selftest")
+        self.assertEqual(code, 0, text)
+        counts = {name: int(count) for name, count in re.findall(r"^count,(\w+),(\d+)$", text, re.MULTILINE)}
+        budget = SHORT if self.board == "nrf51" else LONG
+        self.assertGreater(counts.pop("nothing"), 0)
+        self.assertEqual(counts.keys(), budget.keys())
+        self.assertEqual([f"{name}: {counts[name]}, budget {most}" for name, most in budget.items() if counts[name] > most],
+                         [])
+        self.assertGreaterEqual(counts["multiply"], 17 if self.board == "nrf51" else 1, "it can not be that few")
+
+
+if __name__ == "__main__":
+    harness.main()
