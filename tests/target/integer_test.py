@@ -13,17 +13,32 @@ LONG = {"multiply": 3, "multiply_narrow": 7, "multiply_high": 4, "multiply_high_
         "accumulate": 6, "accumulate_narrow": 8, "deduct": 7, "deduct_narrow": 10, "sincos": 52, "reciprocal": 34}
 
 
+BY_CALL = {**SHORT, "multiply": 30, "multiply_narrow": 33, "accumulate": 30, "accumulate_narrow": 33, "deduct": 30,
+           "deduct_narrow": 33}
+
+
 class Integers(harness.BoardTest):
-    def test_counts(self):
-        code, text = emulator.run(self.board, "selftest")
+    def counts(self, image):
+        code, text = emulator.run(self.board, image)
         self.assertEqual(code, 0, text)
-        counts = {name: int(count) for name, count in re.findall(r"^count,(\w+),(\d+)$", text, re.MULTILINE)}
-        budget = SHORT if self.board == "nrf51" else LONG
+        self.assertRegex(text, r"\n[1-9]\d* checks, 0 failed\n")
+        return {name: int(count) for name, count in re.findall(r"^count,(\w+),(\d+)$", text, re.MULTILINE)}
+
+    def check(self, counts, budget):
         self.assertGreater(counts.pop("nothing"), 0)
         self.assertEqual(counts.keys(), budget.keys())
         self.assertEqual([f"{name}: {counts[name]}, budget {most}" for name, most in budget.items() if counts[name] > most],
                          [])
         self.assertGreaterEqual(counts["multiply"], 17 if self.board == "nrf51" else 1, "it can not be that few")
+
+    def test_counts(self):
+        self.check(self.counts("selftest"), SHORT if self.board == "nrf51" else LONG)
+
+    def test_products_by_call(self):
+        """The same bits, which the image checks."""
+        if self.board != "nrf51":
+            self.skipTest("has a long multiplication")
+        self.check(self.counts("integers-by-call"), BY_CALL)
 
 
 if __name__ == "__main__":

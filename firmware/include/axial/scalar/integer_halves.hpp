@@ -115,34 +115,6 @@ AXIAL_INLINE inline std::int32_t high_word_by_assembler(std::int32_t a, std::int
 }
 // clang-format on
 
-/// floor((2^16 high + low) a / 2^32) without signs, 17 instructions. The mixed sum's carry is its borrow plus 1, which
-/// takes a register less than adding a carry to zero.
-AXIAL_INLINE inline std::uint32_t high_word_by_assembler(std::uint32_t low, std::uint32_t high, std::uint32_t a) {
-  std::uint32_t t, u;
-  asm(".syntax unified\n\t"
-      "uxth %[t], %[a]\n\t"
-      "lsrs %[a], %[a], #16\n\t"
-      "movs %[u], %[t]\n\t"
-      "muls %[u], %[low], %[u]\n\t"
-      "lsrs %[u], %[u], #16\n\t"
-      "muls %[t], %[high], %[t]\n\t"
-      "adds %[t], %[t], %[u]\n\t"
-      "movs %[u], %[a]\n\t"
-      "muls %[u], %[low], %[u]\n\t"
-      "muls %[a], %[high], %[a]\n\t"
-      "adds %[t], %[t], %[u]\n\t"
-      "sbcs %[u], %[u]\n\t"
-      "adds %[u], %[u], #1\n\t"
-      "lsls %[u], %[u], #16\n\t"
-      "lsrs %[t], %[t], #16\n\t"
-      "adds %[a], %[a], %[t]\n\t"
-      "adds %[a], %[a], %[u]\n\t"
-      : [a] "+l"(a), [t] "=&l"(t), [u] "=&l"(u)
-      : [low] "l"(low), [high] "l"(high)
-      : "cc");
-  return a;
-}
-
 #undef AXIAL_QUARTERS
 #undef AXIAL_MIXED
 #undef AXIAL_BOTH_MIXED

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include <axial/scalar/inline.hpp>
-#include <axial/scalar/integer_product.hpp>
+#include <axial/scalar/integer_multiplier.hpp>
 
 namespace axial::integer {
 
@@ -13,36 +13,8 @@ struct SinCosBits {
   std::int32_t sin, cos;
 };
 
-namespace detail {
-
-/// floor(a b / 2^32) for one a and many b: where there is no long multiplication, the halves of a are made once.
-class Multiplier {
- public:
-  AXIAL_INLINE explicit constexpr Multiplier(std::uint32_t a)
-      : a_{a}, low_{static_cast<std::uint16_t>(a)}, high_{a >> 16} {}
-  AXIAL_INLINE constexpr std::uint32_t high() const { return high_; }
-  AXIAL_INLINE constexpr std::uint32_t operator*(std::uint32_t b) const {
-#if AXIAL_LONG_MULTIPLY == 0 && defined(__ARM_ARCH_6M__)
-    if (!__builtin_is_constant_evaluated()) return high_word_by_assembler(low_, high_, b);
-#endif
-    return multiply_high(a_, b);
-  }
-  AXIAL_INLINE constexpr std::uint32_t square() const {
-#if AXIAL_LONG_MULTIPLY
-    return multiply_high(a_, a_);
-#else
-    return high_ * high_ + ((high_ * low_ + ((low_ * low_) >> 17)) >> 15);
-#endif
-  }
-
- private:
-  std::uint32_t a_, low_, high_;
-};
-
-}  // namespace detail
-
 /// What sine and cosine err at most, over all angles (`./axial exhaustive`).
-inline constexpr double sincos_error = 6.5e-10;
+inline constexpr double sincos_error = 6.3e-10;
 
 /// Sine and cosine of bam 2 pi / 2^32 rad, within sincos_error; exact at quarter turns, symmetric:
 /// sin(-x) = -sin(x), cos(-x) = cos(x). 52 instructions on a Cortex-M3 or M4, 201 on a Cortex-M0, load and store
