@@ -26,6 +26,7 @@ class Integers(harness.BoardTest):
 
     def check(self, counts, budget):
         self.assertGreater(counts.pop("nothing"), 0)
+        self.assertGreater(counts.pop("known"), 0)
         self.assertEqual(counts.keys(), budget.keys())
         self.assertEqual([f"{name}: {counts[name]}, budget {most}" for name, most in budget.items() if counts[name] > most],
                          [])

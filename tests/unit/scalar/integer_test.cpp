@@ -50,7 +50,8 @@ TEST(Integer, AXIAL_PATH(ProductsAreExact)) {
       ASSERT_EQ(multiply(a, b), static_cast<std::int64_t>(product)) << a << " * " << b;
       ASSERT_EQ(multiply_high(a, b), floor_of_quotient(product, __int128{1} << 32)) << a << " * " << b;
       const auto ua = static_cast<std::uint32_t>(a), ub = static_cast<std::uint32_t>(b);
-      ASSERT_EQ(multiply_high(ua, ub), static_cast<std::uint32_t>((static_cast<unsigned __int128>(ua) * ub) >> 32))
+      ASSERT_EQ(multiply_high_unsigned(ua, ub),
+                static_cast<std::uint32_t>((static_cast<unsigned __int128>(ua) * ub) >> 32))
           << ua << " * " << ub;
     }
 }
@@ -72,7 +73,7 @@ TEST(Integer, AXIAL_PATH(AllIsConstexpr)) {
   static_assert(multiply_high(-1, 1) == -1 && multiply(-1, 1) == -1 && accumulate(5, -2, 3) == -1 &&
                 deduct(5, 2, 3) == -1);
   static_assert(multiply<Factors::narrow>(1 << 30, -(1 << 30)) == -(std::int64_t{1} << 60));
-  static_assert(multiply_high(0xFFFFFFFFU, 0xFFFFFFFFU) == 0xFFFFFFFEU);
+  static_assert(multiply_high_unsigned(0xFFFFFFFFU, 0xFFFFFFFFU) == 0xFFFFFFFEU);
   static_assert(sincos(1U << 30).sin == 1 << 30 && sincos(1U << 30).cos == 0);
   static_assert(reciprocal(3).mantissa == 0x55555555U && reciprocal(3).exponent == 32);
 }

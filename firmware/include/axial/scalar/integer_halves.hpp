@@ -28,11 +28,14 @@ AXIAL_INLINE constexpr std::uint64_t product_by_halves(std::int32_t a, std::int3
 
 #ifdef __ARM_ARCH_6M__
 
-/// Where the compiler does better than the statements below: on constants, or when a half is known to be zero.
+/// Where the compiler does better than the statements below: on constants, or when a half is known to be zero. What is
+/// known shows only after inlining, so __builtin_constant_p must not initialise a constant: that is evaluated at once.
+AXIAL_INLINE constexpr bool has_known_zero_half(std::int32_t a) {
+  return __builtin_constant_p(a) && ((a & 0xFFFF) == 0 || (a >> 16) == 0);
+}
 AXIAL_INLINE constexpr bool compiler_does_better(std::int32_t a, std::int32_t b) {
-  const bool a_known = __builtin_constant_p(a) != 0, b_known = __builtin_constant_p(b) != 0;
-  return __builtin_is_constant_evaluated() || (a_known && b_known) ||
-         (a_known && (low_half(a) == 0 || (a >> 16) == 0)) || (b_known && (low_half(b) == 0 || (b >> 16) == 0));
+  return __builtin_is_constant_evaluated() || (__builtin_constant_p(a) && __builtin_constant_p(b)) ||
+         has_known_zero_half(a) || has_known_zero_half(b);
 }
 
 // One statement a product: the compiler's own carries cost a third more, and in pieces it moves registers about.

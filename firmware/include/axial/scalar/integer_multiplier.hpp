@@ -50,11 +50,11 @@ class Multiplier {
 #if AXIAL_LONG_MULTIPLY == 0 && defined(__ARM_ARCH_6M__)
     if (!__builtin_is_constant_evaluated()) return high_word_by_assembler(low_, high_, b);
 #endif
-    return multiply_high(a_, b);
+    return multiply_high_unsigned(a_, b);
   }
   AXIAL_INLINE constexpr std::uint32_t square() const {
 #if AXIAL_LONG_MULTIPLY
-    return multiply_high(a_, a_);
+    return multiply_high_unsigned(a_, a_);
 #else
     return high_ * high_ + ((high_ * low_ + ((low_ * low_) >> 17)) >> 15);
 #endif

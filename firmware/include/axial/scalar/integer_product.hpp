@@ -118,8 +118,8 @@ AXIAL_INLINE constexpr std::int32_t multiply_high(std::int32_t a, std::int32_t b
 #endif
 }
 
-/// The same without signs.
-AXIAL_INLINE constexpr std::uint32_t multiply_high(std::uint32_t a, std::uint32_t b) {
+/// The same without signs. Not an overload: std::int32_t is long on Arm, and an int would choose this one.
+AXIAL_INLINE constexpr std::uint32_t multiply_high_unsigned(std::uint32_t a, std::uint32_t b) {
 #if AXIAL_LONG_MULTIPLY
   return static_cast<std::uint32_t>((static_cast<std::uint64_t>(a) * b) >> 32);
 #else
