@@ -79,7 +79,11 @@ int main(int argc, char** argv) {
   app.add_option("--commit", commit);
   app.add_option("--threads", threads)->check(CLI::Range(1, 64));
   app.add_option("--stride", stride)->check(CLI::Range(1, 1 << 16));
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   try {
     std::vector<Finding> findings;
     append(findings, "sine and cosine, blocks of 4096 angles:", exhaustive::sweep_angles, threads, stride);
