@@ -7,12 +7,13 @@
 
 #include <hal/clock.hpp>
 #include <hal/counter.hpp>
+#include <hal/memory.hpp>
 
 namespace axial::hal {
 
 /// `Derived` gives: baud, Serial, serial_line, start_clock(), connect_pins(); where they differ, tick_Hz and Tick too.
-/// `Core` gives: Counter, Tick, Known, start(), enable_interrupt(line), sleep_unless(predicate), stack_used_bytes(),
-/// print(text), exit(code). See hal/README.md for the whole interface.
+/// `Core` gives: Counter, Tick, Known, start(), enable_interrupt(line), sleep_unless(predicate), print(text),
+/// exit(code). See hal/README.md for the whole interface.
 template <class Derived, class Core>
 struct BoardBase {
   using Counter = typename Core::Counter;
@@ -58,7 +59,7 @@ struct BoardBase {
     return Counter::count([](void* object) { (*static_cast<Code*>(object))(); }, &code);
   }
 
-  static std::uint32_t stack_used_bytes() { return Core::stack_used_bytes(); }
+  static std::uint32_t stack_used_bytes() { return hal::stack_used_bytes(); }
 
   static void print(const char* text) { Core::print(text); }
   static void exit(int code) { Core::exit(code); }

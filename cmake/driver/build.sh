@@ -1,7 +1,8 @@
 # shellcheck shell=bash
 # Configuring and building presets.
 
-readonly BOARDS=(stm32f405 stm32f100 nrf51)
+readonly BOARDS=(stm32f405 stm32f100 nrf51 rv32_virt)
+readonly SELFTEST_BOARDS=(mps2_an505) # run the self-tests alone
 
 # build PRESET [TARGET...]: configures when there is something new to configure, then builds.
 build() {
@@ -17,7 +18,7 @@ build() {
 
 build_boards() {
   local board
-  for board in "${BOARDS[@]}"; do
+  for board in "${BOARDS[@]}" "${SELFTEST_BOARDS[@]}"; do
     build "$board"
   done
 }

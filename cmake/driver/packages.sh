@@ -3,13 +3,14 @@
 
 readonly PACKAGES=(
   build-essential cmake ninja-build                                            # host compiler and build
-  gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib     # firmware compiler
-  qemu-system-arm                                                              # the emulated boards
+  gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib     # firmware compiler, Arm
+  gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf                         # firmware compiler, RISC-V
+  qemu-system-arm qemu-system-misc                                             # the emulated boards
   libgtest-dev liborocos-kdl-dev                                               # tests, independent dynamics
   nlohmann-json3-dev libcli11-dev                                              # host_sim
   python3-matplotlib python3-numpy                                             # pictures
 )
-readonly COMMANDS=(g++ cmake ninja arm-none-eabi-g++ qemu-system-arm /usr/bin/python3)
+readonly COMMANDS=(g++ cmake ninja arm-none-eabi-g++ riscv64-unknown-elf-g++ qemu-system-arm qemu-system-riscv32 /usr/bin/python3)
 
 # ensure_packages [PACKAGE...]: PACKAGES and those.
 ensure_packages() {

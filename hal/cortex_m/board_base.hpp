@@ -8,8 +8,8 @@
 #include <hal/cortex_m/counter.hpp>
 #include <hal/cortex_m/known_code.hpp>
 #include <hal/cortex_m/semihosting.hpp>
-#include <hal/cortex_m/start_up.hpp>
 #include <hal/cortex_m/tick.hpp>
+#include <hal/interrupt.hpp>
 
 namespace axial::hal::cortex_m {
 
@@ -20,15 +20,14 @@ struct Core {
   using Tick = cortex_m::Tick;
   using Known = KnownCode;
 
-  static void start() { semihosting::probe(); }
+  static void start() { Semihosting::probe(); }
   static void enable_interrupt(unsigned line) { cortex_m::enable_interrupt(line); }
   template <class Predicate>
   static void sleep_unless(Predicate awake) {
     cortex_m::sleep_unless(awake);
   }
-  static std::uint32_t stack_used_bytes() { return cortex_m::stack_used_bytes(); }
-  static void print(const char* text) { semihosting::write(text); }
-  static void exit(int code) { semihosting::exit(code); }
+  static void print(const char* text) { Semihosting::write(text); }
+  static void exit(int code) { Semihosting::exit(code); }
 };
 
 /// `Derived` gives what hal::BoardBase asks for, and interrupt_lines, interrupts[]; a part without SysTick its own Tick

@@ -4,8 +4,7 @@
 
 #include <hal/cortex_m/registers.hpp>
 #include <hal/cortex_m/semihosting.hpp>
-#include <hal/cortex_m/start_up.hpp>
-#include <hal/text.hpp>
+#include <hal/memory.hpp>
 
 namespace axial::hal::cortex_m {
 
@@ -23,7 +22,7 @@ bool is_unanswered_semihosting(const ExceptionFrame& frame) {
 }
 
 void step_over(ExceptionFrame& frame) {
-  semihosting::unanswered = true;
+  Semihosting::unanswered = true;
   frame.r0 = ~0u;
   frame.pc += 2;
   system_control().hard_fault = system_control().hard_fault;  // written ones clear
@@ -41,18 +40,12 @@ void record(const ExceptionFrame& frame) {
                   control.bus_address};
 }
 
-void write_line(const char* name, std::uint32_t value) {
-  semihosting::write(name);
-  semihosting::write(hex(value).text);
-  semihosting::write("\n");
-}
-
 void report() {
-  write_line("fault: exception ", fault_record.exception);
-  write_line("  pc   ", fault_record.pc);
-  write_line("  lr   ", fault_record.lr);
-  write_line("  cfsr ", fault_record.configurable_fault);
-  write_line("  hfsr ", fault_record.hard_fault);
+  Semihosting::write_line("fault: exception ", fault_record.exception);
+  Semihosting::write_line("  pc   ", fault_record.pc);
+  Semihosting::write_line("  lr   ", fault_record.lr);
+  Semihosting::write_line("  cfsr ", fault_record.configurable_fault);
+  Semihosting::write_line("  hfsr ", fault_record.hard_fault);
 }
 
 }  // namespace
@@ -62,10 +55,10 @@ void report() {
 extern "C" [[gnu::used]] void axial_fault_with_frame(axial::hal::cortex_m::ExceptionFrame* frame) {
   using namespace axial::hal::cortex_m;
   if (frame != nullptr && is_unanswered_semihosting(*frame)) return step_over(*frame);
-  if (frame == nullptr) semihosting::write("fault: the stack overflowed\n");
+  if (frame == nullptr) Semihosting::write("fault: the stack overflowed\n");
   record(frame != nullptr ? *frame : ExceptionFrame{});
   report();
-  semihosting::exit(fault_exit_code);
+  Semihosting::exit(axial::hal::fault_exit_code);
   for (;;)
     asm volatile("wfi");
 }

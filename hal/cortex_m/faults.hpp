@@ -19,9 +19,6 @@ struct FaultRecord {
 
 extern FaultRecord fault_record;
 
-/// Exit code of an emulated image that faulted.
-constexpr int fault_exit_code = 70;
-
 }  // namespace axial::hal::cortex_m
 
 /// Entry of every fault and of every interrupt without a handler.

@@ -1,33 +1,18 @@
 /// Vector table and reset of every Cortex-M board. The build puts the board's folder on the include path.
 
-#include <hal/cortex_m/start_up.hpp>
-
 #include <array>
 
 #include <board.hpp>
 
 #include <hal/cortex_m/faults.hpp>
 #include <hal/cortex_m/registers.hpp>
+#include <hal/interrupt.hpp>
+#include <hal/memory.hpp>
 
 int main();
 
 namespace axial::hal::cortex_m {
 namespace {
-
-void fill(std::uint32_t* from, const std::uint32_t* to, std::uint32_t value) {
-  while (from < to)
-    *from++ = value;
-}
-
-void copy(std::uint32_t* from, const std::uint32_t* to, const std::uint32_t* source) {
-  while (from < to)
-    *from++ = *source++;
-}
-
-void paint_stack() {
-  const auto* here = static_cast<const std::uint32_t*>(__builtin_frame_address(0));
-  fill(axial_stack_bottom, here - 32, stack_paint);  // what lies under the frame is in use
-}
 
 void allow_fpu() {
 #ifdef __ARM_FP
@@ -46,11 +31,8 @@ struct VectorTable {
 }  // namespace axial::hal::cortex_m
 
 extern "C" [[gnu::used, noreturn]] void axial_reset() {
-  using namespace axial::hal::cortex_m;
-  allow_fpu();
-  copy(axial_data_begin, axial_data_end, axial_data_image);
-  fill(axial_bss_begin, axial_bss_end, 0);
-  paint_stack();
+  axial::hal::cortex_m::allow_fpu();
+  axial::hal::prepare_memory();
   main();
   for (;;)
     asm volatile("wfi");

@@ -5,10 +5,10 @@ import re
 from stack import registers
 
 # Cycles of an instruction; 1 where nothing matches. Loads and stores of n words take 1 + n.
-DIVIDE = re.compile(r"^(vdiv|vsqrt|sdiv|udiv)")
+DIVIDE = re.compile(r"^(vdiv|vsqrt|sdiv|udiv|divu?$|remu?$)")
 FUSED = re.compile(r"^vfn?m[as]")
-MEMORY = re.compile(r"^(ldr|str|vldr|vstr|ldm|stm|vldm|vstm|push|pop|vpush|vpop)")
-CYCLES_OF_DIVIDE = 14
+MEMORY = re.compile(r"^(ldr|str|vldr|vstr|ldm|stm|vldm|vstm|push|pop|vpush|vpop|l[bhw]u?$|s[bhw]$)")
+CYCLES_OF_DIVIDE = {"rv32imac": 37}  # of lowRISC's Ibex; elsewhere 14
 CYCLES_OF_FUSED = {"cortex-m7": 1}  # elsewhere multiply and add one after the other, and a cycle between
 
 
@@ -21,7 +21,7 @@ def words(instruction):
 
 def cycles(instruction, cpu):
     if DIVIDE.match(instruction.name):
-        return CYCLES_OF_DIVIDE
+        return CYCLES_OF_DIVIDE.get(cpu, 14)
     if FUSED.match(instruction.name):
         return CYCLES_OF_FUSED.get(cpu, 3)
     return 1 + words(instruction) if MEMORY.match(instruction.name) else 1

@@ -5,10 +5,12 @@ import re
 import subprocess
 from typing import NamedTuple
 
-TOOLS = "arm-none-eabi-"
+ARM, RISCV = 40, 243  # the machine in an ELF header
+TOOLS = {ARM: "arm-none-eabi-", RISCV: "riscv64-unknown-elf-"}
 LINE = re.compile(r"^ *([0-9a-f]+):\t([0-9a-f]{4}(?: ?[0-9a-f]{4})?) *\t(\S+)\t?(.*)$")
 WORD = re.compile(r"^ *([0-9a-f]+):\t([0-9a-f]{8}) *\t\.word")
 LITERAL = re.compile(r"^(r\d+), \[pc, #\d+\]$")
+CONSTANTS = re.compile(r"^ ([0-9a-f]{8})((?: [0-9a-f]{2,8}){1,4})  ")
 SECTION = re.compile(r"^ *\d+ (\S+) +([0-9a-f]{8}) +[0-9a-f]{8} +[0-9a-f]{8}")
 
 
@@ -18,13 +20,22 @@ class Instruction(NamedTuple):
     size: int
 
 
-def run(tool, *arguments):
-    return subprocess.run([TOOLS + tool, *map(str, arguments)], check=True, capture_output=True, text=True).stdout
+def machine_of(path):
+    with open(path, "rb") as file:
+        return int.from_bytes(file.read(20)[18:], "little")
+
+
+def run(tool, *arguments, **options):
+    """What a program of the compiler's that made a file, the last argument, prints about it."""
+    command = [TOOLS[machine_of(arguments[-1])] + tool, *map(str, arguments)]
+    return subprocess.run(command, check=True, capture_output=True, text=True, **options).stdout
 
 
 class Image:
     def __init__(self, path):
         self.path = path
+        self.machine = machine_of(path)
+        self._constants = {}
         self.flash, self.ram = self._memory()
         listing = run("objdump", "-d", path).splitlines()
         self._words = {int(found[1], 16): int(found[2], 16) for found in map(WORD.match, listing) if found}
@@ -38,6 +49,14 @@ class Image:
         """Name of the function that holds an address."""
         at = bisect.bisect_right(self._starts, address)
         return self._names[self._starts[at - 1]] if at else hex(address)
+
+    def word(self, address):
+        """A word of the constants in flash."""
+        if not self._constants:
+            for found in map(CONSTANTS.match, run("objdump", "-s", "-j", ".rodata", self.path).splitlines()):
+                data = bytes.fromhex(found[2].replace(" ", "")) if found else b""
+                self._constants.update({int(found[1], 16) + i: data[i] for i in range(len(data))})
+        return int.from_bytes(bytes(self._constants[address + i] for i in range(4)), "little")
 
     def _memory(self):
         """Bytes of flash and of static RAM; the stack's room is not counted."""

@@ -9,13 +9,14 @@ from typing import NamedTuple
 
 import cycles
 import execution
+import riscv_stack
 import stack
-from image import Image
+from image import RISCV, Image
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 IMAGES = pathlib.Path(os.environ.get("AXIAL_IMAGES_ROOT", ROOT / "build"))
 KERNEL = "axial_kernel"
-RETURN = re.compile(r"^(bx|pop|ldr|ldmia)")
+RETURN = re.compile(r"^(bx|pop|ldr|ldmia|ret)")
 
 
 class Probe(NamedTuple):
@@ -52,6 +53,10 @@ def path_of(board, name):
     return path
 
 
+def stack_depth(image):
+    return (riscv_stack if image.machine == RISCV else stack).StackDepth(image)
+
+
 class Figures:
     """All that is known of one probe; `row()` has the fields that are published."""
 
@@ -60,7 +65,7 @@ class Figures:
         self.image = Image(path_of(board, probe.name))
         self.empty = Image(path_of(board, "empty-" + probe.robot))
         self.entry = self.image.functions[KERNEL]
-        self.depths = stack.StackDepth(self.image)
+        self.depths = stack_depth(self.image)
         self.stack_bytes = self.depths.of(self.entry)
         self._check_frame()
         self._run()

@@ -114,17 +114,20 @@ def run_targets(options):
 
 
 def run_provenance(options):
-    flags = {board: next(line.partition("=")[2] for line in
-                         (measure.IMAGES / board / "CMakeCache.txt").read_text(encoding="utf-8").splitlines()
-                         if line.startswith("CMAKE_CXX_FLAGS:")) for board in boards_of(options)}
-    write_json(options.file, provenance(flags))
+    write_json(options.file, provenance({board: cached(board, "CMAKE_CXX_FLAGS") for board in boards_of(options)}))
+
+
+def cached(board, name):
+    """A variable of a board's build."""
+    cache = (measure.IMAGES / board / "CMakeCache.txt").read_text(encoding="utf-8").splitlines()
+    return next(line.partition("=")[2] for line in cache if line.startswith(name + ":"))
 
 
 def provenance(flags):
-    """What the rows depend on: the compiler, the flags of each board, the commit."""
+    """What the rows depend on: the compilers, the flags of each board, the commit."""
     output = lambda *command: subprocess.run(command, check=True, capture_output=True, text=True).stdout.split("\n")[0]
-    return {"commit": output(measure.ROOT / "host_sim/system/commit.sh"),
-            "compiler": output("arm-none-eabi-g++", "--version"), "flags": flags}
+    compilers = sorted({output(cached(board, "AXIAL_TOOLS") + "g++", "--version") for board in flags})
+    return {"commit": output(measure.ROOT / "host_sim/system/commit.sh"), "compiler": ", ".join(compilers), "flags": flags}
 
 
 def run_budgets(options):

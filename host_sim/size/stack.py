@@ -86,11 +86,14 @@ class StackDepth:
         self.own[entry] = own
         return deepest
 
+    def instruction(self, address):
+        if address not in self.image.instructions:
+            self._fail(address, "no instruction there")
+        return self.image.instructions[address]
+
     def _step(self, address, depth):
         """(depth after, depth of what it calls, [(next address, its depth)])."""
-        instruction = self.image.instructions.get(address)
-        if instruction is None:
-            self._fail(address, "no instruction there")
+        instruction = self.instruction(address)
         name, operands = instruction.name, instruction.operands
         following = address + instruction.size
         target = TARGET.search(operands)

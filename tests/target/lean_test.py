@@ -30,9 +30,7 @@ def symbols(path):
 def origins(path):
     """Names of the functions from which some instruction of the image comes, inlined ones included."""
     addresses = "\n".join(map(hex, image.Image(path).instructions))
-    done = subprocess.run(["arm-none-eabi-addr2line", "-i", "-f", "-C", "-e", path], input=addresses, check=True,
-                          capture_output=True, text=True)
-    return set(done.stdout.splitlines()[::2])
+    return set(image.run("addr2line", "-i", "-f", "-C", "-e", path, input=addresses).splitlines()[::2])
 
 
 def matching(names, pattern):

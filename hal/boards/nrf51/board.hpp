@@ -74,9 +74,8 @@ struct Nrf51 : cortex_m::BoardBase<Nrf51, nrf51::clock::core_Hz, 128> {
   using Tick = nrf51::TimerTick<nrf51::Timer0>;
 
   static constexpr unsigned interrupt_lines = 26, serial_line = 2;
-  static constexpr cortex_m::Interrupt interrupts[] = {{serial_line, Serial::interrupt},
-                                                       {nrf51::Timer0::line, Tick::interrupt}};
-  static constexpr cortex_m::Handler sys_tick_interrupt = axial_fault;  // nothing asks for it
+  static constexpr Interrupt interrupts[] = {{serial_line, Serial::interrupt}, {nrf51::Timer0::line, Tick::interrupt}};
+  static constexpr Handler sys_tick_interrupt = axial_fault;  // nothing asks for it
 
   static ClockReport start_clock() { return nrf51::clock::start(nrf51::clock_registers(), emulator_Hz); }
 

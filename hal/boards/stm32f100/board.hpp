@@ -83,7 +83,7 @@ struct Stm32f100 : cortex_m::BoardBase<Stm32f100, 24'000'000> {
   using Serial = stm32::Usart<stm32f100::SerialPort, 256>;
 
   static constexpr unsigned interrupt_lines = 61, serial_line = 37;
-  static constexpr cortex_m::Interrupt interrupts[] = {{serial_line, Serial::interrupt}};
+  static constexpr Interrupt interrupts[] = {{serial_line, Serial::interrupt}};
 
   static ClockReport start_clock() { return stm32f100::clock::start(stm32f100::rcc(), emulator_Hz); }
 

@@ -89,7 +89,7 @@ struct Stm32f405 : cortex_m::BoardBase<Stm32f405, 168'000'000> {
   using Serial = stm32::Usart<stm32f405::SerialPort, 1024>;
 
   static constexpr unsigned interrupt_lines = 82, serial_line = 37;
-  static constexpr cortex_m::Interrupt interrupts[] = {{serial_line, Serial::interrupt}};
+  static constexpr Interrupt interrupts[] = {{serial_line, Serial::interrupt}};
 
   static ClockReport start_clock() {
     return stm32f405::clock::start(stm32f405::rcc(), stm32f405::flash(), emulator_Hz);

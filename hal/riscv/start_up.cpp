@@ -1,0 +1,45 @@
+/// Reset of every RISC-V board.
+
+#include <hal/memory.hpp>
+#include <hal/riscv/csr.hpp>
+#include <hal/riscv/trap.hpp>
+
+int main();
+
+extern "C" {
+extern char axial_flash_begin[], axial_flash_bytes[];
+}
+
+namespace axial::hal::riscv {
+namespace {
+
+/// Forbids stores into the image's code for good, where memory protection exists: an emulator's flash is RAM, and what
+/// runs out of the bottom of the stack must not spoil it. The flash is a power of two long and aligned to it.
+void protect_code() {
+  constexpr std::uint32_t read_execute = 1u << 0 | 1u << 2, power_of_two = 3u << 3, locked = 1u << 7;
+  const auto begin = reinterpret_cast<std::uintptr_t>(axial_flash_begin);
+  const auto bytes = reinterpret_cast<std::uintptr_t>(axial_flash_bytes);
+  write<Csr::pmp_address_0>(static_cast<std::uint32_t>(begin >> 2 | (bytes / 8 - 1)));
+  write<Csr::pmp_configuration_0>(read_execute | power_of_two | locked);
+}
+
+}  // namespace
+}  // namespace axial::hal::riscv
+
+extern "C" [[gnu::used, noreturn]] void axial_start() {
+  using namespace axial::hal::riscv;
+  write<Csr::trap_vector>(static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(axial_trap_entry)));
+  protect_code();
+  axial::hal::prepare_memory();
+  main();
+  for (;;)
+    asm volatile("wfi");
+}
+
+/// First instruction of the image. gp first: what follows may be relaxed to lie relative to it.
+extern "C" [[gnu::naked, gnu::section(".vectors"), gnu::used]] void axial_reset() {
+  asm volatile(
+      ".option push\n\t.option norelax\n\tla gp, __global_pointer$\n\t.option pop\n\t"
+      "la sp, axial_stack_top\n\t"
+      "j axial_start");
+}
