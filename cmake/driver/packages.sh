@@ -10,7 +10,9 @@ readonly PACKAGES=(
   nlohmann-json3-dev libcli11-dev                                              # host_sim
   python3-matplotlib python3-numpy                                             # pictures
 )
-readonly COMMANDS=(g++ cmake ninja arm-none-eabi-g++ riscv64-unknown-elf-g++ qemu-system-arm qemu-system-riscv32 /usr/bin/python3)
+readonly COMMANDS=(
+  g++ cmake ninja arm-none-eabi-g++ riscv64-unknown-elf-g++ qemu-system-arm qemu-system-riscv32 /usr/bin/python3
+)
 
 # ensure_packages [PACKAGE...]: PACKAGES and those.
 ensure_packages() {

@@ -13,8 +13,8 @@ extern char axial_flash_begin[], axial_flash_bytes[];
 namespace axial::hal::riscv {
 namespace {
 
-/// Forbids stores into the image's code for good, where memory protection exists: an emulator's flash is RAM, and what
-/// runs out of the bottom of the stack must not spoil it. The flash is a power of two long and aligned to it.
+/// Forbids stores into the image's code for good (PMP): an emulator's flash is RAM, and what runs out of the bottom of
+/// the stack must not spoil it. The flash is a power of two long and aligned to it. A core without PMP traps here.
 void protect_code() {
   constexpr std::uint32_t read_execute = 1u << 0 | 1u << 2, power_of_two = 3u << 3, locked = 1u << 7;
   const auto begin = reinterpret_cast<std::uintptr_t>(axial_flash_begin);

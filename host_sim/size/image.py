@@ -10,7 +10,7 @@ TOOLS = {ARM: "arm-none-eabi-", RISCV: "riscv64-unknown-elf-"}
 LINE = re.compile(r"^ *([0-9a-f]+):\t([0-9a-f]{4}(?: ?[0-9a-f]{4})?) *\t(\S+)\t?(.*)$")
 WORD = re.compile(r"^ *([0-9a-f]+):\t([0-9a-f]{8}) *\t\.word")
 LITERAL = re.compile(r"^(r\d+), \[pc, #\d+\]$")
-CONSTANTS = re.compile(r"^ ([0-9a-f]{8})((?: [0-9a-f]{2,8}){1,4})  ")
+CONSTANTS = re.compile(r"^ ([0-9a-f]+)((?: [0-9a-f]{2,8}){1,4})  ")
 SECTION = re.compile(r"^ *\d+ (\S+) +([0-9a-f]{8}) +[0-9a-f]{8} +[0-9a-f]{8}")
 
 
@@ -35,8 +35,9 @@ class Image:
     def __init__(self, path):
         self.path = path
         self.machine = machine_of(path)
-        self._constants = {}
+        self._sections = run("objdump", "-h", path).splitlines()
         self.flash, self.ram = self._memory()
+        self._constants = dict(self._read_constants()) if self.machine == RISCV else {}
         listing = run("objdump", "-d", path).splitlines()
         self._words = {int(found[1], 16): int(found[2], 16) for found in map(WORD.match, listing) if found}
         self.instructions = dict(self._disassembly(listing))
@@ -51,18 +52,20 @@ class Image:
         return self._names[self._starts[at - 1]] if at else hex(address)
 
     def word(self, address):
-        """A word of the constants in flash."""
-        if not self._constants:
-            for found in map(CONSTANTS.match, run("objdump", "-s", "-j", ".rodata", self.path).splitlines()):
-                data = bytes.fromhex(found[2].replace(" ", "")) if found else b""
-                self._constants.update({int(found[1], 16) + i: data[i] for i in range(len(data))})
+        """A word of the constants in flash (of a RISC-V image)."""
         return int.from_bytes(bytes(self._constants[address + i] for i in range(4)), "little")
+
+    def _read_constants(self):
+        if not any(" .rodata " in line for line in self._sections):
+            return
+        for found in map(CONSTANTS.match, run("objdump", "-s", "-j", ".rodata", self.path).splitlines()):
+            for i, value in enumerate(bytes.fromhex(found[2].replace(" ", "")) if found else b""):
+                yield int(found[1], 16) + i, value
 
     def _memory(self):
         """Bytes of flash and of static RAM; the stack's room is not counted."""
         flash = ram = 0
-        lines = run("objdump", "-h", self.path).splitlines()
-        for line, attributes in zip(lines, lines[1:]):
+        for line, attributes in zip(self._sections, self._sections[1:]):
             section = SECTION.match(line)
             if not section or "ALLOC" not in attributes or section[1] == ".stack":
                 continue

@@ -68,7 +68,7 @@ class StackDepth(stack.StackDepth):
                 return None
             written = DESTINATION.match(operands)
             if written and written[1] == register and not NOT_A_DESTINATION.match(name):
-                return self._result(name, operands.split(","), address)
+                return self._result(name, operands.split()[0].split(","), address)
         return None
 
     def _result(self, name, operands, address):

@@ -104,12 +104,15 @@ class Size(harness.BoardTest):
                 self.assertGreater(row["cycles_estimated"], apart["cycles_estimated"], probe.name)
 
 
-def compiled(source):
+ARM = ("arm-none-eabi-gcc", "-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16")
+RISCV = ("riscv64-unknown-elf-gcc", "-march=rv32imac", "-mabi=ilp32")
+
+
+def compiled(source, compiler=ARM):
     """A small program in C that starts at f."""
-    options = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16", "-O1", "-ffreestanding"]
     with tempfile.TemporaryDirectory(prefix="axial-") as folder:
         elf = pathlib.Path(folder) / "program.elf"
-        subprocess.run(["arm-none-eabi-gcc", *options, "-x", "c", "-", "-nostdlib", "-Wl,-e,f", "-o", elf], check=True,
+        subprocess.run([*compiler, "-O1", "-ffreestanding", "-x", "c", "-", "-nostdlib", "-Wl,-e,f", "-o", elf, "-lgcc"], check=True,
                        input="#define APART __attribute__((noinline))\n" + source, text=True, capture_output=True)
         return image.Image(elf)
 
@@ -200,12 +203,54 @@ class Stack(unittest.TestCase):
                 self.depth(source)
 
 
+class RiscvStack(unittest.TestCase):
+    """Likewise for RV32IMAC, whose frames are multiples of 16 bytes."""
+
+    def depth(self, source):
+        program = compiled(source, RISCV)
+        return measure.stack_depth(program).of(program.functions["f"])
+
+    def test_known_depths(self):
+        self.assertEqual(self.depth("int APART f(int a) { return a + 1; }"), 0)
+        self.assertEqual(self.depth("""
+            APART void g(void) { volatile char a[64]; a[0] = 1; }
+            APART void h(void) { volatile char a[256]; a[0] = 1; }
+            void f(void) { g(); h(); g(); }"""), 16 + 256)
+
+    def test_a_large_frame(self):
+        """Beyond what an instruction holds: the constant comes by a register."""
+        for size in (2048, 4096, 10240):
+            depth = self.depth(f"void APART f(void) {{ volatile char a[{size}]; a[0] = 1; }}")
+            self.assertIn(depth, (size, size + 16), "the array, and a word that is rounded up")
+
+    def test_a_switch_of_the_library_is_followed(self):
+        """libgcc's division jumps by a table."""
+        source = "float APART f(float a, float b) { return a / b; }"
+        program = compiled(source, RISCV)
+        self.assertIn("jr", {name for name, *_ in program.instructions.values()})
+        self.assertGreater(self.depth(source), 16)
+
+    def test_what_can_not_be_bounded_is_refused(self):
+        for why, source in {
+            "recursion: f": "int APART f(int n) { return n < 2 ? n : f(n - 1) * 3 + f(n - 2); }",
+            "indirect call": "int APART f(int (*g)(int)) { return g(1) + g(2); }",
+            "indirect branch": "void f(void) { asm volatile(\"jr a0\"); }",
+            "unknown size": "void APART g(char* p) { asm volatile(\"\" :: \"r\"(p)); } void f(int n) { char a[n]; g(a); }",
+        }.items():
+            with self.subTest(why), self.assertRaisesRegex(stack.Unbounded, why):
+                self.depth(source)
+
+
 class Cycles(unittest.TestCase):
     def test_rule(self):
         rule = {"vmul.f32": 1, "vadd.f32": 1, "vfma.f32": 3, "vfnms.f32": 3, "vdiv.f32": 14, "vsqrt.f32": 14, "ldr": 2,
                 "vstr": 2, "str.w": 2, "b.n": 1, "vmov.f32": 1, "it": 1}
         for name, wanted in rule.items():
             self.assertEqual(cycles.cycles(image.Instruction(name, "s0, s1", 4), "cortex-m4f"), wanted, name)
+
+    def test_riscv(self):
+        for name, wanted in {"lw": 2, "sh": 2, "lbu": 2, "sll": 1, "lui": 1, "mulhu": 1, "div": 37, "remu": 37}.items():
+            self.assertEqual(cycles.cycles(image.Instruction(name, "a0,a1", 4), "rv32imac"), wanted, name)
 
     def test_several_words(self):
         for name, operands, wanted in (("push", "{r4, r5, lr}", 4), ("vldmia", "r0, {s4-s7}", 5), ("vpop", "{d8-d9}", 5),

@@ -33,7 +33,7 @@ struct Uart0 {
 struct Rv32Virt : riscv::BoardBase<Rv32Virt, rv32_virt::Platform, 64> {
   static constexpr const char* name = "rv32_virt";
   static constexpr std::uint32_t flash_bytes = 256 * 1024, ram_bytes = 32 * 1024;
-  /// The most that the port's clock gives, and exact. A 7-axis arm's request and answer take 6.4 ms: the tick is 10 ms.
+  /// The most that the port's clock gives, and exact. A 7-axis arm's request and answer take 6.3 ms: the tick is 10 ms.
   static constexpr std::uint32_t baud = 230'400, tick_Hz = 100;
   using Serial = ns16550::Uart<rv32_virt::Uart0, 1024>;
 
