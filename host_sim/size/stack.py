@@ -104,6 +104,8 @@ class StackDepth:
         if CALL.match(name):
             if not target:
                 self._fail(address, f"an indirect call: {name} {operands}")
+            if self._is_far_jump(address, int(target[1], 16)):
+                return depth, 0, [(int(target[1], 16), depth)]
             return after, self.of(int(target[1], 16)), [(following, after)]
         if BRANCH.match(name) or COMPARE_AND_BRANCH.match(name):
             taken = [(int(target[1], 16), depth)]
@@ -114,6 +116,11 @@ class StackDepth:
             return depth, 0, [(following, depth)] if CONDITIONAL.match(name) else []
         untaken = [(following, depth)] if grown and CONDITIONAL.match(name) else []
         return after, 0, [(following, after)] + untaken
+
+    def _is_far_jump(self, address, target):
+        """Where ARMv6-M's branch does not reach, the compiler jumps by a call into the middle of the same function."""
+        name = self.image.function_at(address)
+        return self.image.function_at(target) == name and target != self.image.functions[name]
 
     def _leaves(self, name, operands, address):
         if re.match(rf"^bx({CONDITIONS})?$", name) or re.match(rf"^mov({CONDITIONS})?$", name) and operands.startswith("pc,"):

@@ -193,6 +193,13 @@ class Stack(unittest.TestCase):
             void f(void) { g(); h(); g(); }"""
         self.assertEqual(self.depth(source), 8 + 256)
 
+    def test_a_far_jump_of_armv6_m(self):
+        """A loop longer than a branch reaches is closed by a call into the middle of the function."""
+        source = "void APART f(int n) { volatile int a[8]; do { a[0] = n; " + "asm(\"nop\");" * 1500 + " } while (--n); }"
+        program = compiled(source, ("arm-none-eabi-gcc", "-mcpu=cortex-m0", "-mthumb"))
+        self.assertIn("bl", {name for name, *_ in program.instructions.values()})
+        self.assertEqual(stack.StackDepth(program).of(program.functions["f"]), 4 + 36)
+
     def test_what_can_not_be_bounded_is_refused(self):
         for why, source in {
             "recursion: f": "int APART f(int n) { return n < 2 ? n : f(n - 1) * 3 + f(n - 2); }",
