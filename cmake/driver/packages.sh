@@ -4,7 +4,7 @@
 readonly PACKAGES=(
   build-essential cmake ninja-build                                            # host compiler and build
   gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib     # firmware compiler, Arm
-  gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf                         # firmware compiler, RISC-V
+  gcc-riscv64-unknown-elf                                                      # firmware compiler, RISC-V
   qemu-system-arm qemu-system-misc                                             # the emulated boards
   libgtest-dev liborocos-kdl-dev                                               # tests, independent dynamics
   nlohmann-json3-dev libcli11-dev                                              # host_sim

@@ -42,6 +42,7 @@ class Checks {
 void check_instruments(Checks&);
 void check_arithmetic(Checks&);
 void check_integers(Checks&);
+void check_memory(Checks&);
 void check_link(Checks&);
 
 }  // namespace axial::apps

@@ -25,6 +25,7 @@ int main() {
   if (checks.failed() == 0) {
     group(checks, "arithmetic", check_arithmetic);
     group(checks, "integers", check_integers);
+    group(checks, "memory", check_memory);
     group(checks, "link", check_link);
   }
   give_verdict(checks);
