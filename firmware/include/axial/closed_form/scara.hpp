@@ -109,7 +109,7 @@ constexpr Separated<robot_of<S>, T> scara(const Positions<robot_of<S>, T>& q) {
 
 /// Torque of the same robots: 11M 10A and one sine-cosine pair. In: q (rad, rad, m), qd, qdd. Out: N m, N m, N.
 template <class S, class T>
-constexpr Efforts<robot_of<S>, T> scara_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+constexpr EffortsOf<S, T> scara_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                                const Accelerations<robot_of<S>, T>& qdd) {
   using K = detail::ScaraTerms<S, T>;
   const auto swing = K::swing_at(q[1]);

@@ -9,13 +9,13 @@ namespace axial {
 /// Memory of a feed-forward, owned by the caller; start with `{}`: the first safe output is no effort.
 template <class S, class T>
 struct FeedforwardState {
-  Efforts<robot_of<S>, T> last_safe{};
+  EffortsOf<S, T> last_safe{};
 };
 
 /// Efforts to apply, and whether the request was met.
 template <class S, class T>
 struct FeedforwardResult {
-  Efforts<robot_of<S>, T> tau{};
+  EffortsOf<S, T> tau{};
   Status status{};
 };
 
@@ -23,7 +23,7 @@ namespace detail {
 
 // Keeps efforts inside the declared ones; names the first joint that was clamped.
 template <class S, class T>
-constexpr Status clamp_efforts(Efforts<robot_of<S>, T>& tau) {
+constexpr Status clamp_efforts(EffortsOf<S, T>& tau) {
   Status status;
   for (int i = joint_count<S>; i-- > 0;) {
     const T most = limits_of<robot_of<S>, T>.joints[i].effort;
@@ -35,7 +35,7 @@ constexpr Status clamp_efforts(Efforts<robot_of<S>, T>& tau) {
 }
 
 template <class S, class T>
-constexpr bool all_finite(const Efforts<robot_of<S>, T>& tau) {
+constexpr bool all_finite(const EffortsOf<S, T>& tau) {
   for (int i = 0; i < joint_count<S>; ++i)
     if (!is_finite(tau[i])) return false;
   return true;
@@ -52,7 +52,7 @@ constexpr Status check_all(const Positions<robot_of<S>, T>& q, const Velocities<
 
 // Sets what the request asks for, unless it is not finite: then the result stays the last safe output.
 template <class S, class T>
-constexpr void hand_out(FeedforwardResult<S, T>& result, FeedforwardState<S, T>& state, Efforts<robot_of<S>, T>& tau) {
+constexpr void hand_out(FeedforwardResult<S, T>& result, FeedforwardState<S, T>& state, EffortsOf<S, T>& tau) {
   if (!all_finite<S>(tau)) {
     result.status = {Status::Code::not_finite, -1};
     return;

@@ -54,7 +54,7 @@ AXIAL_INLINE constexpr auto turn(const Link& link, const Screw& screw, const Par
   auto p = products(w, link);
   auto at_parent = to_parent(x, along_z(One{}));
   if constexpr (is_structural_vector<decltype(at_parent)>) {
-    auto axis = to_child(screw, to_child(x, parent.u * at_parent));
+    auto axis = link.sum(AngularAcceleration{}, to_child(screw, to_child(x, parent.u * at_parent)));
     auto dw = Vec3{link.sum(AngularAcceleration{}, p.x, -axis.y), link.sum(AngularAcceleration{}, axis.x, -p.y),
                    link.sum(AngularAcceleration{}, to_child(x, parent.dw).z, qdd)};
     return Motion{w, dw, ZeroVec3{}, p, rotation_acceleration(w, dw, p, axis, link)};
@@ -85,8 +85,8 @@ AXIAL_INLINE constexpr auto move(Prismatic, const Link& link, const Screw& screw
   using namespace quantity;
   auto x = link.x();
   auto at_axis = link.sum(LinearAcceleration{}, parent.a, parent.u * translation(x));
-  auto w = to_child(screw, to_child(x, parent.w));
-  auto dw = to_child(screw, to_child(x, parent.dw));
+  auto w = link.sum(AngularVelocity{}, to_child(screw, to_child(x, parent.w)));
+  auto dw = link.sum(AngularAcceleration{}, to_child(screw, to_child(x, parent.dw)));
   auto p = products(w, link);
   auto u = rotation_acceleration(w, dw, p, link);
   auto a = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, at_axis)), u * along_z(screw.shift),
@@ -135,8 +135,8 @@ AXIAL_INLINE constexpr auto joint_effort(const Links& links, I i, const F& force
                                          const A& qdd) {
   auto link = links.link(i);
   return link.on_joint([&](auto kind) AXIAL_INLINE {
-    return static_cast<typename Links::Scalar>(link.sum(quantity::JointEffort{}, along_joint(kind, force),
-                                                        link.rotor() * qdd[i], passive_effort(link, q[i], qd[i])));
+    return link.sum(quantity::JointEffort{}, along_joint(kind, force), link.rotor() * qdd[i],
+                    passive_effort(link, q[i], qd[i]));
   });
 }
 
@@ -144,7 +144,7 @@ AXIAL_INLINE constexpr auto joint_effort(const Links& links, I i, const F& force
 template <class Links, class Screws, class I, class F>
 AXIAL_INLINE constexpr auto sent_force(const Links& links, const Screws& screws, I i, const F& force) {
   auto link = links.link(i);
-  return link.shape(to_parent(link.x(), to_parent(screws[i], force, link), link));
+  return link.shape(to_parent(link.x(), to_parent(screws[i], force, link), link.outer()));
 }
 
 template <class F>
@@ -162,14 +162,15 @@ AXIAL_INLINE constexpr void efforts(const Links& links, const Input& in, const Q
   auto water = immersions(links, in, screws, qd);
   auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, water, i); };
   auto joint = [&](auto i, const auto& force) AXIAL_INLINE {
-    tau[i] = joint_effort(links, i, force, q, qd, qdd);
+    write(links, tau, i, joint_effort(links, i, force, q, qd, qdd));
     return Left{sent_force(links, screws, i, force)};
   };
   inward(links, own, joint);
 }
 template <class Links, class Input, class Q, class V, class A, class Tau>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Tau& tau) {
-  efforts(links, in, q, joint_screws(links, in, q), qd, qdd, tau);
+  auto at = read(links, q);
+  efforts(links, in, at, joint_screws(links, in, at), read(links, qd), read(links, qdd), tau);
 }
 
 }  // namespace rnea
@@ -180,28 +181,28 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
 /// Gravity as the chain declares it: a link that must be held up has a positive effort along +g's opposite.
 /// NaN and infinities propagate to the result; use control/feedforward.hpp where inputs are not trusted.
 template <class S, class T>
-constexpr Efforts<robot_of<S>, T> inverse_dynamics(const Positions<robot_of<S>, T>& q,
+constexpr EffortsOf<S, T> inverse_dynamics(const Positions<robot_of<S>, T>& q,
                                                    const Velocities<robot_of<S>, T>& qd,
                                                    const Accelerations<robot_of<S>, T>& qdd,
                                                    const Inputs<S, T>& in = {}) {
-  Efforts<robot_of<S>, T> tau{};
+  EffortsOf<S, T> tau{};
   rnea::run(links_of<S, T, BaseParameters>(), in, q, qd, qdd, tau);
   return tau;
 }
 
 /// Gravity torque g(q) (with the tip wrench that the scene names): the effort that holds the robot still.
 template <class S, class T>
-constexpr Efforts<robot_of<S>, T> gravity_torque(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
-  Efforts<robot_of<S>, T> tau{};
+constexpr EffortsOf<S, T> gravity_torque(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+  EffortsOf<S, T> tau{};
   rnea::run(links_of<S, T, BaseParameters>(), in, q, NoMotion{}, NoMotion{}, tau);
   return tau;
 }
 
 /// Bias torque c(q, qd) + g(q) [+ friction] - J^T wrench: the effort at zero acceleration.
 template <class S, class T>
-constexpr Efforts<robot_of<S>, T> bias_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+constexpr EffortsOf<S, T> bias_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                               const Inputs<S, T>& in = {}) {
-  Efforts<robot_of<S>, T> tau{};
+  EffortsOf<S, T> tau{};
   rnea::run(links_of<S, T, BaseParameters>(), in, q, qd, NoMotion{}, tau);
   return tau;
 }

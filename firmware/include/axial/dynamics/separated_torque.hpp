@@ -129,11 +129,11 @@ AXIAL_INLINE constexpr void add_products(const Separated<S, T>& s, const RatePro
 }
 
 template <class Links, class S, class T>
-AXIAL_INLINE constexpr Efforts<robot_of<S>, T> torque(const Links& links, const Separated<S, T>& s,
+AXIAL_INLINE constexpr EffortsOf<S, T> torque(const Links& links, const Separated<S, T>& s,
                                                       const Velocities<robot_of<S>, T>& qd,
                                                       const Accelerations<robot_of<S>, T>& qdd) {
   const RateProducts<S, T> rates(qd);
-  Efforts<robot_of<S>, T> tau{};
+  EffortsOf<S, T> tau{};
   for_each_link(links, [&](auto i) AXIAL_INLINE {
     T sum = s.G[i];
     add_inertial(s, qdd, i, sum);
@@ -149,7 +149,7 @@ AXIAL_INLINE constexpr Efforts<robot_of<S>, T> torque(const Links& links, const 
 /// the same q, to rounding. Coefficients that vanish for every q are passed over.
 /// In: qd (rad/s or m/s), qdd. Out: N m or N.
 template <class S, class T>
-constexpr Efforts<robot_of<S>, T> torque(const Separated<S, T>& separated, const Velocities<robot_of<S>, T>& qd,
+constexpr EffortsOf<S, T> torque(const Separated<S, T>& separated, const Velocities<robot_of<S>, T>& qd,
                                          const Accelerations<robot_of<S>, T>& qdd) {
   return separation::torque(links_of<S, T, BaseParameters>(), separated, qd, qdd);
 }

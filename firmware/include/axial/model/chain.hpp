@@ -36,6 +36,14 @@ constexpr PayloadLimit payload_limit(double mass, double com_reach, double inert
   return {mass, com_reach, inertia, true};
 }
 
+/// The largest force (N) and moment (N m) that the environment exerts at the tip, about the origin of the last link's
+/// frame: what fixed point leaves room for in scenes that name TipWrench.
+struct TipWrenchLimit {
+  double force = 0.0, moment = 0.0;
+  bool declared = false;
+};
+constexpr TipWrenchLimit tip_wrench_limit(double force, double moment) { return {force, moment, true}; }
+
 constexpr Base base(double x, double y, double z) { return {{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}}}; }
 constexpr Base base(const FixedPose& pose) { return {pose}; }
 constexpr Tool tool(double x, double y, double z) { return {{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}}}; }
@@ -50,6 +58,7 @@ struct Chain {
   Base base{};
   Tool tool{};
   PayloadLimit payload_limit{};
+  TipWrenchLimit tip_wrench_limit{};
   LinkParameters base_body{};  ///< inertia of the body that is fixed to frame 0; only a FloatingBase sees it
   bool has_base_body = false;
 
@@ -203,6 +212,11 @@ struct ChainBuilder {
       malformed_robot("axial: payload_limit must be finite and >= 0; give payload_limit(kg, m, kg m^2)");
     chain.payload_limit = limit;
   }
+  constexpr void add(const TipWrenchLimit& limit) {
+    if (!finite(limit.force) || !finite(limit.moment) || limit.force < 0.0 || limit.moment < 0.0)
+      malformed_robot("axial: tip_wrench_limit must be finite and >= 0; give tip_wrench_limit(N, N m)");
+    chain.tip_wrench_limit = limit;
+  }
   constexpr void add(const BaseBody& body) {
     check_link(body.parameters(), 0);
     chain.base_body = body.parameters();
@@ -213,7 +227,7 @@ struct ChainBuilder {
 }  // namespace detail
 
 /// Builds a robot from links (from the base outwards) and, in any order, gravity(), base(), base_body(),
-/// tool() and payload_limit().
+/// tool(), payload_limit() and tip_wrench_limit().
 /// A malformed robot (not finite, negative mass, limits upside down, no link, ...) does not compile.
 template <class... Parts>
 constexpr auto chain(const Parts&... parts) {

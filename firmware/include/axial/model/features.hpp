@@ -8,7 +8,7 @@
 
 namespace axial {
 
-template <class S, class T>
+template <class S, class T, class Role = void>
 struct Joints;  // joints.hpp
 
 /// Base of every tag that a Scene may list. A tag with a run-time input declares its own `Input<Robot, T>`.
@@ -175,5 +175,16 @@ struct SplitArticulatedBody : Feature<SplitArticulatedBody> {};
 /// Forward dynamics by the bias torque, composite bodies and an elimination that follows the tree: the cheapest for
 /// short, well-conditioned arms.
 struct CompositeBody : Feature<CompositeBody> {};
+
+/// Fixed point: results are rounded down instead of to nearest, which saves an addition each.
+struct RoundDown : Feature<RoundDown> {};
+
+/// Fixed point: of a product only the upper word is kept, rounded down: cheaper, above all on cores without a long
+/// multiply, and less exact.
+struct HighWord : Feature<HighWord> {};
+
+/// Fixed point, for tests on a host: sums do not wrap, and results that do not fit their format are counted in
+/// `axial::range_overflows`. Same results where nothing overflows.
+struct RangeCheck : Feature<RangeCheck> {};
 
 }  // namespace axial

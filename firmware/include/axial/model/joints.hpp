@@ -6,7 +6,8 @@
 namespace axial {
 
 /// N values, one a joint, from the base outwards. A plain aggregate: `Joints<Robot, float> q{0.1F, 0.2F}`.
-template <class S, class T>
+/// `Role` is void where the numbers carry their own scale; fixed point has one type a role (fixed_joints.hpp).
+template <class S, class T, class Role>
 struct Joints {
   static constexpr int size = joint_count<S>;
   T values[size];
@@ -15,15 +16,37 @@ struct Joints {
   constexpr const T& operator[](int i) const { return values[i]; }
 };
 
-/// Roles: rad or m; rad/s or m/s; rad/s^2 or m/s^2; N m or N.
+/// What the values of joints can be.
+namespace role {
+struct Position {};
+struct Velocity {};
+struct Acceleration {};
+struct Effort {};
+struct FreeAcceleration {};  ///< what forward dynamics answers: bounded by efforts, not by a request's limits
+}  // namespace role
+
+namespace detail {
+template <class T, class Role>
+struct RoleOf {
+  using type = void;
+};
+}  // namespace detail
+
+/// Roles: rad or m; rad/s or m/s; rad/s^2 or m/s^2; N m or N. One type in floating point.
 template <class S, class T>
-using Positions = Joints<S, T>;
+using Positions = Joints<S, T, typename detail::RoleOf<T, role::Position>::type>;
 template <class S, class T>
-using Velocities = Joints<S, T>;
+using Velocities = Joints<S, T, typename detail::RoleOf<T, role::Velocity>::type>;
 template <class S, class T>
-using Accelerations = Joints<S, T>;
+using Accelerations = Joints<S, T, typename detail::RoleOf<T, role::Acceleration>::type>;
 template <class S, class T>
-using Efforts = Joints<S, T>;
+using Efforts = Joints<S, T, typename detail::RoleOf<T, role::Effort>::type>;
+/// Of a scene: in fixed point their formats follow from what the scene puts on the robot.
+template <class S, class T>
+using EffortsOf =
+    Efforts<std::conditional_t<std::is_void_v<typename detail::RoleOf<T, role::Effort>::type>, robot_of<S>, S>, T>;
+template <class S, class T>
+using FreeAccelerations = Joints<S, T, typename detail::RoleOf<T, role::FreeAcceleration>::type>;
 
 /// Joint values that are zero by type: a query that leaves them out does not pay for them.
 struct NoMotion {

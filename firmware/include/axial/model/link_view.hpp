@@ -158,14 +158,14 @@ class LinkAccess {
     if constexpr (is_structural_v<decltype(self().template get<&C::cos_theta>())> || !View::unrolled) {
       return turned_screw(sincos(q));  // exact for quarter turns
     } else {
-      auto pair = sincos(q + self().template get<&C::theta>());
+      auto pair = sincos(self().with_offset(q));
       return z_screw(pair.cos, pair.sin, self().template get<&C::d>());
     }
   }
   template <class Q>
   AXIAL_INLINE constexpr auto joint_screw(Prismatic, const Q& q) const {
     return z_screw(self().template get<&C::cos_theta>(), self().template get<&C::sin_theta>(),
-                   self().template get<&C::d>() + q)
+                   self().sum(quantity::Length{}, self().template get<&C::d>(), q))
         .with_turn(self().template beyond_45_degrees<&C::sin_theta>());
   }
 };
@@ -173,8 +173,9 @@ class LinkAccess {
 }  // namespace detail
 
 /// Link I of a scene's robot: every constant that is 0 or +-1 is a type, the rest are literals of T.
-template <class SceneType, int I, class T, class Parameters>
-class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Parameters>, double>, public Plain {
+template <class SceneType, int I, class T, class Parameters, class Rounding = Plain>
+class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Parameters, Rounding>, double>,
+                   public Rounding {
  public:
   using Scene = SceneType;
   static constexpr bool unrolled = true;
@@ -192,6 +193,11 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
   template <detail::DriveMember<double> M>
   AXIAL_INLINE static constexpr auto drive() {
     return literal<T>([] { return detail::robot_drives<typename Scene::Robot, double>.links[I].*M; });
+  }
+  /// A joint's angle with the constant part of its turn.
+  template <class Q>
+  AXIAL_INLINE static constexpr auto with_offset(const Q& q) {
+    return turned_by(q, [] { return detail::robot_constants<typename Scene::Robot, Parameters>.links[I].theta; });
   }
   /// Whether a constant turn is nearer to a quarter turn than to none, as a type.
   template <detail::Member<double> Sine>

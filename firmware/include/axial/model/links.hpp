@@ -1,13 +1,20 @@
 // The links of a robot as the algorithms walk over them, unrolled or looped.
 #pragma once
 
+#include <axial/model/fixed_formats.hpp>
 #include <axial/model/link_view.hpp>
 #include <axial/spatial/pose.hpp>
 
 namespace axial {
 
-/// All links of a scene's robot, each with its own type.
-template <class SceneType, class ScalarType, class ParametersType>
+/// How links round in floating point.
+struct Unformatted {
+  template <int>
+  using Of = Plain;
+};
+
+/// All links of a scene's robot, each with its own type. `Scalar` is the number, or the arithmetic of fixed point.
+template <class SceneType, class ScalarType, class ParametersType, class FormatsType = Unformatted>
 struct StaticLinks {
   using Scene = SceneType;
   using Scalar = ScalarType;
@@ -19,7 +26,7 @@ struct StaticLinks {
   AXIAL_INLINE static constexpr int size() { return capacity; }
   template <int I>
   AXIAL_INLINE static constexpr auto link(Index<I>) {
-    return StaticLink<Scene, I, Scalar, Parameters>{};
+    return StaticLink<Scene, I, Scalar, Parameters, typename FormatsType::template Of<I>>{};
   }
   template <int I>
   static constexpr int parent_of = Scene::Robot::chain.parent(I);
@@ -161,13 +168,17 @@ using with_rotors =
                        BaseParametersAndRotors, Parameters>;
 }
 
-/// The links of a scene (or of a bare robot) over numbers T, in the form that the scene asks for.
-template <class S, class T, class DefaultParameters = FullParameters>
+/// The links of a scene (or of a bare robot) over numbers T, in the form that the scene asks for; `Recursion` is what
+/// fixed point takes its formats from.
+template <class S, class T, class DefaultParameters = FullParameters, class Recursion = recursion::NewtonEuler>
 AXIAL_INLINE constexpr auto links_of() {
   using Scene = scene_of<S>;
   using Robot = typename Scene::Robot;
   using Parameters = detail::with_rotors<Scene, parameters_of<Scene, DefaultParameters>>;
-  if constexpr (Scene::template has<Looped>) {
+  if constexpr (is_stored_v<T>) {
+    using S1 = detail::ArithmeticOf<Scene, typename T::Word>;
+    return StaticLinks<Scene, S1, Parameters, detail::Formats<Scene, Parameters, S1, Recursion>>{};
+  } else if constexpr (Scene::template has<Looped>) {
     using Columns = detail::ColumnsOf<Robot, Parameters>;
     return TableLinks<Scene, T, T, Robot::chain.size, Columns>(detail::robot_table<Robot, T, Parameters>.links,
                                                                detail::drives_of<Scene, T>(), Robot::chain.size,
@@ -175,6 +186,31 @@ AXIAL_INLINE constexpr auto links_of() {
   } else {
     return StaticLinks<Scene, T, Parameters>{};
   }
+}
+
+/// Joint values as the kernels over `links` read them.
+template <class Links, class Values>
+AXIAL_INLINE constexpr const Values& read(const Links&, const Values& values) {
+  return values;
+}
+template <class Links, class S, class Word, class Role>
+AXIAL_INLINE constexpr auto read(const Links&, const Joints<S, Stored<Word>, Role>& values) {
+  using Values = Joints<S, Stored<Word>, Role>;
+  return detail::FixedView<robot_of<S>, typename Links::Scalar, Values, Role>{values};
+}
+
+/// values[i] = x, rounded into the format of the values.
+template <class Links, class Values, class I, class X>
+AXIAL_INLINE constexpr void write(const Links&, Values& values, I i, const X& x) {
+  values[i] = static_cast<typename Links::Scalar>(x);
+}
+template <class Links, class S, class Word, class Role, int I, class X>
+AXIAL_INLINE constexpr void write(const Links&, Joints<S, Stored<Word>, Role>& values, Index<I>, const X& x) {
+  using Result = Fx<Joints<S, Stored<Word>, Role>::exponent(I), typename Links::Scalar>;
+  if constexpr (is_structural_v<X>)
+    values.values[I] = {Result(x).raw};
+  else
+    values.values[I] = {round_to<Result::exponent>(x).raw};
 }
 
 }  // namespace axial

@@ -29,6 +29,8 @@ struct Plain {
   AXIAL_INLINE constexpr auto sum(Quantity, const Terms&... terms) const {
     return (... + terms);
   }
+  /// Rounding in the formats of the link that carries this one.
+  AXIAL_INLINE static constexpr Plain outer() { return {}; }
 };
 
 /// A product with sines or cosines, back in the format of what was turned. A turn keeps the norm of what it turns.

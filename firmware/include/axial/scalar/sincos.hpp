@@ -140,4 +140,10 @@ AXIAL_INLINE constexpr SinCos<T> sincos(T x) {
   return detail::sincos_of(x);
 }
 
+/// An angle (rad) and a constant one, `get()`.
+template <class T, class Get>
+AXIAL_INLINE constexpr auto turned_by(const T& angle, Get get) {
+  return angle + literal<T>(get);
+}
+
 }  // namespace axial

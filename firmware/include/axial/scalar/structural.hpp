@@ -41,7 +41,25 @@ inline constexpr bool is_scalar_v = is_number_v<T> || is_structural_v<T>;
 namespace detail {
 template <class T>
 using if_number = std::enable_if_t<is_number_v<T>, int>;
+
+// What a number system may give its own form to: a small integer beside a number T, and a constant of a model.
+template <class T, class = void>
+struct Constants {
+  template <int N>
+  AXIAL_INLINE static constexpr T integer(Int<N> n) {
+    return n;
+  }
+  template <class Get>
+  AXIAL_INLINE static constexpr T constant(Get get) {
+    constexpr double value = get();
+    return NumberTraits<T>::constant(value);
+  }
+};
+template <class T, int N>
+AXIAL_INLINE constexpr auto integer(Int<N> n) {
+  return Constants<T>::integer(n);
 }
+}  // namespace detail
 
 template <int N>
 AXIAL_INLINE constexpr Int<-N> operator-(Int<N>) {
@@ -71,7 +89,7 @@ AXIAL_INLINE constexpr auto operator*(Int<N>, const T& x) {
   else if constexpr (N == 2)
     return x + x;
   else
-    return T(Int<N>{}) * x;
+    return detail::integer<T>(Int<N>{}) * x;
 }
 template <int N, class T, detail::if_number<T> = 0>
 AXIAL_INLINE constexpr auto operator*(const T& x, Int<N> n) {
@@ -83,28 +101,28 @@ AXIAL_INLINE constexpr auto operator+(Int<N> n, const T& x) {
   if constexpr (N == 0)
     return x;
   else
-    return T(n) + x;
+    return detail::integer<T>(n) + x;
 }
 template <int N, class T, detail::if_number<T> = 0>
 AXIAL_INLINE constexpr auto operator+(const T& x, Int<N> n) {
   if constexpr (N == 0)
     return x;
   else
-    return x + T(n);
+    return x + detail::integer<T>(n);
 }
 template <int N, class T, detail::if_number<T> = 0>
 AXIAL_INLINE constexpr auto operator-(const T& x, Int<N> n) {
   if constexpr (N == 0)
     return x;
   else
-    return x - T(n);
+    return x - detail::integer<T>(n);
 }
 template <int N, class T, detail::if_number<T> = 0>
 AXIAL_INLINE constexpr auto operator-(Int<N> n, const T& x) {
   if constexpr (N == 0)
     return -x;
   else
-    return T(n) - x;
+    return detail::integer<T>(n) - x;
 }
 
 /// A compile-time value as a number T: a type where it is 0, 1 or -1, else a constant of T.
@@ -119,7 +137,7 @@ AXIAL_INLINE constexpr auto literal(Get get) {
   else if constexpr (value == -1.0)
     return MinusOne{};
   else
-    return NumberTraits<T>::constant(value);
+    return detail::Constants<T>::constant(get);
 }
 
 }  // namespace axial

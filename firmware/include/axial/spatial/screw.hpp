@@ -117,7 +117,7 @@ template <class Axis, class C, class S, class L, class Turn, class N, class F, c
 AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const ForceVector<N, F>& f,
                                       const Rounding& round = {}) {
   auto moment = round.sum(quantity::Moment{}, f.moment, -cross_shift(x, f.force));
-  return ForceVector{to_parent(x, moment), to_parent(x, f.force)};
+  return ForceVector{to_parent(x, moment), round.sum(quantity::Force{}, to_parent(x, f.force))};
 }
 
 }  // namespace axial

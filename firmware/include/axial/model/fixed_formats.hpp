@@ -1,0 +1,126 @@
+// The formats of a scene's quantities, link by link: how a fixed-point link rounds.
+#pragma once
+
+#include <axial/model/fixed_joints.hpp>
+#include <axial/scalar/fixed_round.hpp>
+
+namespace axial {
+
+/// Which recursion a kernel is, for its ranges.
+namespace recursion {
+struct NewtonEuler {};
+}  // namespace recursion
+
+namespace detail {
+
+/// The arithmetic of a scene over words of a type.
+template <class Scene, class Word>
+using ArithmeticOf = Arithmetic<Word, !Scene::template has<RoundDown>, Scene::template has<HighWord>,
+                                Scene::template has<RangeCheck>>;
+
+/// A scene's robot with its loads, and the formats of its joints' values.
+template <class Scene, class Parameters, class Word>
+constexpr auto loaded_mechanism() {
+  using Robot = typename Scene::Robot;
+  auto all = mechanism_of<Scene, Parameters>;
+  for (int i = 0; i < Robot::chain.size; ++i)
+    all.joints[i].effort_format = exponents_of<Scene, Word, role::Effort>.of[i];
+  return all;
+}
+
+template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::NewtonEuler) {
+  return newton_euler_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>());
+}
+
+/// Ranges of a scene's recursion in an arithmetic.
+template <class Scene, class Parameters, class S, class Recursion>
+inline constexpr auto ranges_of = analysed<Scene, Parameters, S>(Recursion{});
+
+template <class T>
+struct IsVec3 : std::false_type {};
+template <class X, class Y, class Z>
+struct IsVec3<Vec3<X, Y, Z>> : std::true_type {};
+
+// The sum of terms; terms of one format are not added at once, for their sum may fit only the format of the result.
+template <class X>
+AXIAL_INLINE constexpr const X& lazy_sum(const X& x) {
+  return x;
+}
+template <class X, class Y, class... Rest>
+AXIAL_INLINE constexpr auto lazy_sum(const X& x, const Y& y, const Rest&... rest) {
+  if constexpr (FixedKind<X>::value && FixedKind<Y>::value)
+    return lazy_sum(Sum<X, Y>{x, y}, rest...);
+  else
+    return lazy_sum(x + y, rest...);
+}
+
+/// Rounding of link I, in its own formats: see Plain for what kernels say to it. `Table` holds the ranges.
+template <class S, class Table, int I>
+struct FormatRounding {
+  template <class Quantity, class... Terms>
+  AXIAL_INLINE static constexpr auto sum(Quantity quantity, const Terms&... terms) {
+    if constexpr ((IsVec3<Terms>::value || ...))
+      return Vec3{sum(quantity, terms.x...), sum(quantity, terms.y...), sum(quantity, terms.z...)};
+    else
+      return rounded<Table::value.format[I].of(Quantity{})>(lazy_sum(terms...));
+  }
+  /// Rounding in the formats of the link that carries this one.
+  AXIAL_INLINE static constexpr auto outer() {
+    constexpr int parent = Table::parent(I);
+    return FormatRounding<S, Table, (parent < 0 ? I : parent)>{};
+  }
+
+ private:
+  template <int E, class X>
+  AXIAL_INLINE static constexpr auto rounded(const X& x) {
+    if constexpr (is_zero_v<X>)
+      return Zero{};
+    else if constexpr (is_structural_v<X>)
+      return NumberTraits<Fx<E, S>>::constant(static_cast<double>(X::value));
+    else
+      return round_to<E>(x);
+  }
+};
+
+/// How the links of a scene round: a template for StaticLinks.
+template <class Scene, class Parameters, class S, class Recursion>
+struct Formats {
+  struct Table {
+    static constexpr const auto& value = ranges_of<Scene, Parameters, S, Recursion>;
+    static constexpr int parent(int i) { return Scene::Robot::chain.parent(i); }
+  };
+  template <int I>
+  using Of = FormatRounding<S, Table, I>;
+};
+
+/// Joint values as kernels read them: with their formats, or angles.
+template <class Robot, class S, class Values, class Role>
+struct FixedView {
+  const Values& values;
+  template <int I>
+  AXIAL_INLINE constexpr auto operator[](Index<I>) const {
+    return Fx<Values::exponent(I), S>{values.values[I].raw};
+  }
+};
+template <class Robot, class S, class Values>
+struct FixedView<Robot, S, Values, role::Position> {
+  const Values& values;
+  template <int I>
+  AXIAL_INLINE constexpr auto operator[](Index<I>) const {
+    if constexpr (Robot::chain.links[I].type == JointType::revolute)
+      return Bam<S>{values.values[I].raw};
+    else
+      return position<Values::exponent(I)>(values.values[I].raw);
+  }
+
+ private:
+  template <int E>
+  AXIAL_INLINE static constexpr auto position(std::int32_t raw) {
+    constexpr int dropped = 32 - S::bits;  // a position has 32 bits in any word
+    return Fx<E - dropped, S>{static_cast<typename S::Word>(raw >> dropped)};
+  }
+};
+
+}  // namespace detail
+}  // namespace axial

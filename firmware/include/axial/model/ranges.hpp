@@ -1,0 +1,133 @@
+// Ranges: what bounds the quantities of every link, and in which formats they are kept. doc/ranges.md is the proof.
+#pragma once
+
+#include <axial/model/ball.hpp>
+#include <axial/model/link_view.hpp>
+
+namespace axial {
+
+/// What limits a robot's joint: as its author declared it. Travel is the largest |d + q| of a slide.
+struct JointRange {
+  double speed = 0.0, acceleration = 0.0, travel = 0.0, effort = 0.0;
+  int effort_format = unknown;  ///< exponent of its effort where that is given (fixed_joints.hpp)
+  static constexpr int unknown = -1000;
+};
+
+/// What a scene puts on a robot besides its links.
+struct LoadRange {
+  double gravity = 0.0;  ///< m/s^2
+  double payload_mass = 0.0, payload_moment = 0.0, payload_inertia = 0.0;
+  double tip_force = 0.0, tip_moment = 0.0;
+  bool rotors = false, friction = false, springs = false;
+};
+
+/// Bounds of the quantities of one link: how large they can be and how exact they are.
+struct LinkRange {
+  Ball angular_velocity{}, angular_acceleration{}, linear_acceleration{};
+  Ball moment{}, force{};
+  Ball rotational_inertia{}, first_moment{}, mass{};
+  Ball joint_inertia{}, gain{}, joint_effort{}, joint_acceleration{}, length{};
+};
+
+/// Exponents of the quantities of one link.
+struct LinkFormat {
+  int angular_velocity = 0, angular_acceleration = 0, linear_acceleration = 0;
+  int moment = 0, force = 0;
+  int rotational_inertia = 0, first_moment = 0, mass = 0;
+  int joint_inertia = 0, gain = 0, joint_effort = 0, joint_acceleration = 0, length = 0;
+
+  constexpr int of(quantity::AngularVelocity) const { return angular_velocity; }
+  constexpr int of(quantity::AngularAcceleration) const { return angular_acceleration; }
+  constexpr int of(quantity::LinearAcceleration) const { return linear_acceleration; }
+  constexpr int of(quantity::Moment) const { return moment; }
+  constexpr int of(quantity::Force) const { return force; }
+  constexpr int of(quantity::RotationalInertia) const { return rotational_inertia; }
+  constexpr int of(quantity::FirstMoment) const { return first_moment; }
+  constexpr int of(quantity::Mass) const { return mass; }
+  constexpr int of(quantity::JointInertia) const { return joint_inertia; }
+  constexpr int of(quantity::Gain) const { return gain; }
+  constexpr int of(quantity::JointEffort) const { return joint_effort; }
+  constexpr int of(quantity::JointAcceleration) const { return joint_acceleration; }
+  constexpr int of(quantity::Length) const { return length; }
+};
+
+/// One of each a link.
+template <int N>
+struct Ranges {
+  LinkRange range[N] = {};
+  LinkFormat format[N] = {};
+};
+
+/// Everything that an analysis looks at.
+template <int N>
+struct Mechanism {
+  TreeLinkConstants<double> links[N];
+  JointRange joints[N];
+  DriveConstants<double> drives[N];
+  LoadRange loads;
+
+  constexpr int parent(int i) const { return links[i].parent; }
+  /// Distance of a link's origin from its parent's: a and d are at right angles, whatever the joint's angle.
+  constexpr double reach(int i) const {
+    const auto& c = links[i];
+    const double d = joints[i].travel;
+    return magnitude(c.branch.b) + square_root(c.a * c.a + d * d);
+  }
+};
+
+namespace detail {
+
+/// A bound of the spectral norm of a symmetric 3x3 matrix: its largest row sum.
+constexpr double norm_of(const TreeLinkConstants<double>& c) {
+  const double x = magnitude(c.jxx) + magnitude(c.jxy) + magnitude(c.jxz);
+  const double y = magnitude(c.jyy) + magnitude(c.jxy) + magnitude(c.jyz);
+  const double z = magnitude(c.jzz) + magnitude(c.jxz) + magnitude(c.jyz);
+  return x > y ? (x > z ? x : z) : (y > z ? y : z);
+}
+constexpr double length_of(double x, double y, double z) { return square_root(x * x + y * y + z * z); }
+
+constexpr JointRange joint_range(const LinkParameters& p) {
+  JointRange r{p.speed_limit, p.acceleration_limit, magnitude(p.d), p.effort_limit};
+  if (p.type == JointType::prismatic) {
+    const double low = magnitude(p.d + p.position_min), high = magnitude(p.d + p.position_max);
+    r.travel = low > high ? low : high;
+  }
+  return r;
+}
+
+template <class Scene>
+constexpr LoadRange load_range() {
+  using Robot = typename Scene::Robot;
+  const auto& g = Robot::chain.gravity;
+  LoadRange loads;
+  if (Scene::template has<Gravity> || Scene::template has<RuntimeGravity>) loads.gravity = length_of(g.x, g.y, g.z);
+  loads.rotors = Scene::template has<RotorInertia>;
+  loads.friction = Scene::template has<Friction>;
+  loads.springs = Scene::template has<JointSprings>;
+  if constexpr (Scene::template has<Payload>) {
+    constexpr PayloadLimit most = Robot::chain.payload_limit;
+    loads.payload_mass = most.mass, loads.payload_moment = most.mass * most.com_reach;
+    loads.payload_inertia = 3.0 * most.inertia + most.mass * most.com_reach * most.com_reach;
+  }
+  if constexpr (Scene::template has<TipWrench>)
+    loads.tip_force = Robot::chain.tip_wrench_limit.force, loads.tip_moment = Robot::chain.tip_wrench_limit.moment;
+  return loads;
+}
+
+template <class Scene, class Parameters, int... I>
+constexpr auto mechanism(std::integer_sequence<int, I...>) {
+  using Robot = typename Scene::Robot;
+  return Mechanism<sizeof...(I)>{{robot_constants<Robot, Parameters>.links[I]...},
+                                 {joint_range(Robot::chain.links[I])...},
+                                 {drive_constants(Robot::chain.links[I])...},
+                                 load_range<Scene>()};
+}
+
+}  // namespace detail
+
+/// A robot as an analysis sees it.
+template <class Scene, class Parameters>
+inline constexpr auto mechanism_of =
+    detail::mechanism<Scene, Parameters>(std::make_integer_sequence<int, Scene::Robot::chain.size>{});
+
+}  // namespace axial
