@@ -1,8 +1,7 @@
 // Arithmetic of bounds: how large a quantity can be, and how far its computed value can be from the exact one.
 #pragma once
 
-#include <axial/scalar/fixed.hpp>
-#include <axial/scalar/integer.hpp>
+#include <axial/scalar/fixed_round.hpp>
 #include <axial/scalar/math.hpp>
 
 namespace axial {
@@ -87,7 +86,7 @@ struct Rounding {
 template <class S>
 constexpr Rounding rounding_of() {
   return {S::bits, S::nearest, S::high_word,
-          integer::sincos_error + (S::bits == 32 ? 0.0 : detail::power_of_two(-S::unit - 1))};
+          sincos_error + (S::bits == 32 ? 0.0 : detail::power_of_two(-S::unit - 1))};
 }
 
 }  // namespace axial

@@ -1,7 +1,7 @@
 // The links of a robot as the algorithms walk over them, unrolled or looped.
 #pragma once
 
-#include <axial/model/fixed_formats.hpp>
+#include <axial/model/joint_access.hpp>
 #include <axial/model/link_view.hpp>
 #include <axial/spatial/pose.hpp>
 
@@ -186,31 +186,6 @@ AXIAL_INLINE constexpr auto links_of() {
   } else {
     return StaticLinks<Scene, T, Parameters>{};
   }
-}
-
-/// Joint values as the kernels over `links` read them.
-template <class Links, class Values>
-AXIAL_INLINE constexpr const Values& read(const Links&, const Values& values) {
-  return values;
-}
-template <class Links, class S, class Word, class Role>
-AXIAL_INLINE constexpr auto read(const Links&, const Joints<S, Stored<Word>, Role>& values) {
-  using Values = Joints<S, Stored<Word>, Role>;
-  return detail::FixedView<robot_of<S>, typename Links::Scalar, Values, Role>{values};
-}
-
-/// values[i] = x, rounded into the format of the values.
-template <class Links, class Values, class I, class X>
-AXIAL_INLINE constexpr void write(const Links&, Values& values, I i, const X& x) {
-  values[i] = static_cast<typename Links::Scalar>(x);
-}
-template <class Links, class S, class Word, class Role, int I, class X>
-AXIAL_INLINE constexpr void write(const Links&, Joints<S, Stored<Word>, Role>& values, Index<I>, const X& x) {
-  using Result = Fx<Joints<S, Stored<Word>, Role>::exponent(I), typename Links::Scalar>;
-  if constexpr (is_structural_v<X>)
-    values.values[I] = {Result(x).raw};
-  else
-    values.values[I] = {round_to<Result::exponent>(x).raw};
 }
 
 }  // namespace axial

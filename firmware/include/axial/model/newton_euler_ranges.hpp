@@ -2,17 +2,51 @@
 #pragma once
 
 #include <axial/model/ranges.hpp>
+#include <axial/model/split_ball.hpp>
 
 namespace axial {
 namespace detail {
 
-constexpr double root2 = 1.4142135623730951, root3 = 1.7320508075688772;
+/// The turns of link i as they round.
+template <int N>
+struct Turning {
+  const Mechanism<N>& m;
+  const Rounding& r;
+
+  static constexpr bool turns(double sine, double cosine) {
+    return (sine < 0.0 || sine > 0.0) && (cosine < 0.0 || cosine > 0.0);
+  }
+  // By the joint's sine and cosine, whose own error turns what is across.
+  constexpr SplitBall by_joint(int i, SplitBall v, int format) const {
+    const auto& c = m.links[i];
+    if (c.prismatic) return turns(c.sin_theta, c.cos_theta) ? rounded_across(v, constant_step(v, format)) : v;
+    const Ball tilt{0.0, root2 * r.turn_error * v.across.reach()};
+    v.across = v.across + tilt, v.whole = v.whole + tilt;
+    return rounded_across(v, r.products(2, format, r.bits - 2, format));
+  }
+  constexpr SplitBall by_twist(int i, const SplitBall& v, int format) const {
+    const auto& c = m.links[i];
+    SplitBall turned = turned_about_x(v, c.sin_alpha, c.cos_alpha);
+    if (turns(c.sin_alpha, c.cos_alpha)) turned = rounded(turned, constant_step(v, format));
+    if (turns(c.branch.sin_gamma, c.branch.cos_gamma)) turned = rounded_across(turned, constant_step(v, format));
+    return turned;
+  }
+  constexpr SplitBall to_child(int i, const SplitBall& v, int format) const {
+    return by_joint(i, by_twist(i, v, format), format);
+  }
+
+ private:
+  constexpr double constant_step(const SplitBall& v, int format) const {
+    return r.sum(format, {Factor{0.7071, format, v.whole.size}, Factor{0.7072, format, v.whole.size}});
+  }
+};
 
 /// The same recursion as dynamics/inverse_dynamics.hpp on Balls: bounds first, for they give the formats, then errors.
 template <int N>
 class NewtonEulerAnalysis {
  public:
-  constexpr NewtonEulerAnalysis(const Mechanism<N>& mechanism, const Rounding& rounding) : m_(mechanism), r_(rounding) {
+  constexpr NewtonEulerAnalysis(const Mechanism<N>& mechanism, const Rounding& rounding)
+      : m_(mechanism), r_(rounding), turn_{mechanism, rounding} {
     for (int i = 0; i < N; ++i)
       move(i);
     for (int i = N; i-- > 0;)
@@ -25,170 +59,203 @@ class NewtonEulerAnalysis {
  private:
   const Mechanism<N>& m_;
   const Rounding& r_;
+  Turning<N> turn_;
   Ranges<N> all_{};
-  Ball spin_[N] = {};  // U r per metre of r: |dw| + w^2
-  Ball turn_[N] = {};  // dw alone
+  SpinBall spin_[N] = {};
+  SplitBall a_[N] = {}, force_[N] = {}, moment_[N] = {};
 
-  // A turn by a joint's sine and cosine, or by a constant one: two rounded components.
-  constexpr Ball turned(const Ball& v, double trigonometry, int format, bool joint) const {
-    const double step = joint ? r_.products(2, format, r_.bits - 2, format)
-                              : r_.sum(format, {Factor{0.7071, format, v.size}, Factor{0.7072, format, v.size}});
-    return {v.size, v.error + root2 * trigonometry * v.reach() + root2 * step};
+  // From the parent's motion to link i's.
+  constexpr void move(int i) {
+    const int p = m_.parent(i);
+    const SpinBall parent = p < 0 ? SpinBall{} : spin_[p];
+    rotate(i, parent, p);
+    accelerate(i, parent, p);
+    LinkRange& own = all_.range[i];
+    own.angular_velocity = spin_[i].w.whole, own.angular_acceleration = spin_[i].strength();
+    own.linear_acceleration = a_[i].whole;
   }
-  constexpr bool any_turn(double sine, double cosine) const {
-    return !(sine < 0.0 || sine > 0.0) || !(cosine < 0.0 || cosine > 0.0) ? false : true;
+
+  // The base turns by no number: where it is the parent nothing is rounded.
+  constexpr SplitBall brought(int i, int p, const SplitBall& v, int format) const {
+    return p < 0 ? SplitBall{} : turn_.to_child(i, v, format);
   }
-  /// Through the constant turns of link i.
-  constexpr Ball twisted(int i, Ball v, int format) const {
+
+  constexpr void rotate(int i, const SpinBall& parent, int p) {
     const auto& c = m_.links[i];
-    if (any_turn(c.sin_alpha, c.cos_alpha)) v = turned(v, 0.0, format, false);
-    if (any_turn(c.branch.sin_gamma, c.branch.cos_gamma)) v = turned(v, 0.0, format, false);
+    const double rate = c.prismatic ? 0.0 : m_.joints[i].speed, pull = c.prismatic ? 0.0 : m_.joints[i].acceleration;
+    const LinkFormat none{};
+    const LinkFormat& from = p < 0 ? none : all_.format[p];
+    LinkFormat& to = all_.format[i];
+    SpinBall& own = spin_[i];
+    const SplitBall turning = brought(i, p, parent.w, from.angular_velocity);
+    own.w = turning + split({}, {rate, 0.0});
+    to.angular_velocity = r_.exponent(own.w.whole.size);
+    own.w = rounded(own.w, 2.0 * r_.store(to.angular_velocity));
+
+    const SplitBall gyration = split(rate * turning.across, {});
+    own.dw = brought(i, p, parent.dw, from.angular_acceleration) + gyration + split({}, {pull, 0.0});
+    to.angular_acceleration = r_.exponent(own.strength().size);
+    own.entry = r_.products(1, to.angular_velocity, to.angular_velocity, to.angular_acceleration) +
+                r_.store(to.angular_acceleration);
+    own.dw = larger_error(rounded(own.dw, own.entry + 2.0 * r_.store(to.angular_acceleration)), by_column(i, p, parent));
+  }
+  // Where the axis is one of the parent's, dw across it follows from U's third column and the products of w.
+  constexpr SplitBall by_column(int i, int p, const SpinBall& parent) const {
+    if (p < 0) return {};
+    const Ball strength = parent.strength();
+    const SplitBall column = brought(i, p, {strength, strength, strength}, all_.format[p].angular_acceleration);
+    const SplitBall products = split(spin_[i].w.across * spin_[i].w.along, {});
+    SplitBall dw = rounded(column + products, spin_[i].entry + 2.0 * r_.store(all_.format[i].angular_acceleration));
+    dw.along = {};
+    return dw;
+  }
+  static constexpr SplitBall larger_error(SplitBall v, const SplitBall& other) {
+    v.across.error = other.across.error > v.across.error ? other.across.error : v.across.error;
+    v.whole.error = hypotenuse(v.across.error, v.along.error);
     return v;
   }
-  /// Through the joint's own turn.
-  constexpr Ball jointed(int i, const Ball& v, int format) const {
-    const auto& c = m_.links[i];
-    if (!c.prismatic) return turned(v, r_.turn_error, format, true);
-    return any_turn(c.sin_theta, c.cos_theta) ? turned(v, 0.0, format, false) : v;
-  }
-  constexpr Ball brought(int i, const Ball& v, int format) const { return jointed(i, twisted(i, v, format), format); }
-  constexpr double stored(double size, int components, int& format) const {
-    format = r_.exponent(size);
-    return square_root(static_cast<double>(components)) * r_.store(format);
-  }
 
-  constexpr void move(int i) {
+  constexpr void accelerate(int i, const SpinBall& parent, int p) {
     const auto& c = m_.links[i];
     const auto& j = m_.joints[i];
-    const int p = m_.parent(i);
-    LinkRange& own = all_.range[i];
-    LinkFormat& format = all_.format[i];
-    const LinkRange base{};
-    const LinkRange& up = p < 0 ? base : all_.range[p];
-    const LinkFormat& from = p < 0 ? format : all_.format[p];
-    const Ball spin = p < 0 ? Ball{} : spin_[p], turn = p < 0 ? Ball{} : turn_[p];
-    const bool moves = p >= 0;  // the base is at rest: what it adds is zero by type
-    const double rate = c.prismatic ? 0.0 : j.speed, pull = c.prismatic ? 0.0 : j.acceleration;
-
-    // Angular velocity.
-    own.angular_velocity.size = up.angular_velocity.size + rate;
-    format.angular_velocity = r_.exponent(own.angular_velocity.size);
-    const Ball turning = moves ? brought(i, up.angular_velocity, from.angular_velocity) : Ball{};
-    own.angular_velocity.error = turning.error + root3 * 2.0 * r_.store(format.angular_velocity);
-    const Ball& w = own.angular_velocity;
-
-    // Angular acceleration and the products of velocities.
-    turn_[i].size = turn.size + turning.size * rate + pull;
-    const double most = turn_[i].size + w.size * w.size;
-    format.angular_acceleration = r_.exponent(most);
-    const double product = r_.products(2, format.angular_velocity, format.angular_velocity, format.angular_acceleration);
-    const double moved = 2.0 * r_.store(format.angular_acceleration);
-    const Ball direct = moves ? brought(i, turn, from.angular_acceleration) : Ball{};
-    const Ball column = moves ? brought(i, spin, from.angular_acceleration) : Ball{};
-    const double coriolis = (turning * Ball{rate, 0.0}).error;
-    const double general = direct.error + coriolis + root2 * product + root3 * moved;
-    const double by_column = column.error + (w * w).error + direct.error + root2 * product + root3 * moved;
-    turn_[i].error = general > by_column ? general : by_column;
-    spin_[i] = {most, turn_[i].error + 2.0 * w.size * w.error + w.error * w.error + 3.0 * product +
-                          root2 * moved};
-    own.angular_acceleration = spin_[i];
-
-    // Acceleration of the origin.
-    const double along = c.prismatic ? j.travel : magnitude(c.d), apart = length_of(c.a, c.branch.b, 0.0);
-    const double offset = c.prismatic ? magnitude(c.branch.b) + square_root(c.a * c.a + along * along) : m_.reach(i);
-    const double slide = c.prismatic ? 2.0 * w.size * j.speed + j.acceleration : 0.0;
-    const double start = p < 0 ? m_.loads.gravity : up.linear_acceleration.size;
-    own.linear_acceleration.size = start + spin.size * offset + slide;
-    const double widest = start + spin.size * apart > own.linear_acceleration.size ? start + spin.size * apart
-                                                                                  : own.linear_acceleration.size;
-    format.linear_acceleration = r_.exponent(widest);
-    const int a_format = format.linear_acceleration;
-    const double first =
-        root3 * (r_.sum(a_format, {Factor{c.a, from.angular_acceleration, spin.size},
-                                   Factor{c.a, from.angular_acceleration, spin.size},
-                                   Factor{c.branch.b, from.angular_acceleration, spin.size}}) +
-                 r_.store(a_format));
-    Ball a{start, up.linear_acceleration.error + (spin * Ball{apart, 0.0}).error + first};
-    a = brought(i, {widest, a.error}, a_format);
-    double second = c.prismatic ? r_.products(3, format.angular_acceleration, r_.exponent(along), a_format)
-                                : r_.sum(a_format, {Factor{c.d, format.angular_acceleration, most}});
-    if (c.prismatic) second += r_.products(2, format.angular_velocity, r_.exponent(j.speed), a_format);
-    own.linear_acceleration.error = a.error + (spin_[i] * Ball{along, c.prismatic ? r_.store(r_.exponent(along)) : 0.0}).error +
-                                    (c.prismatic ? 2.0 * (w * Ball{j.speed, 0.0}).error : 0.0) +
-                                    root3 * (second + r_.store(a_format));
-    format.length = r_.exponent(along > 0.0 ? along : 1.0);
+    const LinkFormat none{};
+    const LinkFormat& from = p < 0 ? none : all_.format[p];
+    LinkFormat& to = all_.format[i];
+    const Ball start{m_.loads.gravity_across, 0.0}, falls{m_.loads.gravity_along, 0.0};
+    const SplitBall at_parent = p < 0 ? split(start, falls) : a_[p];
+    SplitBall a = at_parent + parent.times(magnitude(c.a), magnitude(c.branch.b));
+    const double along = c.prismatic ? j.travel : magnitude(c.d);
+    const Ball slip = c.prismatic ? Ball{2.0 * j.speed, 0.0} * spin_[i].w.across : Ball{};
+    const SplitBall joint = split(slip, {c.prismatic ? j.acceleration : 0.0, 0.0});
+    const SplitBall offset = spin_[i].times(0.0, along);
+    const double widest = a.whole.size + (offset + joint).whole.size;
+    to.linear_acceleration = r_.exponent(widest);
+    to.length = r_.exponent(along > 0.0 ? along : 1.0);
+    const int format = to.linear_acceleration;
+    const double strength = parent.strength().size;
+    a = rounded(a, r_.sum(format, {Factor{c.a, from.angular_acceleration, strength},
+                                   Factor{c.a, from.angular_acceleration, strength},
+                                   Factor{c.branch.b, from.angular_acceleration, strength}}) +
+                       r_.store(format));
+    a_[i] = turn_.to_child(i, a, format) + offset + joint;
+    double step = r_.store(format);
+    if (c.prismatic)
+      step += r_.products(3, to.angular_acceleration, to.length, format) + r_.store(to.length) * spin_[i].strength().size +
+              r_.products(2, to.angular_velocity, r_.exponent(j.speed), format);
+    else
+      step += r_.sum(format, {Factor{c.d, to.angular_acceleration, spin_[i].strength().size}});
+    a_[i] = rounded(a_[i], step);
   }
 
-  // A link's own force and moment.
+  // Sizes of what link i bears; its children have been here before.
   constexpr void load(int i) {
     const auto& c = m_.links[i];
-    LinkRange& own = all_.range[i];
-    LinkFormat& format = all_.format[i];
-    double mass = magnitude(c.mass), arm = length_of(c.hx, c.hy, c.hz), inertia = norm_of(c);
-    if (i + 1 == N) mass += m_.loads.payload_mass, arm += m_.loads.payload_moment, inertia += m_.loads.payload_inertia;
-    const Ball &a = own.linear_acceleration, &u = spin_[i];
-    own.force.size += mass * a.size + arm * u.size;
-    own.moment.size += inertia * u.size + arm * a.size;
-    if (i + 1 == N) own.force.size += m_.loads.tip_force, own.moment.size += m_.loads.tip_moment;
-    format.force = r_.exponent(own.force.size);
-    own.force.error = mass * a.error + arm * u.error;
-    own.moment.error = inertia * u.error + arm * a.error;
-    if (const int p = m_.parent(i); p >= 0) {
-      all_.range[p].force.size += own.force.size;
-      all_.range[p].moment.size += own.moment.size + m_.reach(i) * own.force.size;
-    }
-    const double behind_joint = own.moment.size + m_.joints[i].travel * own.force.size;
-    format.moment = r_.exponent(behind_joint);
-  }
-
-  // Rounding of link i's own force and moment, and what it and its children send.
-  constexpr void bear(int i) {
-    const auto& c = m_.links[i];
-    LinkRange& own = all_.range[i];
-    const LinkFormat& format = all_.format[i];
-    const int au = format.angular_acceleration, al = format.linear_acceleration;
-    const double u = spin_[i].size, a = own.linear_acceleration.size;
-    own.force.error += root3 * r_.sum(format.force, {Factor{c.mass, al, a}, Factor{c.hx, au, u}, Factor{c.hy, au, u},
-                                                     Factor{c.hz, au, u}});
-    own.moment.error +=
-        root3 * r_.sum(format.moment, {Factor{c.jxx, au, u}, Factor{c.jzz_jyy, au, u}, Factor{c.jxy, au, u},
-                                       Factor{c.jxz, au, u}, Factor{c.jyz, au, u}, Factor{c.hx, al, a},
-                                       Factor{c.hy, al, a}, Factor{c.hz, al, a}, Factor{c.jyy, au, u},
-                                       Factor{c.jzz, au, u}, Factor{c.jxx_jzz, au, u}, Factor{c.jyy_jxx, au, u}});
-    drive(i);
+    double mass = magnitude(c.mass), side = hypotenuse(c.hx, c.hy), height = magnitude(c.hz);
+    const SpinBall& s = spin_[i];
+    SplitBall force = mass * a_[i] + s.times(side, height);
+    SplitBall moment = rotational(c, s) + split(side * a_[i].along + height * a_[i].across, side * a_[i].across);
+    if (i + 1 == N) add_tip(i, force, moment);
+    force_[i] = force_[i] + force, moment_[i] = moment_[i] + moment;
+    const double travel = m_.joints[i].travel;
+    const SplitBall shifted = moment_[i] + cross_along_z(travel, force_[i]);
+    all_.format[i].force = r_.exponent(force_[i].whole.size);
+    all_.format[i].moment = r_.exponent(shifted.whole.size);
     const int p = m_.parent(i);
     if (p < 0) return;
-    const LinkFormat& outer = all_.format[p];
-    Ball force = own.force, moment = own.moment;
-    const double along = m_.joints[i].travel;
-    moment.size += along * force.size;
-    moment.error += along * force.error;
-    if (along > 0.0)
-      moment.error += root2 * (c.prismatic ? r_.products(1, format.force, format.length, format.moment)
-                                           : r_.sum(format.moment, {Factor{c.d, format.force, force.size}}));
-    moment = jointed(i, moment, format.moment);
-    force = jointed(i, force, format.force);
-    moment.error += magnitude(c.a) * force.error + magnitude(c.branch.b) * force.error;
-    moment.error += root3 * r_.sum(outer.moment, {Factor{c.a, format.force, force.size}, Factor{c.branch.b, format.force, force.size}});
-    moment = twisted(i, moment, outer.moment);
-    force = twisted(i, force, format.force);
-    force.error += root3 * r_.move(format.force, outer.force);
-    all_.range[p].force.error += force.error;
-    all_.range[p].moment.error += moment.error;
+    const SplitBall arrives = turned_about_x(force_[i], c.sin_alpha, c.cos_alpha);
+    const SplitBall sent = turned_about_x(shifted, c.sin_alpha, c.cos_alpha) + cross_along_x(c.a, arrives) +
+                           cross_along_z(magnitude(c.branch.b), arrives);
+    force_[p] = force_[p] + without_error(arrives), moment_[p] = moment_[p] + without_error(sent);
+  }
+  static constexpr SplitBall without_error(SplitBall v) {
+    v.across.error = v.along.error = v.whole.error = 0.0;
+    return v;
+  }
+  // J dw + w x J w, J in blocks across and along the axis.
+  static constexpr SplitBall rotational(const TreeLinkConstants<double>& c, const SpinBall& s) {
+    const double mean = 0.5 * (c.jxx + c.jyy), skew = hypotenuse(0.5 * (c.jxx - c.jyy), c.jxy);
+    const double block = magnitude(mean) + skew, apart = magnitude(c.jzz - mean) + skew;
+    const double couple = hypotenuse(c.jxz, c.jyz), axis = magnitude(c.jzz);
+    const Ball wo = s.w.across * s.w.across, wz = s.w.across * s.w.along, zz = s.w.along * s.w.along;
+    SplitBall n = split(block * s.dw.across + couple * s.dw.along + apart * wz + couple * (zz + wo),
+                        couple * s.dw.across + axis * s.dw.along + skew * wo + couple * wz);
+    const double entries = (2.0 * block + axis + 4.0 * couple + 2.0 * skew + 2.0 * apart) * s.entry;
+    return rounded(n, entries);
+  }
+  // What a payload and the environment add at the tip.
+  constexpr void add_tip(int i, SplitBall& force, SplitBall& moment) const {
+    const LoadRange& l = m_.loads;
+    const Ball u = spin_[i].strength(), a = a_[i].whole;
+    const Ball f = l.payload_mass * a + l.payload_moment * u + Ball{l.tip_force, 0.0};
+    const Ball n = l.payload_inertia * u + l.payload_moment * a + Ball{l.tip_moment, 0.0};
+    force = force + SplitBall{f, f, f}, moment = moment + SplitBall{n, n, n};
   }
 
-  // Effort of joint i.
+  // Rounding of link i's own force and moment, of what it sends, and its joint's effort.
+  constexpr void bear(int i) {
+    const auto& c = m_.links[i];
+    const LinkFormat& format = all_.format[i];
+    const int au = format.angular_acceleration, al = format.linear_acceleration;
+    const double u = spin_[i].strength().size, a = a_[i].whole.size;
+    force_[i] = rounded(force_[i], r_.sum(format.force, {Factor{c.mass, al, a}, Factor{c.hx, au, u},
+                                                         Factor{c.hy, au, u}, Factor{c.hz, au, u}}));
+    moment_[i] = rounded(
+        moment_[i],
+        r_.sum(format.moment,
+               {Factor{c.jxx, au, u}, Factor{c.jyy, au, u}, Factor{c.jzz, au, u}, Factor{c.jxy, au, u},
+                Factor{c.jxz, au, u}, Factor{c.jyz, au, u}, Factor{c.hx, al, a}, Factor{c.hy, al, a},
+                Factor{c.hz, al, a}, Factor{largest(c.jzz_jyy, c.jxx_jzz, c.jyy_jxx), au, u}}));
+    all_.range[i].force = force_[i].whole, all_.range[i].moment = moment_[i].whole;
+    drive(i);
+    if (const int p = m_.parent(i); p >= 0) send(i, p);
+  }
+  static constexpr double largest(double a, double b, double c) {
+    const double ab = magnitude(a) > magnitude(b) ? magnitude(a) : magnitude(b);
+    return ab > magnitude(c) ? ab : magnitude(c);
+  }
+  constexpr void send(int i, int p) {
+    const auto& c = m_.links[i];
+    const LinkFormat &format = all_.format[i], &outer = all_.format[p];
+    const double along = m_.joints[i].travel, f = force_[i].whole.size;
+    SplitBall moment = moment_[i] + cross_along_z(along, force_[i]);
+    if (along > 0.0) {
+      const double step = c.prismatic ? r_.products(1, format.force, format.length, format.moment) +
+                                            r_.store(format.length) * f
+                                      : r_.sum(format.moment, {Factor{c.d, format.force, f}});
+      moment = rounded_across(moment, step);
+    }
+    moment = turn_.by_joint(i, moment, format.moment);
+    SplitBall force = turn_.by_joint(i, force_[i], format.force);
+    moment = rounded(moment, r_.sum(outer.moment, {Factor{c.a, format.force, f}, Factor{c.branch.b, format.force, f}}));
+    moment = turn_.by_twist(i, moment, outer.moment);
+    force = turn_.by_twist(i, force, format.force);
+    moment = moment + cross_along_x(c.a, force) + cross_along_z(magnitude(c.branch.b), force);
+    force = rounded(force, r_.move(format.force, outer.force));
+    add_errors(force_[p], force), add_errors(moment_[p], moment);
+  }
+  static constexpr void add_errors(SplitBall& to, const SplitBall& v) {
+    to.across.error += v.across.error, to.along.error += v.along.error, to.whole.error += v.whole.error;
+    to = tightened(to);
+  }
+
   constexpr void drive(int i) {
     const auto& c = m_.links[i];
     const auto& j = m_.joints[i];
-    LinkRange& own = all_.range[i];
-    LinkFormat& format = all_.format[i];
-    const Ball& borne = c.prismatic ? own.force : own.moment;
+    const Ball borne = c.prismatic ? force_[i].along : moment_[i].along;
     const double rotor = m_.loads.rotors ? c.rotor : 0.0;
-    own.joint_effort.size = borne.size + rotor * j.acceleration;
-    format.joint_effort = j.effort_format == JointRange::unknown ? r_.exponent(own.joint_effort.size) : j.effort_format;
-    own.joint_effort.error = borne.error + r_.sum(format.joint_effort, {Factor{rotor, r_.exponent(j.acceleration), j.acceleration}}) + r_.store(format.joint_effort);
+    const Ball passive = passive_effort(m_.drives[i], j);
+    Ball& effort = all_.range[i].joint_effort;
+    int& format = all_.format[i].joint_effort;
+    effort = borne + Ball{rotor * j.acceleration, 0.0} + passive;
+    format = j.effort_format == JointRange::unknown ? r_.exponent(effort.size) : j.effort_format;
+    effort.error += r_.sum(format, {Factor{rotor, r_.exponent(j.acceleration), j.acceleration}}) + r_.store(format);
   }
+  constexpr Ball passive_effort(const DriveConstants<double>& d, const JointRange& j) const {
+    double most = 0.0;
+    if (m_.loads.friction) most += d.viscous * j.speed + larger_of(d.coulomb_forward + magnitude(d.stribeck_forward), magnitude(d.coulomb_backward) + magnitude(d.stribeck_backward));
+    return {most, 0.0};
+  }
+  static constexpr double larger_of(double a, double b) { return a > b ? a : b; }
 };
 
 }  // namespace detail

@@ -15,7 +15,7 @@ struct JointRange {
 
 /// What a scene puts on a robot besides its links.
 struct LoadRange {
-  double gravity = 0.0;  ///< m/s^2
+  double gravity_across = 0.0, gravity_along = 0.0;  ///< m/s^2, across and along z of frame 0
   double payload_mass = 0.0, payload_moment = 0.0, payload_inertia = 0.0;
   double tip_force = 0.0, tip_moment = 0.0;
   bool rotors = false, friction = false, springs = false;
@@ -100,7 +100,8 @@ constexpr LoadRange load_range() {
   using Robot = typename Scene::Robot;
   const auto& g = Robot::chain.gravity;
   LoadRange loads;
-  if (Scene::template has<Gravity> || Scene::template has<RuntimeGravity>) loads.gravity = length_of(g.x, g.y, g.z);
+  if (Scene::template has<Gravity>) loads.gravity_across = length_of(g.x, g.y, 0.0), loads.gravity_along = magnitude(g.z);
+  if (Scene::template has<RuntimeGravity>) loads.gravity_across = loads.gravity_along = length_of(g.x, g.y, g.z);
   loads.rotors = Scene::template has<RotorInertia>;
   loads.friction = Scene::template has<Friction>;
   loads.springs = Scene::template has<JointSprings>;

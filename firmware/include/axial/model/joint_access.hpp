@@ -1,0 +1,33 @@
+// How kernels read and write joint values, whatever the number system.
+#pragma once
+
+#include <axial/model/fixed_formats.hpp>
+
+namespace axial {
+
+/// Joint values as the kernels over `links` (or whatever else has a Scalar) read them.
+template <class Links, class Values>
+AXIAL_INLINE constexpr const Values& read(const Links&, const Values& values) {
+  return values;
+}
+template <class Links, class S, class Word, class Role>
+AXIAL_INLINE constexpr auto read(const Links&, const Joints<S, Stored<Word>, Role>& values) {
+  using Values = Joints<S, Stored<Word>, Role>;
+  return detail::FixedView<robot_of<S>, typename Links::Scalar, Values, Role>{values};
+}
+
+/// values[i] = x, rounded into the format of the values.
+template <class Links, class Values, class I, class X>
+AXIAL_INLINE constexpr void write(const Links&, Values& values, I i, const X& x) {
+  values[i] = static_cast<typename Links::Scalar>(x);
+}
+template <class Links, class S, class Word, class Role, int I, class X>
+AXIAL_INLINE constexpr void write(const Links&, Joints<S, Stored<Word>, Role>& values, Index<I>, const X& x) {
+  using Result = Fx<Joints<S, Stored<Word>, Role>::exponent(I), typename Links::Scalar>;
+  if constexpr (is_structural_v<X>)
+    values.values[I] = {Result(x).raw};
+  else
+    values.values[I] = {round_to<Result::exponent>(x).raw};
+}
+
+}  // namespace axial
