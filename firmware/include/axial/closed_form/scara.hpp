@@ -34,7 +34,7 @@ struct ScaraTerms : ScaraRounding<S, T> {
   /// A11 and A12 (which A21 equals).
   template <class Cosine>
   AXIAL_INLINE constexpr auto a11(const Cosine& cosine) const {
-    return this->sum(quantity::RotationalInertia{}, shoulder, cosine, cosine);
+    return this->sum(quantity::JointInertia{}, shoulder, cosine, cosine);
   }
   template <class Cosine>
   AXIAL_INLINE constexpr auto a12(const Cosine& cosine) const {
