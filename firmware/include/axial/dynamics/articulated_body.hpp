@@ -3,6 +3,7 @@
 
 #include <axial/dynamics/floating_base.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
+#include <axial/dynamics/drive_scale.hpp>
 #include <axial/dynamics/reach.hpp>
 #include <axial/dynamics/reflection.hpp>
 #include <axial/model/status.hpp>
@@ -12,7 +13,7 @@ namespace axial {
 
 /// Accelerations, one a joint, and what the solver has to say about them.
 template <class S, class T>
-struct ForwardDynamics : Joints<S, T> {
+struct ForwardDynamics : FreeAccelerations<S, T> {
   Status status{};
 };
 /// On a floating base also the base's own acceleration: angular (rad/s^2) and of the origin of frame 0 (m/s^2, gravity
@@ -22,8 +23,10 @@ struct FloatingDynamics : ForwardDynamics<S, T> {
   MotionVector<Vec3<T>, Vec3<T>> base_acceleration{};
 };
 template <class S, class T>
-using ForwardDynamicsOf = std::conditional_t<scene_of<S>::template has<FloatingBase>, FloatingDynamics<robot_of<S>, T>,
-                                             ForwardDynamics<robot_of<S>, T>>;
+using ForwardDynamicsOf = std::conditional_t<
+    is_stored_v<T>, ForwardDynamics<S, T>,
+    std::conditional_t<scene_of<S>::template has<FloatingBase>, FloatingDynamics<robot_of<S>, T>,
+                       ForwardDynamics<robot_of<S>, T>>>;
 
 namespace aba {
 
@@ -113,7 +116,7 @@ AXIAL_INLINE constexpr auto alone(const Link& link, const Body& body, const D& d
   auto moment =
       link.sum(quantity::Moment{}, rotational_moment(body.inertia, differences, still, velocity.p, velocity.u));
   auto force = link.sum(quantity::Force{}, velocity.u * body.first_moment);
-  return Subtree{articulated(body), ForceVector{moment, force} - external, reach(body)};
+  return Subtree{link.formatted(articulated(body)), ForceVector{moment, force} - external, scale_of(link, body)};
 }
 
 /// The same with the mass of the water that moves with it; `water` is Dry where there is none.
@@ -157,8 +160,8 @@ AXIAL_INLINE constexpr auto reflect(Kind joint, const Link& link, const Screw& s
                                     const Vel& velocity, const Tau& tau) {
   auto x = link.x();
   auto r = reflection(joint, link, tree.inertia, tree.bias, velocity.zeta, tau, singularity_scale(joint, tree.reach));
-  Subtree sent{to_parent(x, to_parent(screw, r.inertia, link), link),
-               to_parent(x, to_parent(screw, r.bias, link), link),
+  Subtree sent{to_parent(x, to_parent(screw, r.inertia, link), link.outer()),
+               to_parent(x, to_parent(screw, r.bias, link), link.outer()),
                seen_from(tree.reach, shift_length(x) + shift_length(screw))};
   return Left{r.gain, r.free, velocity.zeta, r.singular, sent};
 }
@@ -171,6 +174,7 @@ struct InMotion {
   const Q& q;
   const V& qd;
   const Water& water;
+  Zero shift{};
 
   template <class I, class Link, class Tau>
   AXIAL_INLINE constexpr auto effort(I i, const Link& link, const Tau& tau) const {
@@ -209,7 +213,9 @@ struct InMotion {
 };
 
 /// The same structure at rest, weightless and free of outside forces: its answer to efforts alone.
+template <class Shift>
 struct AtRest {
+  Shift shift{};
   struct Velocities {
     template <class I>
     AXIAL_INLINE constexpr auto operator[](I) const {
@@ -234,27 +240,41 @@ struct AtRest {
   }
 };
 
+/// A motion and what the joint adds to it, in the formats of the link.
+template <class Link, class M, class J>
+AXIAL_INLINE constexpr auto with_joint(const Link& link, const M& motion, const J& joint) {
+  return MotionVector{link.sum(quantity::AngularAcceleration{}, motion.angular, joint.angular),
+                      link.sum(quantity::LinearAcceleration{}, motion.linear, joint.linear)};
+}
+
 /// Writes the acceleration of a floating base, with gravity back in it.
 template <class Links, class Input, class Motion, class A>
-AXIAL_INLINE constexpr Status write_base(const Links& links, const Input& in, const Motion& base, int singular,
+AXIAL_INLINE constexpr Status write_base(const Links& links, const Input& in, const Motion& base, Status status,
                                          A& result) {
-  bool lost = singular >= 0;
   if constexpr (Links::Scene::template has<FloatingBase>) {
     const auto& a = base.acceleration;
     if constexpr (Links::Scene::template has<Underwater>)
       result.base_acceleration = a;
     else
       result.base_acceleration = MotionVector{a.angular, a.linear + gravity_at_base(links, in)};
-    lost = lost | base.singular;
+    if (base.singular) status.code = Status::Code::near_singular;
   }
-  return {lost ? Status::Code::near_singular : Status::Code::ok, singular};
+  return status;
+}
+
+/// What became of a solve whose joint `lost` (-1: none) is near singular; in proved ranges, beyond them.
+template <class Links>
+AXIAL_INLINE constexpr Status status_of(int lost, bool scaled) {
+  constexpr bool ranged = decltype(std::declval<const Links&>().link(Index<0>{}))::ranged;
+  const auto trouble = static_cast<int>(ranged ? Status::Code::saturated : Status::Code::near_singular);
+  const int otherwise = select(scaled, static_cast<int>(Status::Code::rescaled), static_cast<int>(Status::Code::ok));
+  return {static_cast<Status::Code>(select(lost >= 0, trouble, otherwise)), lost};
 }
 
 /// The algorithm over any form of links and the screws at q; writes one acceleration a joint.
 template <class Links, class Input, class Screws, class Situation, class Tau, class A>
 AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in, const Screws& screws,
                                             const Situation& situation, const Tau& tau, A& qdd) {
-  using T = typename Links::Scalar;
   const TipLoads<typename Links::Scene, Input> loads(in);
   auto velocities = situation.velocities(screws);
   auto own = [&](auto i) AXIAL_INLINE {
@@ -276,36 +296,42 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
   outward(links, base.acceleration, [&](auto i, const auto& parent) AXIAL_INLINE {
     auto link = links.link(i);
     const auto& left = joints[i];
-    auto moved = to_child(screws[i], to_child(link.x(), parent, link), link) + left.zeta;
-    singular = select((singular < 0) & left.singular, static_cast<int>(i), singular);
-    return link.on_joint([&](auto joint) AXIAL_INLINE {
-      auto own = link.sum(quantity::JointAcceleration{}, left.free, -gain_times(left.gain, moved));
-      qdd[i] = static_cast<T>(own);
-      return link.shape(moved + along_axis(joint, own));
+    auto moved = with_joint(link, to_child(screws[i], to_child(link.x(), parent, link), link), left.zeta);
+    bool lost = left.singular;
+    auto answer = link.on_joint([&](auto joint) AXIAL_INLINE {
+      auto own = link.limited(quantity::JointAcceleration{}, lost, left.free, -gain_times(left.gain, moved));
+      write(links, qdd, i, unscaled(lost, own, situation.shift));
+      return link.shape(with_joint(link, moved, along_axis(joint, own)));
     });
+    singular = select((singular < 0) & lost, static_cast<int>(i), singular);
+    return answer;
   });
-  return write_base(links, in, base, singular, qdd);
+  return write_base(links, in, base, status_of<Links>(singular, is_scaled(situation.shift)), qdd);
 }
 
 /// The classical form: one inward pass carries inertia and bias.
 template <class Links, class Input, class Q, class V, class Tau, class A>
 AXIAL_INLINE constexpr Status run(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
                                   A& qdd) {
-  auto screws = joint_screws(links, in, q);
-  auto water = immersions(links, in, screws, qd);
-  return accelerations(links, in, screws, InMotion<Links, Input, Q, V, decltype(water)>{links, in, q, qd, water}, tau,
-                       qdd);
+  auto at = read(links, q);
+  auto speed = read(links, qd);
+  auto screws = joint_screws(links, in, at);
+  auto water = immersions(links, in, screws, speed);
+  using Situation = InMotion<Links, Input, decltype(at), decltype(speed), decltype(water)>;
+  return accelerations(links, in, screws, Situation{links, in, at, speed, water}, read(links, tau), qdd);
 }
 
 /// The split form: the bias torque by RNEA over `bias_links`, then the structure at rest under what is left of tau.
 template <class Links, class BiasLinks, class Input, class Q, class V, class Tau, class A>
 AXIAL_INLINE constexpr Status run_split(const Links& links, const BiasLinks& bias_links, const Input& in, const Q& q,
                                         const V& qd, const Tau& tau, A& qdd) {
-  auto screws = joint_screws(links, in, q);
-  Tau rest{};
-  rnea::efforts(bias_links, in, q, screws, qd, NoMotion{}, rest);
-  for_each_link(links, [&](auto i) AXIAL_INLINE { rest[i] = tau[i] - rest[i]; });
-  return accelerations(links, in, screws, AtRest{}, rest, qdd);
+  auto at = read(links, q);
+  auto screws = joint_screws(links, in, at);
+  auto bias = no_efforts(bias_links);
+  rnea::efforts(bias_links, in, at, screws, read(links, qd), NoMotion{}, bias);
+  auto given = read(links, tau), left = read(links, bias);
+  auto drive = scaled_drive(links, given, left);
+  return accelerations(links, in, screws, AtRest<decltype(drive.shift)>{drive.shift}, drive.values, qdd);
 }
 
 }  // namespace aba

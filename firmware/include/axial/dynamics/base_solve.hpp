@@ -22,11 +22,11 @@ template <class T, class Round, class S, class Scale>
 AXIAL_INLINE constexpr auto factored(const Round& round, const S& s, const Scale& scale) {
   using namespace quantity;
   auto x = resistance(T(s.xx), scale);
-  auto yx = round.sum(Gain{}, x.inverse * s.xy);
-  auto zx = round.sum(Gain{}, x.inverse * s.xz);
+  auto yx = round.sum(AngularGain{}, x.inverse * s.xy);
+  auto zx = round.sum(AngularGain{}, x.inverse * s.xz);
   auto y = resistance(T(round.sum(JointInertia{}, s.yy, -(yx * s.xy))), scale);
   auto yz = round.sum(JointInertia{}, s.yz, -(zx * s.xy));
-  auto zy = round.sum(Gain{}, y.inverse * yz);
+  auto zy = round.sum(AngularGain{}, y.inverse * yz);
   auto z = resistance(T(round.sum(JointInertia{}, s.zz, -(zx * s.xz), -(zy * yz))), scale);
   return Factors{Vec3{yx, zx, zy}, Vec3{x.inverse, y.inverse, z.inverse},
                  static_cast<bool>(x.singular | y.singular | z.singular)};

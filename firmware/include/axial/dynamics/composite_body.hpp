@@ -55,7 +55,7 @@ AXIAL_INLINE constexpr void eliminate(const Links& links, K k, const R& inverse,
   auto link = links.link(k);
   for_each_ancestor(links, k, [&](auto i) AXIAL_INLINE {
     if constexpr (!decltype(is_absent<Links>(k, i))::value) {
-      const auto gain = link.sum(quantity::Gain{}, m(k, i) * inverse);
+      const auto gain = link.quotient(quantity::AngularGain{}, inverse, m(k, i));
       m(i, i) = link.sum(quantity::JointInertia{}, m(i, i), -(gain * m(k, i)));
       for_each_ancestor(links, i, [&](auto j) AXIAL_INLINE {
         if constexpr (!decltype(is_absent<Links>(k, j))::value)
@@ -77,7 +77,7 @@ AXIAL_INLINE constexpr Status solve(const Links& links, Matrix& m, X& x) {
     auto left = resistance(m(k, k), composite[k]);
     singular = select(left.singular, static_cast<int>(k), singular);
     eliminate(links, k, left.inverse, m, x);
-    x[k] = links.link(k).sum(quantity::JointAcceleration{}, x[k] * left.inverse);
+    x[k] = links.link(k).quotient(quantity::JointAcceleration{}, left.inverse, x[k]);
   });
   for_each_link(links, [&](auto k) AXIAL_INLINE {
     for_each_ancestor(links, k, [&](auto i) AXIAL_INLINE {

@@ -14,10 +14,17 @@ AXIAL_INLINE constexpr Status solve(const Input& in, const Q& q, const V& qd, co
   if constexpr (route == Route::composite_body)
     return crba::run_solve(links_of<Scene, T, BaseParameters>(), in, q, qd, tau, qdd);
   else if constexpr (route == Route::split_articulated_body)
-    return aba::run_split(links_of<Scene, T>(), links_of<Scene, T, BaseParameters>(), in, q, qd, tau, qdd);
+    return aba::run_split(links_of<Scene, T, FullParameters, recursion::ArticulatedBodiesAtRest>(),
+                          links_of<Scene, T, BaseParameters>(), in, q, qd, tau, qdd);
   else
-    return aba::run(links_of<Scene, T>(), in, q, qd, tau, qdd);
+    return aba::run(links_of<Scene, T, FullParameters, recursion::ArticulatedBodies>(), in, q, qd, tau, qdd);
 }
+
+/// Over numbers T: fixed point takes an articulated body, of which ranges are proved; the split one unless named.
+template <class S, class T>
+inline constexpr Route route_over = !is_stored_v<T>                              ? forward_dynamics_route<S>
+                                    : scene_of<S>::template has<ArticulatedBody> ? Route::articulated_body
+                                                                                 : Route::split_articulated_body;
 
 /// A run-time model has full parameters and no compile-time choice: ABA unless its features name another form.
 template <class Scene>
@@ -54,7 +61,7 @@ constexpr ForwardDynamicsOf<S, T> forward_dynamics(const Positions<robot_of<S>, 
       "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "
       "each joint a mass, an inertia about the joint axis, or rotor_inertia()");
   ForwardDynamicsOf<S, T> result{};
-  result.status = detail::solve<forward_dynamics_route<S>, scene_of<S>, T>(in, q, qd, tau, result);
+  result.status = detail::solve<detail::route_over<S, T>, scene_of<S>, T>(in, q, qd, tau, result);
   return result;
 }
 template <int N, class... F, class T, class M = Model<N, F...>>

@@ -69,7 +69,7 @@ AXIAL_INLINE constexpr auto own_body(const Links& links, const Loads& loads, I i
   if constexpr (Links::Scene::template has<Underwater>)
     return link.shape(articulated(loads.body(link)) + water_of(links, i).inertia());
   else
-    return link.shape(loads.body(link));
+    return link.shape(link.formatted(loads.body(link)));
 }
 
 /// Carries the force of joint i, beyond the screw of link j, towards the base and sets the row M(i, .) on its way.
@@ -79,7 +79,7 @@ AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, cons
     constexpr int parent = Links::template parent_of<J::value>;
     if constexpr (parent >= 0) {
       auto link = links.link(j);
-      auto at_parent = to_parent(link.x(), force, link);
+      auto at_parent = to_parent(link.x(), force, link.outer());
       links.link(Index<parent>{}).on_joint([&](auto joint) AXIAL_INLINE {
         m.set(i, parent, along_joint(joint, at_parent));
       });
@@ -91,7 +91,7 @@ AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, cons
     for (int k = j; links.parent_index(k) >= 0; k = links.parent_index(k)) {
       auto link = links.link(k);
       if (k != j) carried = to_parent(screws[k], carried, link);
-      carried = to_parent(link.x(), carried, link);
+      carried = to_parent(link.x(), carried, link.outer());
       const int parent = links.parent_index(k);
       links.link(parent).on_joint([&](auto joint) { m.set(i, parent, along_joint(joint, carried)); });
     }
@@ -106,7 +106,7 @@ AXIAL_INLINE constexpr auto composite_bodies(const Links& links, const Input& in
   return inward(links, own, [&](auto i, const auto& body) AXIAL_INLINE {
     auto link = links.link(i);
     auto turned = link.shape(to_parent(screws[i], body, link));
-    return Left{turned, link.shape(to_parent(link.x(), turned, link))};
+    return Left{turned, link.shape(to_parent(link.x(), turned, link.outer()))};
   });
 }
 

@@ -63,6 +63,26 @@ AXIAL_INLINE constexpr auto seen_from(const Reach<M, H, P>& r, const L& shift) {
   return Reach{r.mass, grown, r.polar + growth + growth};
 }
 
+/// Where ranges are proved no joint is near singular, so that no scale is needed.
+struct Unscaled {
+  template <class T>
+  AXIAL_INLINE constexpr Unscaled dense() const {
+    return {};
+  }
+};
+AXIAL_INLINE constexpr Unscaled operator+(Unscaled, Unscaled) { return {}; }
+template <class L>
+AXIAL_INLINE constexpr Unscaled seen_from(Unscaled, const L&) {
+  return {};
+}
+template <class Link, class Body>
+AXIAL_INLINE constexpr auto scale_of(const Link&, const Body& body) {
+  if constexpr (Link::ranged)
+    return Unscaled{};
+  else
+    return reach(body);
+}
+
 /// True where every joint of a robot has something outboard that resists it: its own inertia about the axis (or mass
 /// along it), any mass or inertia further out, a rotor or a payload that the scene names.
 template <class S>

@@ -37,7 +37,7 @@ AXIAL_INLINE constexpr auto axis_gain(const Link& link, const I& inertia, const 
   if constexpr (is_zero_v<J>) {
     return One{};
   } else {
-    auto gain = link.sum(quantity::Gain{}, inertia * inverse);
+    auto gain = link.quotient(quantity::AngularGain{}, inverse, inertia);
     if constexpr (Link::unrolled)
       return gain;
     else
@@ -52,10 +52,10 @@ AXIAL_INLINE constexpr auto reduced(Round round, Q q, const S& s, const U& u, co
                                     const J& rotor) {
   return Sym3{round.sum(q, s.xx, -(u.x * k.x)),
               round.sum(q, s.yy, -(u.y * k.y)),
-              axis * rotor,
+              round.sum(q, axis * rotor),
               round.sum(q, s.xy, -(u.x * k.y)),
-              k.x * rotor,
-              k.y * rotor};
+              round.sum(q, k.x * rotor),
+              round.sum(q, k.y * rotor)};
 }
 template <class S, class U, class K, class Round, class Q>
 AXIAL_INLINE constexpr auto reduced(Round round, Q q, const S& s, const U& u, const K& k) {
@@ -73,7 +73,8 @@ AXIAL_INLINE constexpr auto reflected(Revolute, const Link& link, const I& i, co
   using namespace quantity;
   auto row = [&](const auto& c, const auto& uj) { return link.sum(FirstMoment{}, c, -(uj * k.linear)); };
   return ArticulatedInertia{detail::reduced(link, RotationalInertia{}, i.angular, u.angular, k.angular, axis, rotor),
-                            Mat3{row(i.coupling.x, u.angular.x), row(i.coupling.y, u.angular.y), rotor * k.linear},
+                            Mat3{row(i.coupling.x, u.angular.x), row(i.coupling.y, u.angular.y),
+                                 link.sum(FirstMoment{}, rotor * k.linear)},
                             detail::reduced(link, Mass{}, i.linear, u.linear, k.linear)};
 }
 template <class Link, class I, class U, class K, class KS, class J>
@@ -82,7 +83,7 @@ AXIAL_INLINE constexpr auto reflected(Prismatic, const Link& link, const I& i, c
   using namespace quantity;
   auto row = [&](const auto& c, const auto& uj, const auto& kj) {
     return Vec3{link.sum(FirstMoment{}, c.x, -(uj * k.linear.x)), link.sum(FirstMoment{}, c.y, -(uj * k.linear.y)),
-                kj * rotor};
+                link.sum(FirstMoment{}, kj * rotor)};
   };
   return ArticulatedInertia{
       detail::reduced(link, RotationalInertia{}, i.angular, u.angular, k.angular),
@@ -126,6 +127,8 @@ template <class I, class P, class K, class U>
 Reflection(I, P, K, U, bool) -> Reflection<I, P, K, U>;
 
 /// Composite inertia that a joint's D is compared with: about the axis (bounded by the polar moment), or the mass.
+AXIAL_INLINE constexpr Unscaled singularity_scale(Revolute, Unscaled) { return {}; }
+AXIAL_INLINE constexpr Unscaled singularity_scale(Prismatic, Unscaled) { return {}; }
 template <class R>
 AXIAL_INLINE constexpr auto singularity_scale(Revolute, const R& reach) {
   return reach.polar;
@@ -165,6 +168,12 @@ AXIAL_INLINE constexpr Resistance<T> resistance(const T& d, const Scale& scale) 
   return {select(left, reciprocal(d), T(Zero{})), !(d > T(T(Int<16>{}) * eps * scale))};
 }
 
+/// Where a lower bound of D is proved: a reciprocal of fixed length.
+template <int E, class S, class Scale>
+AXIAL_INLINE constexpr Resistance<Inverse<E, S>> resistance(const Fx<E, S>& d, const Scale&) {
+  return {inverse_of(d), false};
+}
+
 /// Of a slide that carries one kilogram, known to the compiler.
 template <class Scale>
 AXIAL_INLINE constexpr Resistance<One> resistance(One, const Scale&) {
@@ -181,14 +190,16 @@ AXIAL_INLINE constexpr auto reflection(Joint joint, const Link& link, const I& i
   auto d = link.sum(JointInertia{}, own, rotor);
   auto [inverse, singular] = resistance(d, scale);
   auto column = joint_column(joint, inertia);
-  MotionVector k{link.sum(Gain{}, inverse * column.angular), link.sum(Gain{}, inverse * column.linear)};
+  MotionVector k{link.quotient(AngularGain{}, inverse, column.angular),
+                 link.quotient(LinearGain{}, inverse, column.linear)};
   auto axis = detail::axis_gain(link, own, rotor, inverse);
   auto n = reflected(joint, link, inertia, column, k, axis, rotor);
   auto held = along_joint(joint, p);
-  auto u = link.sum(JointEffort{}, tau, -held);
-  auto passed = link.sum(JointEffort{}, (rotor * inverse) * held, axis * tau);
+  bool lost = singular;
+  auto u = link.admitted(lost, d, link.sum(JointEffort{}, tau, -held));
+  auto passed = link.sum(JointEffort{}, link.quotient(AngularGain{}, inverse, rotor) * held, axis * tau);
   return Reflection{n, passed_bias(joint, link, p, n, zeta, k, u, passed), detail::gain_vector(joint, k, axis),
-                    link.sum(JointAcceleration{}, inverse * u), singular};
+                    link.quotient(JointAcceleration{}, inverse, u), lost};
 }
 
 /// K . a, the part of a motion that the joint's inertia answers.

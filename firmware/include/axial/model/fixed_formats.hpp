@@ -2,13 +2,18 @@
 #pragma once
 
 #include <axial/model/fixed_joints.hpp>
-#include <axial/scalar/fixed_round.hpp>
+#include <axial/scalar/fixed_divide.hpp>
+#include <axial/spatial/inertia.hpp>
 
 namespace axial {
 
 /// Which recursion a kernel is, for its ranges.
 namespace recursion {
 struct NewtonEuler {};
+struct CompositeBodies {};
+struct ArticulatedBodies {};        ///< the classical form
+struct ArticulatedBodiesAtRest {};  ///< of the split form
+struct Kinematics {};
 }  // namespace recursion
 
 namespace detail {
@@ -31,6 +36,19 @@ constexpr auto loaded_mechanism() {
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::NewtonEuler) {
   return newton_euler_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>());
+}
+
+template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::CompositeBodies) {
+  return composite_body_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>());
+}
+template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::ArticulatedBodies) {
+  return articulated_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>());
+}
+template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::ArticulatedBodiesAtRest) {
+  return articulated_at_rest_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>());
 }
 
 /// Ranges of a scene's recursion in an arithmetic.
@@ -58,12 +76,51 @@ AXIAL_INLINE constexpr auto lazy_sum(const X& x, const Y& y, const Rest&... rest
 /// Rounding of link I, in its own formats: see Plain for what kernels say to it. `Table` holds the ranges.
 template <class S, class Table, int I>
 struct FormatRounding {
+  static constexpr bool ranged = true;
+  static constexpr const LinkFormat& format = Table::value.format[I];
   template <class Quantity, class... Terms>
   AXIAL_INLINE static constexpr auto sum(Quantity quantity, const Terms&... terms) {
     if constexpr ((IsVec3<Terms>::value || ...))
       return Vec3{sum(quantity, terms.x...), sum(quantity, terms.y...), sum(quantity, terms.z...)};
     else
       return rounded<Table::value.format[I].of(Quantity{})>(lazy_sum(terms...));
+  }
+  template <class Quantity, class Inverse, class X>
+  AXIAL_INLINE static constexpr auto quotient(Quantity quantity, const Inverse& inverse, const X& x) {
+    if constexpr (IsVec3<X>::value)
+      return Vec3{quotient(quantity, inverse, x.x), quotient(quantity, inverse, x.y), quotient(quantity, inverse, x.z)};
+    else if constexpr (is_zero_v<X>)
+      return Zero{};
+    else
+      return axial::quotient<Table::value.format[I].of(Quantity{})>(inverse, x);
+  }
+  /// A sum held within its format; `lost` says that it would not have fitted.
+  template <class Quantity, class... Terms>
+  AXIAL_INLINE static constexpr auto limited(Quantity, bool& lost, const Terms&... terms) {
+    constexpr int exponent = Table::value.format[I].of(Quantity{});
+    return saturated<exponent>(lost, lazy_sum(terms...));
+  }
+  /// Drive u of a joint, 0 where its share u^2 / D of qdd^T M qdd is beyond what the formats are made for.
+  template <int E, int F>
+  AXIAL_INLINE static constexpr Fx<F, S> admitted(bool& lost, const Fx<E, S>& d, const Fx<F, S>& u) {
+    // u^2 <= D share, both as upper words: share is brought to the exponent that u^2 has beyond D's, less two bits.
+    constexpr std::int32_t share =
+        static_cast<std::int32_t>(Table::value.range[I].share * power_of_two(2 * F - E - 2) * 0.999);
+    const bool beyond = (integer::multiply_high(u.raw, u.raw) >> 2) > integer::multiply_high(d.raw, share);
+    lost = lost | beyond;
+    return select(beyond, Fx<F, S>{}, u);
+  }
+  /// The mass stays what it is: a literal, or with a payload a number of its own format.
+  template <class M, class H, class J>
+  AXIAL_INLINE static constexpr auto formatted(const RigidInertia<M, H, J>& body) {
+    return RigidInertia{body.mass, sum(quantity::FirstMoment{}, body.first_moment), symmetric(quantity::RotationalInertia{}, body.inertia)};
+  }
+  template <class A, class C, class L>
+  AXIAL_INLINE static constexpr auto formatted(const ArticulatedInertia<A, C, L>& body) {
+    const quantity::FirstMoment coupling;
+    return ArticulatedInertia{symmetric(quantity::RotationalInertia{}, body.angular),
+                              Mat3{sum(coupling, body.coupling.x), sum(coupling, body.coupling.y), sum(coupling, body.coupling.z)},
+                              symmetric(quantity::Mass{}, body.linear)};
   }
   /// Rounding in the formats of the link that carries this one.
   AXIAL_INLINE static constexpr auto outer() {
@@ -72,6 +129,10 @@ struct FormatRounding {
   }
 
  private:
+  template <class Quantity, class M>
+  AXIAL_INLINE static constexpr auto symmetric(Quantity q, const M& m) {
+    return Sym3{sum(q, m.xx), sum(q, m.yy), sum(q, m.zz), sum(q, m.xy), sum(q, m.xz), sum(q, m.yz)};
+  }
   template <int E, class X>
   AXIAL_INLINE static constexpr auto rounded(const X& x) {
     if constexpr (is_zero_v<X>)
@@ -92,6 +153,10 @@ struct Formats {
   };
   template <int I>
   using Of = FormatRounding<S, Table, I>;
+  /// What drives joint i at most without halvings, as a raw value.
+  static constexpr std::int64_t drive_limit(int i, int exponent) {
+    return static_cast<std::int64_t>(Table::value.range[i].drive * power_of_two(exponent));
+  }
 };
 
 /// Joint values as kernels read them: with their formats, or angles.

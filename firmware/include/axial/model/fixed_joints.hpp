@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/model/joints.hpp>
-#include <axial/model/newton_euler_ranges.hpp>
+#include <axial/model/articulated_ranges.hpp>
 
 namespace axial {
 
@@ -56,6 +56,11 @@ constexpr auto role_exponents() {
       table.of[i] = fitting_exponent(p.acceleration_limit, rounding.capacity());
     if (std::is_same_v<Role, role::Effort>)
       table.of[i] = rounding.exponent(is_bounded(p.effort_limit) && p.effort_limit > effort ? p.effort_limit : effort);
+  }
+  if constexpr (std::is_same_v<Role, role::FreeAcceleration>) {
+    const auto free = articulated_at_rest_ranges(mechanism_of<scene_of<S>, FullParameters>, rounding);
+    for (int i = 0; i < size; ++i)
+      table.of[i] = rounding.exponent(free.range[i].joint_acceleration.size);
   }
   return table;
 }

@@ -16,18 +16,26 @@ AXIAL_INLINE constexpr auto read(const Links&, const Joints<S, Stored<Word>, Rol
   return detail::FixedView<robot_of<S>, typename Links::Scalar, Values, Role>{values};
 }
 
+/// Efforts to fill, in the format of the scene.
+template <class Links>
+AXIAL_INLINE constexpr auto no_efforts(const Links&) {
+  using Scene = typename Links::Scene;
+  return EffortsOf<Scene, typename detail::StoredAs<typename Links::Scalar>::type>{};
+}
+
 /// values[i] = x, rounded into the format of the values.
 template <class Links, class Values, class I, class X>
 AXIAL_INLINE constexpr void write(const Links&, Values& values, I i, const X& x) {
-  values[i] = static_cast<typename Links::Scalar>(x);
-}
-template <class Links, class S, class Word, class Role, int I, class X>
-AXIAL_INLINE constexpr void write(const Links&, Joints<S, Stored<Word>, Role>& values, Index<I>, const X& x) {
-  using Result = Fx<Joints<S, Stored<Word>, Role>::exponent(I), typename Links::Scalar>;
-  if constexpr (is_structural_v<X>)
-    values.values[I] = {Result(x).raw};
-  else
-    values.values[I] = {round_to<Result::exponent>(x).raw};
+  using Scalar = typename Links::Scalar;
+  if constexpr (is_number_v<Scalar>) {
+    values[i] = static_cast<Scalar>(x);
+  } else {
+    using Result = Fx<Values::exponent(I::value), Scalar>;
+    if constexpr (is_structural_v<X>)
+      values.values[I::value] = {Result(x).raw};
+    else
+      values.values[I::value] = {round_to<Result::exponent>(x).raw};
+  }
 }
 
 }  // namespace axial

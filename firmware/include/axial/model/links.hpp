@@ -31,6 +31,10 @@ struct StaticLinks {
   template <int I>
   static constexpr int parent_of = Scene::Robot::chain.parent(I);
   AXIAL_INLINE static constexpr int parent_index(int i) { return Scene::Robot::chain.parent(i); }
+  template <int I>
+  static constexpr std::int64_t drive_limit(int exponent) {
+    return FormatsType::drive_limit(I, exponent);
+  }
   /// Acceleration of the base that stands for gravity, -g in frame 0.
   AXIAL_INLINE static constexpr auto base_acceleration() {
     if constexpr (Scene::template has<Gravity>) {

@@ -26,7 +26,9 @@ struct LinkRange {
   Ball angular_velocity{}, angular_acceleration{}, linear_acceleration{};
   Ball moment{}, force{};
   Ball rotational_inertia{}, first_moment{}, mass{};
-  Ball joint_inertia{}, gain{}, joint_effort{}, joint_acceleration{}, length{};
+  Ball joint_inertia{}, angular_gain{}, linear_gain{}, joint_effort{}, joint_acceleration{}, length{};
+  double drive = 0.0;  ///< effort that drives a joint besides the bias, at most
+  double share = 0.0;  ///< of a joint in qdd^T M qdd, at most
 };
 
 /// Exponents of the quantities of one link.
@@ -34,7 +36,7 @@ struct LinkFormat {
   int angular_velocity = 0, angular_acceleration = 0, linear_acceleration = 0;
   int moment = 0, force = 0;
   int rotational_inertia = 0, first_moment = 0, mass = 0;
-  int joint_inertia = 0, gain = 0, joint_effort = 0, joint_acceleration = 0, length = 0;
+  int joint_inertia = 0, angular_gain = 0, linear_gain = 0, joint_effort = 0, joint_acceleration = 0, length = 0;
 
   constexpr int of(quantity::AngularVelocity) const { return angular_velocity; }
   constexpr int of(quantity::AngularAcceleration) const { return angular_acceleration; }
@@ -45,7 +47,8 @@ struct LinkFormat {
   constexpr int of(quantity::FirstMoment) const { return first_moment; }
   constexpr int of(quantity::Mass) const { return mass; }
   constexpr int of(quantity::JointInertia) const { return joint_inertia; }
-  constexpr int of(quantity::Gain) const { return gain; }
+  constexpr int of(quantity::AngularGain) const { return angular_gain; }
+  constexpr int of(quantity::LinearGain) const { return linear_gain; }
   constexpr int of(quantity::JointEffort) const { return joint_effort; }
   constexpr int of(quantity::JointAcceleration) const { return joint_acceleration; }
   constexpr int of(quantity::Length) const { return length; }

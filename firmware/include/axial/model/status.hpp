@@ -14,6 +14,8 @@ struct Status {
     acceleration_limit = 5,
     effort_limit = 6,   ///< the result was clamped to the declared effort
     payload_limit = 7,  ///< the run-time payload is beyond the declared maximum, or not a number; about no joint
+    saturated = 9,      ///< fixed-point forward dynamics: efforts drive this joint beyond the range of its formats
+    rescaled = 10,      ///< fixed-point forward dynamics: efforts beyond the declared ones; right, but less exact
     not_ready = 8,      ///< asked before the first good refresh(); about no joint
   };
   Code code = Code::ok;

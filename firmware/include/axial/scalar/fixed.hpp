@@ -77,6 +77,16 @@ namespace detail {
 
 constexpr int smaller(int a, int b) { return a < b ? a : b; }
 
+/// What a number of a kernel is stored as.
+template <class Scalar>
+struct StoredAs {
+  using type = Scalar;
+};
+template <class Word, bool nearest, bool high, bool checked>
+struct StoredAs<Arithmetic<Word, nearest, high, checked>> {
+  using type = Stored<Word>;
+};
+
 /// 2^e.
 constexpr double power_of_two(int e) {
   double p = 1.0;
@@ -167,6 +177,11 @@ template <class A, class B>
 struct FixedKind<Sum<A, B>> : std::true_type {};
 
 template <class X>
+struct IsFx : std::false_type {};
+template <int E, class S>
+struct IsFx<Fx<E, S>> : std::true_type {};
+
+template <class X>
 using if_fixed = std::enable_if_t<FixedKind<X>::value, int>;
 
 template <class X>
@@ -191,10 +206,21 @@ struct NumberTraits<X, std::enable_if_t<detail::FixedKind<X>::value>> {
 
 namespace detail {
 template <class X>
-struct Constants<X, std::enable_if_t<FixedKind<X>::value>> {
+struct Constants<X, std::enable_if_t<FixedKind<X>::value && !IsFx<X>::value>> {
   template <int N>
   AXIAL_INLINE static constexpr auto integer(Int<N>) {
     return Literal<bits_of(static_cast<double>(N)), typename X::Arithmetic>{};
+  }
+};
+/// Beside a stored number an integer has its format, if it fits.
+template <int E, class S>
+struct Constants<Fx<E, S>> {
+  template <int N>
+  AXIAL_INLINE static constexpr auto integer(Int<N>) {
+    if constexpr (fitting_exponent(N, S::capacity) >= E)
+      return NumberTraits<Fx<E, S>>::constant(N);
+    else
+      return Literal<bits_of(static_cast<double>(N)), S>{};
   }
 };
 /// Constants of a model are literals until they meet a format.
@@ -276,6 +302,12 @@ AXIAL_INLINE constexpr bool operator<(Fx<E, S> a, Fx<E, S> b) {
 template <int E, class S>
 AXIAL_INLINE constexpr bool operator>(Fx<E, S> a, Fx<E, S> b) {
   return a.raw > b.raw;
+}
+
+template <std::uint64_t B, class S>
+AXIAL_INLINE constexpr auto magnitude(Literal<B, S>) {
+  constexpr double value = Literal<B, S>::value;
+  return Literal<detail::bits_of(value < 0.0 ? -value : value), S>{};
 }
 
 /// yes or no by a mask.

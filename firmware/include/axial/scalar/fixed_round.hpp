@@ -3,6 +3,7 @@
 
 #include <axial/scalar/fixed.hpp>
 #include <axial/scalar/integer.hpp>
+#include <axial/scalar/sincos.hpp>
 
 namespace axial {
 
@@ -242,6 +243,25 @@ AXIAL_INLINE constexpr auto round_to(const X& x) {
     return detail::rounded_from_upper<E>(x);
   else
     return round_to<E>(accumulate<accumulator_exponent<X, E>>(x));
+}
+
+/// Any expression, rounded once and held within exponent E's range; sets `lost` where it would not have fitted. Sees
+/// excesses up to 2^8.
+template <int E, class X>
+AXIAL_INLINE constexpr auto saturated(bool& lost, const X& x) {
+  using S = typename X::Arithmetic;
+  constexpr int headroom = 8, finest = E + S::bits - headroom;
+  constexpr int common = detail::Terms<X>::common(finest);
+  const auto sum = accumulate<common>(x);
+  constexpr auto half = S::nearest && common > E ? typename S::Bits{1} << (common - E - 1) : typename S::Bits{0};
+  const auto wide = static_cast<typename S::Wide>(detail::shifted<E - common, S>(sum.raw + half));
+  constexpr auto most = static_cast<typename S::Wide>(S::capacity);
+  const bool above = wide > most, below = wide < -most;
+  lost = lost | above | below;
+  const auto held = static_cast<typename S::Word>(wide);
+  using F = Fx<E, S>;
+  constexpr auto limit = static_cast<typename S::Word>(most);
+  return select(above, F{limit}, select(below, F{static_cast<typename S::Word>(-limit)}, F{held}));
 }
 
 namespace detail {

@@ -16,7 +16,8 @@ struct RotationalInertia {};    // kg m^2
 struct FirstMoment {};          // kg m
 struct Mass {};                 // kg
 struct JointInertia {};         // D of a joint: kg m^2 or kg
-struct Gain {};                 // K = U / D, dimension of the block over D
+struct AngularGain {};          // K = U / D, angular block over D
+struct LinearGain {};           // K = U / D, linear block over D
 struct JointEffort {};          // N m or N
 struct JointAcceleration {};    // rad/s^2 or m/s^2
 struct Length {};               // m
@@ -25,9 +26,30 @@ struct Length {};               // m
 /// Rounding of float, double and the counting scalar: none beyond the operations themselves.
 /// `sum(quantity, terms...)` is the sum of products and stored values, rounded once into the format of the quantity.
 struct Plain {
+  static constexpr bool ranged = false;  ///< whether ranges of its results are proved
   template <class Quantity, class... Terms>
   AXIAL_INLINE constexpr auto sum(Quantity, const Terms&... terms) const {
     return (... + terms);
+  }
+  /// x / d from 1/d, a number or a vector.
+  template <class Quantity, class Inverse, class X>
+  AXIAL_INLINE constexpr auto quotient(Quantity, const Inverse& inverse, const X& x) const {
+    return inverse * x;
+  }
+  /// A sum that is held within its format where there is one; sets `lost` where that changes it.
+  template <class Quantity, class... Terms>
+  AXIAL_INLINE constexpr auto limited(Quantity, bool&, const Terms&... terms) const {
+    return (... + terms);
+  }
+  /// Drive u of a joint whose inertia is d, if it is within what formats are made for.
+  template <class D, class U>
+  AXIAL_INLINE constexpr const U& admitted(bool&, const D&, const U& u) const {
+    return u;
+  }
+  /// A body's inertia in the formats of the link.
+  template <class Inertia>
+  AXIAL_INLINE constexpr const Inertia& formatted(const Inertia& inertia) const {
+    return inertia;
   }
   /// Rounding in the formats of the link that carries this one.
   AXIAL_INLINE static constexpr Plain outer() { return {}; }

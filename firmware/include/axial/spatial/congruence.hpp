@@ -129,12 +129,13 @@ AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x,
                                       const ArticulatedInertia<A11, A12, A22>& n, const Rounding& round = {}) {
   using namespace quantity;
   if constexpr (AxialScrew<Axis, C, S, L, Turn>::is_identity) {
-    return n;
+    return round.formatted(n);
   } else {
     auto twice = exact_double_angle(x);
-    auto b = detail::turn(twice, x, Axis::in(n.angular));
-    auto d = detail::turn(twice, x, Axis::in(n.coupling));
-    auto linear = detail::turn(twice, x, Axis::in(n.linear));
+    auto [b, d, linear] =
+        round.formatted(ArticulatedInertia{detail::turn(twice, x, Axis::in(n.angular)),
+                                           detail::turn(twice, x, Axis::in(n.coupling)),
+                                           detail::turn(twice, x, Axis::in(n.linear))});
     auto e = detail::shift_rows(x.shift, linear);
     Mat3 i{round.sum(FirstMoment{}, d.x, e.x), round.sum(FirstMoment{}, d.y, e.y), d.z};
     Sym3 angular{round.sum(RotationalInertia{}, b.xx, -(x.shift * (i.x.y + d.x.y))),
@@ -154,11 +155,12 @@ AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, 
                                       const Rounding& round = {}) {
   using namespace quantity;
   if constexpr (AxialScrew<Axis, C, S, L, Turn>::is_identity) {
-    return body;
+    return round.formatted(body);
   } else {
-    auto j = detail::turn(double_angle(x), x, Axis::in(body.inertia));
-    auto turned_h = Axis::in(to_parent(x, body.first_moment));
-    auto hz = round.sum(FirstMoment{}, turned_h.z, x.shift * body.mass);
+    auto [mass, turned_h, j] =
+        round.formatted(RigidInertia{body.mass, Axis::in(to_parent(x, body.first_moment)),
+                                     detail::turn(double_angle(x), x, Axis::in(body.inertia))});
+    auto hz = round.sum(FirstMoment{}, turned_h.z, x.shift * mass);
     auto growth = x.shift * (turned_h.z + hz);
     Sym3 inertia{round.sum(RotationalInertia{}, j.xx, growth),
                  round.sum(RotationalInertia{}, j.yy, growth),
@@ -166,7 +168,7 @@ AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, 
                  j.xy,
                  round.sum(RotationalInertia{}, j.xz, -(x.shift * turned_h.x)),
                  round.sum(RotationalInertia{}, j.yz, -(x.shift * turned_h.y))};
-    return RigidInertia{body.mass, Axis::out(Vec3{turned_h.x, turned_h.y, hz}), Axis::out(inertia)};
+    return RigidInertia{mass, Axis::out(Vec3{turned_h.x, turned_h.y, hz}), Axis::out(inertia)};
   }
 }
 

@@ -1,0 +1,88 @@
+// Ranges of composite bodies: what everything outboard of a link can weigh about it. doc/ranges.md is the proof.
+#pragma once
+
+#include <axial/model/ranges.hpp>
+
+namespace axial {
+
+/// Mass, first moment and inertia (norms) of all that a link carries: about its own origin, and behind its joint's
+/// shift.
+struct CompositeRange {
+  double mass = 0.0, moment = 0.0, inertia = 0.0;
+
+  constexpr CompositeRange seen_from(double r) const {
+    return {mass, moment + r * mass, inertia + r * (2.0 * moment + r * mass)};
+  }
+};
+constexpr CompositeRange operator+(const CompositeRange& a, const CompositeRange& b) {
+  return {a.mass + b.mass, a.moment + b.moment, a.inertia + b.inertia};
+}
+
+template <int N>
+struct CompositeRanges {
+  CompositeRange own[N] = {};     ///< about the link's origin, everything outboard included
+  CompositeRange behind[N] = {};  ///< the same behind the shift of its joint
+};
+
+/// Parallel axes, link by link from the tips: whatever the joint angles.
+template <int N>
+constexpr CompositeRanges<N> composite_ranges(const Mechanism<N>& m) {
+  CompositeRanges<N> all;
+  for (int i = N; i-- > 0;) {
+    const auto& c = m.links[i];
+    CompositeRange link{magnitude(c.mass), detail::length_of(c.hx, c.hy, c.hz), detail::norm_of(c)};
+    if (i + 1 == N) link = link + CompositeRange{m.loads.payload_mass, m.loads.payload_moment, m.loads.payload_inertia};
+    all.own[i] = all.own[i] + link;
+    all.behind[i] = all.own[i].seen_from(m.joints[i].travel);
+    if (const int p = m.parent(i); p >= 0) all.own[p] = all.own[p] + all.own[i].seen_from(m.reach(i));
+  }
+  return all;
+}
+
+/// Formats of composite bodies: sums of two first moments occur, so they keep a bit to spare.
+template <int N>
+constexpr void set_inertia_formats(const Mechanism<N>& m, const CompositeRanges<N>& bodies, const Rounding& r,
+                                   Ranges<N>& all) {
+  for (int i = 0; i < N; ++i) {
+    const CompositeRange& b = bodies.behind[i];
+    all.range[i].mass.size = b.mass, all.range[i].first_moment.size = b.moment;
+    all.range[i].rotational_inertia.size = b.inertia;
+    all.format[i].mass = r.exponent(b.mass);
+    all.format[i].first_moment = r.exponent(2.0 * b.moment);
+    all.format[i].rotational_inertia = r.exponent(b.inertia);
+    const double rotor = m.loads.rotors ? m.links[i].rotor : 0.0;
+    const CompositeRange& own = bodies.own[i];
+    all.range[i].joint_inertia.size = (m.links[i].prismatic ? own.mass : own.inertia) + rotor;
+    all.format[i].joint_inertia = r.exponent(all.range[i].joint_inertia.size);
+    all.format[i].length = r.exponent(m.joints[i].travel > 0.0 ? m.joints[i].travel : 1.0);
+  }
+}
+
+/// Ranges of the mass matrix by composite bodies: Moment and Force are those of a unit acceleration, on their way to
+/// the base.
+template <int N>
+constexpr Ranges<N> composite_body_ranges(const Mechanism<N>& m, const Rounding& r) {
+  Ranges<N> all;
+  const CompositeRanges<N> bodies = composite_ranges(m);
+  set_inertia_formats(m, bodies, r, all);
+  for (int i = N; i-- > 0;) {
+    const CompositeRange& b = bodies.behind[i];
+    double& moment = all.range[i].moment.size;
+    double& force = all.range[i].force.size;
+    const double own_force = m.links[i].prismatic ? b.mass : b.moment;
+    const double own_moment = m.links[i].prismatic ? b.moment : b.inertia;
+    force = own_force > force ? own_force : force;
+    moment = own_moment > moment ? own_moment : moment;
+    moment += m.joints[i].travel * force;
+    all.format[i].force = r.exponent(force), all.format[i].moment = r.exponent(moment);
+    const int p = m.parent(i);
+    if (p < 0) continue;
+    const double arm = magnitude(m.links[i].a) + magnitude(m.links[i].branch.b);
+    const double sent = moment + arm * force;
+    all.range[p].force.size = force > all.range[p].force.size ? force : all.range[p].force.size;
+    all.range[p].moment.size = sent > all.range[p].moment.size ? sent : all.range[p].moment.size;
+  }
+  return all;
+}
+
+}  // namespace axial
