@@ -83,7 +83,7 @@ AXIAL_INLINE constexpr auto move(Prismatic, const Link& link, const Screw& screw
   auto p = products(w, link);
   auto u = rotation_acceleration(w, still, p, link);
   auto linear = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, parent.u * translation(x))),
-                         u * along_z(screw.shift), cross_z(w, qd + qd));
+                         u * along_z(screw.shift), cross_z(w, twice(qd)));
   return Velocity{w, p, u, MotionVector{still, linear}};
 }
 

@@ -90,7 +90,7 @@ AXIAL_INLINE constexpr auto move(Prismatic, const Link& link, const Screw& screw
   auto p = products(w, link);
   auto u = rotation_acceleration(w, dw, p, link);
   auto a = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, at_axis)), u * along_z(screw.shift),
-                    cross_z(w, qd + qd), along_z(qdd));
+                    cross_z(w, twice(qd)), along_z(qdd));
   return Motion{w, dw, a, p, u};
 }
 

@@ -69,7 +69,7 @@ class ArticulatedAnalysis {
       const double least = least_joint_inertia(m_, i);
       all_.range[i].drive = given[i];
       drive_[i] = given[i] + reaction[i];
-      all_.range[i].share = 2.0 * drive_[i] * drive_[i] / least;
+      all_.range[i].share = 1.01 * drive_[i] * drive_[i] / least;
       outboard_[i] += all_.range[i].share, sum += all_.range[i].share;
       const int p = m_.parent(i);
       if (p < 0) continue;
@@ -105,7 +105,10 @@ class ArticulatedAnalysis {
     const double turn = up.angular_acceleration.size, least = least_joint_inertia(m_, i);
     const double carried = up.linear_acceleration.size + m_.reach(i) * turn;
     const double spins = least_inertia(c) > 0.0 ? whole_ / square_root(least_inertia(c)) : unknown_size;
-    const double joint = 2.0 * drive_[i] / least;
+    const double free = energy_share(i) / square_root(least);
+    const double rigorous = free + own.angular_gain.size * turn + own.linear_gain.size * carried;
+    const bool alike = p >= 0 && m_.links[p].prismatic == c.prismatic;
+    const double joint = least_of(rigorous, free + (alike ? up.joint_acceleration.size : 0.0));
     own.joint_acceleration.size = joint;
     own.angular_acceleration.size = least_of(turn + (c.prismatic ? 0.0 : joint), spins);
     own.linear_acceleration.size = carried + (c.prismatic ? joint : 0.0);
@@ -114,6 +117,7 @@ class ArticulatedAnalysis {
     own.linear_acceleration.size =
         least_of(own.linear_acceleration.size, whole_ / square_root(c.mass) + centre * own.angular_acceleration.size);
   }
+  constexpr double energy_share(int i) const { return square_root(all_.range[i].share); }
   static constexpr double least_of(double a, double b) { return a < b ? a : b; }
   static constexpr double larger_of(double a, double b) { return a > b ? a : b; }
 
@@ -147,9 +151,12 @@ class ArticulatedAnalysis {
     format.moment = r_.exponent(own.moment.size + m_.joints[i].travel * own.force.size);
     format.force = r_.exponent(own.force.size);
     format.joint_effort = r_.exponent(own.joint_effort.size);
-    format.joint_acceleration = r_.exponent(2.0 * own.joint_acceleration.size);
-    format.angular_gain = r_.exponent(2.0 * own.angular_gain.size);
-    format.linear_gain = r_.exponent(2.0 * own.linear_gain.size);
+    format.joint_acceleration = r_.exponent(own.joint_acceleration.size);
+    format.angular_gain = r_.exponent(own.angular_gain.size);
+    format.linear_gain = r_.exponent(own.linear_gain.size);
+#ifdef COARSE
+    format.COARSE -= 3;
+#endif
   }
 };
 

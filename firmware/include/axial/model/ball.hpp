@@ -86,7 +86,7 @@ struct Rounding {
 template <class S>
 constexpr Rounding rounding_of() {
   return {S::bits, S::nearest, S::high_word,
-          sincos_error + (S::bits == 32 ? 0.0 : detail::power_of_two(-S::unit - 1))};
+          integer::sincos_error + (S::bits == 32 ? 0.0 : detail::power_of_two(-S::unit - 1))};
 }
 
 }  // namespace axial

@@ -295,6 +295,12 @@ AXIAL_INLINE constexpr auto operator-(const A& a, const B& b) {
   return a + (-b);
 }
 
+/// 2 x, exactly: the same bits.
+template <int E, class S>
+AXIAL_INLINE constexpr Fx<E - 1, S> twice(const Fx<E, S>& x) {
+  return {x.raw};
+}
+
 template <int E, class S>
 AXIAL_INLINE constexpr bool operator<(Fx<E, S> a, Fx<E, S> b) {
   return a.raw < b.raw;

@@ -32,17 +32,14 @@ AXIAL_INLINE constexpr std::int32_t shifted_by(std::int64_t x, int shift) {
 
 }  // namespace detail
 
-/// x / y at exponent G, given 1/y; the result has a bit to spare. To nearest or down, as the arithmetic says.
+/// x / y at exponent G, given 1/y. To nearest or down, as the arithmetic says.
 template <int G, int E, int F, class S>
 AXIAL_INLINE constexpr Fx<G, S> quotient(const Inverse<E, S>& inverse, const Fx<F, S>& x) {
   const std::int64_t product = integer::multiply(static_cast<std::int32_t>(x.raw), inverse.mantissa);
   const int shift = inverse.exponent + (F - E - G);
-  if constexpr (S::nearest) {
-    const std::int32_t twice = detail::shifted_by(product, shift - 1);
-    return {static_cast<typename S::Word>((twice >> 1) + (twice & 1))};
-  } else {
-    return {static_cast<typename S::Word>(detail::shifted_by(product, shift))};
-  }
+  const std::int32_t down = detail::shifted_by(product, shift);
+  const std::int32_t half = S::nearest ? detail::shifted_by(product, shift - 1) & 1 : 0;
+  return {static_cast<typename S::Word>(down + half)};
 }
 /// Of a constant.
 template <int G, int E, std::uint64_t B, class S>

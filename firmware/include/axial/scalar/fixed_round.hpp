@@ -301,10 +301,7 @@ AXIAL_INLINE constexpr Bam<S> turned_by(const Bam<S>& angle, Get get) {
   return angle + Bam<S>{static_cast<std::int32_t>(offset)};
 }
 
-/// Greatest error of integer::sincos, over all angles.
-inline constexpr double sincos_error = 1.0e-9;
-
-/// Sine and cosine of an angle, within sincos_error and the rounding to the word.
+/// Sine and cosine of an angle, within integer::sincos_error and the rounding to the word.
 template <class S>
 AXIAL_INLINE constexpr SinCos<Fx<S::unit, S>> sincos(const Bam<S>& angle) {
   using Word = typename S::Word;

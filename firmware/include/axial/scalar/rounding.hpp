@@ -61,6 +61,12 @@ AXIAL_INLINE constexpr T turned(const T& x) {
   return x;
 }
 
+/// 2 x.
+template <class T>
+AXIAL_INLINE constexpr auto twice(const T& x) {
+  return x + x;
+}
+
 /// 1 / x. Number systems without a division overload it.
 template <class T, std::enable_if_t<is_number_v<T>, int> = 0>
 AXIAL_INLINE constexpr T reciprocal(const T& x) {
