@@ -23,7 +23,8 @@ constexpr int exponent(quantity::RotationalInertia) { return -29; }
 constexpr int exponent(quantity::FirstMoment) { return -28; }
 constexpr int exponent(quantity::Mass) { return -27; }
 constexpr int exponent(quantity::JointInertia) { return -29; }
-constexpr int exponent(quantity::Gain) { return -25; }
+constexpr int exponent(quantity::AngularGain) { return -25; }
+constexpr int exponent(quantity::LinearGain) { return -25; }
 constexpr int exponent(quantity::JointEffort) { return -22; }
 constexpr int exponent(quantity::JointAcceleration) { return -20; }
 constexpr int length_exponent = -30;

@@ -22,7 +22,8 @@ constexpr Ranges<3> scara_ranges(const Rounding& r, const int (&effort)[3]) {
   f.angular_velocity = r.exponent(2.0 * v1 + v2);
   const double cross = v2 * (2.0 * v1 + v2);
   f.angular_acceleration = r.exponent(cross > v1 * v1 ? cross : v1 * v1);
-  const int fi = f.rotational_inertia, fj = f.joint_inertia, fv = f.angular_velocity, fa = f.angular_acceleration, unit = r.bits - 2;
+  const int fi = f.rotational_inertia, fj = f.joint_inertia, fv = f.angular_velocity, fa = f.angular_acceleration,
+            unit = r.bits - 2;
   const Ball moved{swing, swing * r.turn_error + r.sum(fi, {Factor{k.swing, unit, 1.0}})};
   const Ball m11{s11, 2.0 * moved.error + 3.0 * r.store(fj)}, m12{s12, moved.error + 2.0 * r.store(fi)};
   const int e1 = r.exponent(v1), e2 = r.exponent(v2);
@@ -35,7 +36,8 @@ constexpr Ranges<3> scara_ranges(const Rounding& r, const int (&effort)[3]) {
   Ball elbow = m12 * Ball{a1, 0.0} + (k.elbow + k.elbow_rotor) * Ball{a2, 0.0} + moved * square;
   Ball slide{magnitude(k.lift) * a3 + magnitude(k.weight), 0.0};
   shoulder.error += r.products(1, fj, x1, effort[0]) + r.products(2, fi, axial::detail::smaller(x2, fa), effort[0]);
-  elbow.error += r.sum(effort[1], {Factor{k.elbow + k.elbow_rotor, x2, a2}}) + r.products(2, fi, axial::detail::smaller(x1, fa), effort[1]);
+  elbow.error += r.sum(effort[1], {Factor{k.elbow + k.elbow_rotor, x2, a2}}) +
+                 r.products(2, fi, axial::detail::smaller(x1, fa), effort[1]);
   slide.error += r.sum(effort[2], {Factor{k.lift, x3, a3}}) + r.store(effort[2]);
   all.range[0].joint_effort = shoulder, all.range[1].joint_effort = elbow, all.range[2].joint_effort = slide;
   for (int i = 0; i < 3; ++i)

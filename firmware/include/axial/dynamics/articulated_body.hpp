@@ -1,9 +1,9 @@
 // The articulated-body algorithm (ABA) by successive axial screws, with the bias in classical accelerations.
 #pragma once
 
+#include <axial/dynamics/drive_scale.hpp>
 #include <axial/dynamics/floating_base.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
-#include <axial/dynamics/drive_scale.hpp>
 #include <axial/dynamics/reach.hpp>
 #include <axial/dynamics/reflection.hpp>
 #include <axial/model/status.hpp>
@@ -23,10 +23,10 @@ struct FloatingDynamics : ForwardDynamics<S, T> {
   MotionVector<Vec3<T>, Vec3<T>> base_acceleration{};
 };
 template <class S, class T>
-using ForwardDynamicsOf = std::conditional_t<
-    is_stored_v<T>, ForwardDynamics<S, T>,
-    std::conditional_t<scene_of<S>::template has<FloatingBase>, FloatingDynamics<robot_of<S>, T>,
-                       ForwardDynamics<robot_of<S>, T>>>;
+using ForwardDynamicsOf =
+    std::conditional_t<is_stored_v<T>, ForwardDynamics<S, T>,
+                       std::conditional_t<scene_of<S>::template has<FloatingBase>, FloatingDynamics<robot_of<S>, T>,
+                                          ForwardDynamics<robot_of<S>, T>>>;
 
 namespace aba {
 

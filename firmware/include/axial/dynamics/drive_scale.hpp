@@ -77,7 +77,8 @@ AXIAL_INLINE constexpr Fx<E, S> unscaled(bool& lost, const Fx<E, S>& x, int shif
   lost = lost | above | below;
   constexpr auto limit = static_cast<typename S::Word>(most);
   using F = Fx<E, S>;
-  return select(above, F{limit}, select(below, F{static_cast<typename S::Word>(-limit)}, F{static_cast<typename S::Word>(whole)}));
+  return select(above, F{limit},
+                select(below, F{static_cast<typename S::Word>(-limit)}, F{static_cast<typename S::Word>(whole)}));
 }
 
 /// Whether efforts were taken in parts.

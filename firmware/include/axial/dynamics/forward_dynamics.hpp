@@ -54,8 +54,8 @@ AXIAL_INLINE constexpr Status solve_model(const Links& links, const Input& in, c
 /// a joint that no mass, inertia or rotor resists does not compile.
 template <class S, class T>
 constexpr ForwardDynamicsOf<S, T> forward_dynamics(const Positions<robot_of<S>, T>& q,
-                                                   const Velocities<robot_of<S>, T>& qd,
-                                                   const EffortsOf<S, T>& tau, const Inputs<S, T>& in = {}) {
+                                                   const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,
+                                                   const Inputs<S, T>& in = {}) {
   static_assert(
       every_joint_is_resisted<S>(),
       "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "

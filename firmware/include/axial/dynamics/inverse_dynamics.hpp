@@ -181,10 +181,8 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
 /// Gravity as the chain declares it: a link that must be held up has a positive effort along +g's opposite.
 /// NaN and infinities propagate to the result; use control/feedforward.hpp where inputs are not trusted.
 template <class S, class T>
-constexpr EffortsOf<S, T> inverse_dynamics(const Positions<robot_of<S>, T>& q,
-                                                   const Velocities<robot_of<S>, T>& qd,
-                                                   const Accelerations<robot_of<S>, T>& qdd,
-                                                   const Inputs<S, T>& in = {}) {
+constexpr EffortsOf<S, T> inverse_dynamics(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+                                           const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
   EffortsOf<S, T> tau{};
   rnea::run(links_of<S, T, BaseParameters>(), in, q, qd, qdd, tau);
   return tau;
@@ -201,7 +199,7 @@ constexpr EffortsOf<S, T> gravity_torque(const Positions<robot_of<S>, T>& q, con
 /// Bias torque c(q, qd) + g(q) [+ friction] - J^T wrench: the effort at zero acceleration.
 template <class S, class T>
 constexpr EffortsOf<S, T> bias_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
-                                              const Inputs<S, T>& in = {}) {
+                                      const Inputs<S, T>& in = {}) {
   EffortsOf<S, T> tau{};
   rnea::run(links_of<S, T, BaseParameters>(), in, q, qd, NoMotion{}, tau);
   return tau;

@@ -50,12 +50,8 @@ AXIAL_INLINE constexpr auto axis_gain(const Link& link, const I& inertia, const 
 template <class S, class U, class K, class KS, class J, class Round, class Q>
 AXIAL_INLINE constexpr auto reduced(Round round, Q q, const S& s, const U& u, const K& k, const KS& axis,
                                     const J& rotor) {
-  return Sym3{round.sum(q, s.xx, -(u.x * k.x)),
-              round.sum(q, s.yy, -(u.y * k.y)),
-              round.sum(q, axis * rotor),
-              round.sum(q, s.xy, -(u.x * k.y)),
-              round.sum(q, k.x * rotor),
-              round.sum(q, k.y * rotor)};
+  return Sym3{round.sum(q, s.xx, -(u.x * k.x)), round.sum(q, s.yy, -(u.y * k.y)), round.sum(q, axis * rotor),
+              round.sum(q, s.xy, -(u.x * k.y)), round.sum(q, k.x * rotor),        round.sum(q, k.y * rotor)};
 }
 template <class S, class U, class K, class Round, class Q>
 AXIAL_INLINE constexpr auto reduced(Round round, Q q, const S& s, const U& u, const K& k) {
@@ -72,10 +68,10 @@ AXIAL_INLINE constexpr auto reflected(Revolute, const Link& link, const I& i, co
                                       const J& rotor) {
   using namespace quantity;
   auto row = [&](const auto& c, const auto& uj) { return link.sum(FirstMoment{}, c, -(uj * k.linear)); };
-  return ArticulatedInertia{detail::reduced(link, RotationalInertia{}, i.angular, u.angular, k.angular, axis, rotor),
-                            Mat3{row(i.coupling.x, u.angular.x), row(i.coupling.y, u.angular.y),
-                                 link.sum(FirstMoment{}, rotor * k.linear)},
-                            detail::reduced(link, Mass{}, i.linear, u.linear, k.linear)};
+  return ArticulatedInertia{
+      detail::reduced(link, RotationalInertia{}, i.angular, u.angular, k.angular, axis, rotor),
+      Mat3{row(i.coupling.x, u.angular.x), row(i.coupling.y, u.angular.y), link.sum(FirstMoment{}, rotor * k.linear)},
+      detail::reduced(link, Mass{}, i.linear, u.linear, k.linear)};
 }
 template <class Link, class I, class U, class K, class KS, class J>
 AXIAL_INLINE constexpr auto reflected(Prismatic, const Link& link, const I& i, const U& u, const K& k, const KS& axis,

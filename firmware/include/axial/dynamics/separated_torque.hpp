@@ -130,8 +130,8 @@ AXIAL_INLINE constexpr void add_products(const Separated<S, T>& s, const RatePro
 
 template <class Links, class S, class T>
 AXIAL_INLINE constexpr EffortsOf<S, T> torque(const Links& links, const Separated<S, T>& s,
-                                                      const Velocities<robot_of<S>, T>& qd,
-                                                      const Accelerations<robot_of<S>, T>& qdd) {
+                                              const Velocities<robot_of<S>, T>& qd,
+                                              const Accelerations<robot_of<S>, T>& qdd) {
   const RateProducts<S, T> rates(qd);
   EffortsOf<S, T> tau{};
   for_each_link(links, [&](auto i) AXIAL_INLINE {
@@ -150,7 +150,7 @@ AXIAL_INLINE constexpr EffortsOf<S, T> torque(const Links& links, const Separate
 /// In: qd (rad/s or m/s), qdd. Out: N m or N.
 template <class S, class T>
 constexpr EffortsOf<S, T> torque(const Separated<S, T>& separated, const Velocities<robot_of<S>, T>& qd,
-                                         const Accelerations<robot_of<S>, T>& qdd) {
+                                 const Accelerations<robot_of<S>, T>& qdd) {
   return separation::torque(links_of<S, T, BaseParameters>(), separated, qd, qdd);
 }
 template <int N, class... F, class T, class M = Model<N, F...>>

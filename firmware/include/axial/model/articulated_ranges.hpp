@@ -28,9 +28,9 @@ constexpr double least_inertia(const TreeLinkConstants<double>& c) {
 
 inline constexpr double unknown_size = 1e300;
 
-/// The structure driven by efforts: bounds by the sum G = qdd^T M qdd = sum of u_j^2 / D_j, which no recursion inflates.
-/// A joint's share u^2 / D is held below `share` at run time (dynamics/drive_guard.hpp); what is outboard of a link
-/// has at most the sum of its shares.
+/// The structure driven by efforts: bounds by the sum G = qdd^T M qdd = sum of u_j^2 / D_j, which no recursion
+/// inflates. A joint's share u^2 / D is held below `share` at run time (dynamics/drive_guard.hpp); what is outboard of
+/// a link has at most the sum of its shares.
 template <int N>
 class ArticulatedAnalysis {
  public:
@@ -69,7 +69,7 @@ class ArticulatedAnalysis {
       const double least = least_joint_inertia(m_, i);
       all_.range[i].drive = given[i];
       drive_[i] = given[i] + reaction[i];
-      all_.range[i].share = 1.01 * drive_[i] * drive_[i] / least;
+      all_.range[i].share = 2.0 * drive_[i] * drive_[i] / least;
       outboard_[i] += all_.range[i].share, sum += all_.range[i].share;
       const int p = m_.parent(i);
       if (p < 0) continue;
@@ -154,13 +154,11 @@ class ArticulatedAnalysis {
     format.joint_acceleration = r_.exponent(own.joint_acceleration.size);
     format.angular_gain = r_.exponent(own.angular_gain.size);
     format.linear_gain = r_.exponent(own.linear_gain.size);
-#ifdef COARSE
-    format.COARSE -= 3;
-#endif
   }
 };
 
-/// Efforts that forward dynamics leaves to the joints: the declared ones, or those of the declared motion, and the bias.
+/// Efforts that forward dynamics leaves to the joints: the declared ones, or those of the declared motion, and the
+/// bias.
 template <int N>
 struct GivenEfforts {
   double all[N] = {};
@@ -174,6 +172,16 @@ constexpr GivenEfforts<N> given_efforts(const Mechanism<N>& m, const Ranges<N>& 
     if (with_bias) given.all[i] += motion;
   }
   return given;
+}
+
+/// How far efforts within the declared ones and the bias can drive the joints beyond what formats are made for.
+template <int N>
+constexpr double excess_of_drive(const Mechanism<N>& m, const Ranges<N>& newton_euler) {
+  const GivenEfforts<N> alone = given_efforts(m, newton_euler, false), all = given_efforts(m, newton_euler, true);
+  double excess = 1.0;
+  for (int i = 0; i < N; ++i)
+    excess = all.all[i] > excess * alone.all[i] ? all.all[i] / alone.all[i] : excess;
+  return excess;
 }
 
 }  // namespace detail

@@ -20,8 +20,8 @@ namespace detail {
 
 /// The arithmetic of a scene over words of a type.
 template <class Scene, class Word>
-using ArithmeticOf = Arithmetic<Word, !Scene::template has<RoundDown>, Scene::template has<HighWord>,
-                                Scene::template has<RangeCheck>>;
+using ArithmeticOf =
+    Arithmetic<Word, !Scene::template has<RoundDown>, Scene::template has<HighWord>, Scene::template has<RangeCheck>>;
 
 /// A scene's robot with its loads, and the formats of its joints' values.
 template <class Scene, class Parameters, class Word>
@@ -113,14 +113,16 @@ struct FormatRounding {
   /// The mass stays what it is: a literal, or with a payload a number of its own format.
   template <class M, class H, class J>
   AXIAL_INLINE static constexpr auto formatted(const RigidInertia<M, H, J>& body) {
-    return RigidInertia{body.mass, sum(quantity::FirstMoment{}, body.first_moment), symmetric(quantity::RotationalInertia{}, body.inertia)};
+    return RigidInertia{body.mass, sum(quantity::FirstMoment{}, body.first_moment),
+                        symmetric(quantity::RotationalInertia{}, body.inertia)};
   }
   template <class A, class C, class L>
   AXIAL_INLINE static constexpr auto formatted(const ArticulatedInertia<A, C, L>& body) {
     const quantity::FirstMoment coupling;
-    return ArticulatedInertia{symmetric(quantity::RotationalInertia{}, body.angular),
-                              Mat3{sum(coupling, body.coupling.x), sum(coupling, body.coupling.y), sum(coupling, body.coupling.z)},
-                              symmetric(quantity::Mass{}, body.linear)};
+    return ArticulatedInertia{
+        symmetric(quantity::RotationalInertia{}, body.angular),
+        Mat3{sum(coupling, body.coupling.x), sum(coupling, body.coupling.y), sum(coupling, body.coupling.z)},
+        symmetric(quantity::Mass{}, body.linear)};
   }
   /// Rounding in the formats of the link that carries this one.
   AXIAL_INLINE static constexpr auto outer() {

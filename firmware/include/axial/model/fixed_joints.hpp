@@ -1,8 +1,8 @@
 // Joint values in fixed point: integers, and the exponents that the robot's declared limits give them.
 #pragma once
 
-#include <axial/model/joints.hpp>
 #include <axial/model/articulated_ranges.hpp>
+#include <axial/model/joints.hpp>
 
 namespace axial {
 
@@ -58,9 +58,11 @@ constexpr auto role_exponents() {
       table.of[i] = rounding.exponent(is_bounded(p.effort_limit) && p.effort_limit > effort ? p.effort_limit : effort);
   }
   if constexpr (std::is_same_v<Role, role::FreeAcceleration>) {
-    const auto free = articulated_at_rest_ranges(mechanism_of<scene_of<S>, FullParameters>, rounding);
+    constexpr const auto& mechanism = mechanism_of<scene_of<S>, FullParameters>;
+    const auto free = articulated_at_rest_ranges(mechanism, rounding);
+    const double excess = excess_of_drive(mechanism, efforts);
     for (int i = 0; i < size; ++i)
-      table.of[i] = rounding.exponent(free.range[i].joint_acceleration.size);
+      table.of[i] = rounding.exponent(excess * free.range[i].joint_acceleration.size);
   }
   return table;
 }
@@ -77,9 +79,7 @@ struct Joints<S, Stored<Word>, Role> {
   static constexpr int size = joint_count<S>;
   Value values[size];
 
-  static constexpr int exponent(int i) {
-    return detail::exponents_of<S, typename Value::Word, Role>.of[i];
-  }
+  static constexpr int exponent(int i) { return detail::exponents_of<S, typename Value::Word, Role>.of[i]; }
   constexpr Value& operator[](int i) { return values[i]; }
   constexpr const Value& operator[](int i) const { return values[i]; }
 };

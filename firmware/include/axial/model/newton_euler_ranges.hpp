@@ -97,7 +97,8 @@ class NewtonEulerAnalysis {
     to.angular_acceleration = r_.exponent(own.strength().size);
     own.entry = r_.products(1, to.angular_velocity, to.angular_velocity, to.angular_acceleration) +
                 r_.store(to.angular_acceleration);
-    own.dw = larger_error(rounded(own.dw, own.entry + 2.0 * r_.store(to.angular_acceleration)), by_column(i, p, parent));
+    own.dw =
+        larger_error(rounded(own.dw, own.entry + 2.0 * r_.store(to.angular_acceleration)), by_column(i, p, parent));
   }
   // Where the axis is one of the parent's, dw across it follows from U's third column and the products of w.
   constexpr SplitBall by_column(int i, int p, const SpinBall& parent) const {
@@ -140,7 +141,8 @@ class NewtonEulerAnalysis {
     a_[i] = turn_.to_child(i, a, format) + offset + joint;
     double step = r_.store(format);
     if (c.prismatic)
-      step += r_.products(3, to.angular_acceleration, to.length, format) + r_.store(to.length) * spin_[i].strength().size +
+      step += r_.products(3, to.angular_acceleration, to.length, format) +
+              r_.store(to.length) * spin_[i].strength().size +
               r_.products(2, to.angular_velocity, r_.exponent(j.speed), format);
     else
       step += r_.sum(format, {Factor{c.d, to.angular_acceleration, spin_[i].strength().size}});
@@ -201,10 +203,9 @@ class NewtonEulerAnalysis {
                                                          Factor{c.hy, au, u}, Factor{c.hz, au, u}}));
     moment_[i] = rounded(
         moment_[i],
-        r_.sum(format.moment,
-               {Factor{c.jxx, au, u}, Factor{c.jyy, au, u}, Factor{c.jzz, au, u}, Factor{c.jxy, au, u},
-                Factor{c.jxz, au, u}, Factor{c.jyz, au, u}, Factor{c.hx, al, a}, Factor{c.hy, al, a},
-                Factor{c.hz, al, a}, Factor{largest(c.jzz_jyy, c.jxx_jzz, c.jyy_jxx), au, u}}));
+        r_.sum(format.moment, {Factor{c.jxx, au, u}, Factor{c.jyy, au, u}, Factor{c.jzz, au, u}, Factor{c.jxy, au, u},
+                               Factor{c.jxz, au, u}, Factor{c.jyz, au, u}, Factor{c.hx, al, a}, Factor{c.hy, al, a},
+                               Factor{c.hz, al, a}, Factor{largest(c.jzz_jyy, c.jxx_jzz, c.jyy_jxx), au, u}}));
     all_.range[i].force = force_[i].whole, all_.range[i].moment = moment_[i].whole;
     drive(i);
     if (const int p = m_.parent(i); p >= 0) send(i, p);
@@ -219,9 +220,9 @@ class NewtonEulerAnalysis {
     const double along = m_.joints[i].travel, f = force_[i].whole.size;
     SplitBall moment = moment_[i] + cross_along_z(along, force_[i]);
     if (along > 0.0) {
-      const double step = c.prismatic ? r_.products(1, format.force, format.length, format.moment) +
-                                            r_.store(format.length) * f
-                                      : r_.sum(format.moment, {Factor{c.d, format.force, f}});
+      const double step = c.prismatic
+                              ? r_.products(1, format.force, format.length, format.moment) + r_.store(format.length) * f
+                              : r_.sum(format.moment, {Factor{c.d, format.force, f}});
       moment = rounded_across(moment, step);
     }
     moment = turn_.by_joint(i, moment, format.moment);
@@ -252,7 +253,9 @@ class NewtonEulerAnalysis {
   }
   constexpr Ball passive_effort(const DriveConstants<double>& d, const JointRange& j) const {
     double most = 0.0;
-    if (m_.loads.friction) most += d.viscous * j.speed + larger_of(d.coulomb_forward + magnitude(d.stribeck_forward), magnitude(d.coulomb_backward) + magnitude(d.stribeck_backward));
+    if (m_.loads.friction)
+      most += d.viscous * j.speed + larger_of(d.coulomb_forward + magnitude(d.stribeck_forward),
+                                              magnitude(d.coulomb_backward) + magnitude(d.stribeck_backward));
     return {most, 0.0};
   }
   static constexpr double larger_of(double a, double b) { return a > b ? a : b; }

@@ -103,7 +103,8 @@ constexpr LoadRange load_range() {
   using Robot = typename Scene::Robot;
   const auto& g = Robot::chain.gravity;
   LoadRange loads;
-  if (Scene::template has<Gravity>) loads.gravity_across = length_of(g.x, g.y, 0.0), loads.gravity_along = magnitude(g.z);
+  if (Scene::template has<Gravity>)
+    loads.gravity_across = length_of(g.x, g.y, 0.0), loads.gravity_along = magnitude(g.z);
   if (Scene::template has<RuntimeGravity>) loads.gravity_across = loads.gravity_along = length_of(g.x, g.y, g.z);
   loads.rotors = Scene::template has<RotorInertia>;
   loads.friction = Scene::template has<Friction>;

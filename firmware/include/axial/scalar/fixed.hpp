@@ -199,8 +199,8 @@ struct NumberTraits<X, std::enable_if_t<detail::FixedKind<X>::value>> {
   /// In the format of X.
   static constexpr X constant(double value) {
     static_assert(!std::is_empty_v<X>, "a literal has no format");
-    return {static_cast<typename X::Arithmetic::Word>(
-        detail::nearest_integer(value * detail::power_of_two(X::exponent)))};
+    return {
+        static_cast<typename X::Arithmetic::Word>(detail::nearest_integer(value * detail::power_of_two(X::exponent)))};
   }
 };
 

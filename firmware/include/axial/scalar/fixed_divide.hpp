@@ -22,7 +22,8 @@ namespace detail {
 
 /// x / 2^shift for 0 <= shift < 64 where the result fits: down, with the same instructions for every shift.
 AXIAL_INLINE constexpr std::int32_t shifted_by(std::int64_t x, int shift) {
-  const auto low = static_cast<std::uint32_t>(x), high = static_cast<std::uint32_t>(static_cast<std::uint64_t>(x) >> 32);
+  const auto low = static_cast<std::uint32_t>(x),
+             high = static_cast<std::uint32_t>(static_cast<std::uint64_t>(x) >> 32);
   const auto sign = static_cast<std::uint32_t>(static_cast<std::int32_t>(high) >> 31);
   const std::uint32_t far = 0U - ((static_cast<std::uint32_t>(shift) >> 5) & 1U);
   const unsigned near = static_cast<unsigned>(shift) & 31U;

@@ -81,8 +81,8 @@ AXIAL_INLINE constexpr typename S::Bits product(typename S::Word a, typename S::
 }
 
 template <class L, int C, class S>
-inline constexpr typename S::Word literal_word =
-    static_cast<typename S::Word>(nearest_integer(L::value * power_of_two(C)));
+inline constexpr
+    typename S::Word literal_word = static_cast<typename S::Word>(nearest_integer(L::value* power_of_two(C)));
 
 // A term as a double word at exponent A.
 template <int A, int E, class S>

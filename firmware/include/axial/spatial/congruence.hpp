@@ -132,10 +132,9 @@ AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x,
     return round.formatted(n);
   } else {
     auto twice = exact_double_angle(x);
-    auto [b, d, linear] =
-        round.formatted(ArticulatedInertia{detail::turn(twice, x, Axis::in(n.angular)),
-                                           detail::turn(twice, x, Axis::in(n.coupling)),
-                                           detail::turn(twice, x, Axis::in(n.linear))});
+    auto [b, d, linear] = round.formatted(ArticulatedInertia{detail::turn(twice, x, Axis::in(n.angular)),
+                                                             detail::turn(twice, x, Axis::in(n.coupling)),
+                                                             detail::turn(twice, x, Axis::in(n.linear))});
     auto e = detail::shift_rows(x.shift, linear);
     Mat3 i{round.sum(FirstMoment{}, d.x, e.x), round.sum(FirstMoment{}, d.y, e.y), d.z};
     Sym3 angular{round.sum(RotationalInertia{}, b.xx, -(x.shift * (i.x.y + d.x.y))),
@@ -157,9 +156,8 @@ AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, 
   if constexpr (AxialScrew<Axis, C, S, L, Turn>::is_identity) {
     return round.formatted(body);
   } else {
-    auto [mass, turned_h, j] =
-        round.formatted(RigidInertia{body.mass, Axis::in(to_parent(x, body.first_moment)),
-                                     detail::turn(double_angle(x), x, Axis::in(body.inertia))});
+    auto [mass, turned_h, j] = round.formatted(RigidInertia{body.mass, Axis::in(to_parent(x, body.first_moment)),
+                                                            detail::turn(double_angle(x), x, Axis::in(body.inertia))});
     auto hz = round.sum(FirstMoment{}, turned_h.z, x.shift * mass);
     auto growth = x.shift * (turned_h.z + hz);
     Sym3 inertia{round.sum(RotationalInertia{}, j.xx, growth),
