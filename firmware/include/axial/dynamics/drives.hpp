@@ -17,6 +17,21 @@ AXIAL_INLINE constexpr auto by_direction(const V& qd, const F& forward, const B&
     return select(qd > V(Zero{}), V(forward), select(qd < V(Zero{}), V(backward), qd));
 }
 
+// In fixed point the efforts take the format of the link's effort.
+template <class Link, class V, class F, class B>
+AXIAL_INLINE constexpr auto by_direction(const Link& link, const V& qd, const F& forward, const B& backward) {
+  if constexpr (!Link::ranged) {
+    return by_direction(qd, forward, backward);
+  } else if constexpr (is_zero_v<F> && is_zero_v<B>) {
+    return Zero{};
+  } else {
+    const quantity::JointEffort effort;
+    using E = decltype(link.sum(effort, qd));
+    const V still{};
+    return select(qd > still, E(link.sum(effort, forward)), select(qd < still, E(link.sum(effort, backward)), E{}));
+  }
+}
+
 // x (3 - x^2) / 2, held at +-1 outside: the smooth sign.
 template <class V>
 AXIAL_INLINE constexpr V smooth_sign(const V& x) {
@@ -28,6 +43,7 @@ AXIAL_INLINE constexpr V smooth_sign(const V& x) {
 // The sign of a speed as the link smooths it; one table may hold links that do and links that do not.
 template <class Link, class V>
 AXIAL_INLINE constexpr V sign_of_speed(const Link& link, const V& qd) {
+  static_assert(!Link::ranged, "axial: fixed point has no smooth_speed(); compute this scene in float");
   const V smooth = smooth_sign(V(qd * link.inverse_smooth_speed()));
   if constexpr (Link::unrolled)
     return smooth;
@@ -40,8 +56,10 @@ template <class Link, class V, class CF, class CB, class SF, class SB>
 AXIAL_INLINE constexpr auto dry_friction(const Link& link, const V& qd, const CF& coulomb_forward,
                                          const CB& coulomb_backward, const SF& stribeck_forward,
                                          const SB& stribeck_backward) {
-  auto coulomb = by_direction(qd, coulomb_forward, coulomb_backward);
-  auto breakaway = by_direction(qd, stribeck_forward, stribeck_backward);
+  auto coulomb = by_direction(link, qd, coulomb_forward, coulomb_backward);
+  auto breakaway = by_direction(link, qd, stribeck_forward, stribeck_backward);
+  static_assert(!Link::ranged || is_zero_v<decltype(breakaway)>,
+                "axial: fixed point has viscous and Coulomb friction, not stribeck(); compute this scene in float");
   if constexpr (is_zero_v<decltype(breakaway)>)
     return coulomb;
   else

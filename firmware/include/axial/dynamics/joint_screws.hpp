@@ -12,7 +12,7 @@ namespace axial {
 template <class Links, class Input, class Q, class I>
 AXIAL_INLINE constexpr auto joint_screw(const Links& links, const Input& in, const Q& q, I i) {
   if constexpr (Links::Scene::template has<SineCosines>)
-    return links.link(i).z(q[i], in.turns[i]);
+    return links.link(i).z(q[i], read_turn<typename Links::Scene, typename Links::Scalar>(in.turns[i]));
   else
     return links.link(i).z(q[i]);
 }

@@ -6,14 +6,17 @@
 namespace axial {
 
 /// Rigid-body inertia of a payload about the origin of the last link's frame (parallel-axis theorem): 12M 9A.
-template <class T>
-AXIAL_INLINE constexpr auto payload_inertia(const PayloadBody<T>& load) {
-  const Vec3<T> h = load.mass * load.com;
-  const Vec3<T> square{h.x * load.com.x, h.y * load.com.y, h.z * load.com.z};
-  const Sym3<T>& c = load.inertia_com;
+template <class Link, class Load>
+AXIAL_INLINE constexpr auto payload_inertia(const Link& link, const Load& load) {
+  using namespace quantity;
+  auto h = link.sum(FirstMoment{}, load.mass * load.com);
+  auto square = link.sum(RotationalInertia{}, Vec3{h.x * load.com.x, h.y * load.com.y, h.z * load.com.z});
+  const auto& c = load.inertia_com;
+  const RotationalInertia q;
   return RigidInertia{load.mass, h,
-                      Sym3{c.xx + (square.y + square.z), c.yy + (square.x + square.z), c.zz + (square.x + square.y),
-                           c.xy - h.x * load.com.y, c.xz - h.x * load.com.z, c.yz - h.y * load.com.z}};
+                      Sym3{link.sum(q, c.xx, square.y + square.z), link.sum(q, c.yy, square.x + square.z),
+                           link.sum(q, c.zz, square.x + square.y), link.sum(q, c.xy, -(h.x * load.com.y)),
+                           link.sum(q, c.xz, -(h.x * load.com.z)), link.sum(q, c.yz, -(h.y * load.com.z))}};
 }
 
 /// Run-time inputs seen by the links: what they carry besides themselves.
@@ -47,7 +50,7 @@ class TipLoads {
       return none;
     } else if constexpr (Link::unrolled) {
       if constexpr (Link::is_last)
-        return in_.tip_wrench;
+        return read_wrench<Scene, typename Link::Scalar>(in_.tip_wrench);
       else
         return none;
     } else {
@@ -57,15 +60,19 @@ class TipLoads {
     }
   }
   template <class Link>
+  AXIAL_INLINE constexpr decltype(auto) payload(const Link&) const {
+    return read_payload<Scene, typename Link::Scalar>(in_.payload);
+  }
+  template <class Link>
   AXIAL_INLINE constexpr auto with_payload(const Link& link) const {
     if constexpr (Link::unrolled) {
       if constexpr (Link::is_last)
-        return link.body() + payload_inertia(in_.payload);
+        return link.together(link.body(), payload_inertia(link, payload(link)));
       else
         return link.body();
     } else {
       auto body = link.shape(link.body());
-      if (link.is_last) body = body + payload_inertia(in_.payload);
+      if (link.is_last) body = body + payload_inertia(link, payload(link));
       return body;
     }
   }

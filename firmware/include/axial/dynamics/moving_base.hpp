@@ -13,7 +13,7 @@ inline constexpr bool base_moves = Scene::template has<BaseMotion> || Scene::tem
 template <class Links, class Input>
 AXIAL_INLINE constexpr auto gravity_at_base(const Links& links, const Input& in) {
   if constexpr (Links::Scene::template has<RuntimeGravity>)
-    return in.gravity;
+    return read_gravity<typename Links::Scene, typename Links::Scalar>(in.gravity);
   else
     return -links.base_acceleration();
 }
@@ -48,7 +48,7 @@ AXIAL_INLINE constexpr auto base_acceleration(const Links& links, const Input& i
   else if constexpr (base_moves<Scene>)
     return in.base_motion.linear_acceleration + links.base_acceleration();
   else if constexpr (Scene::template has<RuntimeGravity>)
-    return -in.gravity;
+    return -read_gravity<typename Links::Scene, typename Links::Scalar>(in.gravity);
   else
     return links.base_acceleration();
 }

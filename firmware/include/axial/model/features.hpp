@@ -11,6 +11,16 @@ namespace axial {
 template <class S, class T, class Role = void>
 struct Joints;  // joints.hpp
 
+namespace detail {
+// What inputs start with; number systems without a NaN or with formats say it their way.
+template <class Robot, class T>
+struct DeclaredGravity : NumberTraits<T> {};
+template <class T>
+struct UnknownTurn {
+  static constexpr T value() { return NumberTraits<T>::constant(std::numeric_limits<double>::quiet_NaN()); }
+};
+}  // namespace detail
+
 /// Base of every tag that a Scene may list. A tag with a run-time input declares its own `Input<Robot, T>`.
 template <class Tag>
 struct Feature {
@@ -49,7 +59,7 @@ struct RuntimeGravity : Feature<RuntimeGravity> {
    private:
     template <class R>
     static constexpr auto declared(int) -> decltype(R::chain.gravity, Vec3<T>{}) {
-      using N = NumberTraits<T>;
+      using N = detail::DeclaredGravity<R, T>;
       return {N::constant(R::chain.gravity.x), N::constant(R::chain.gravity.y), N::constant(R::chain.gravity.z)};
     }
     template <class R>
@@ -134,7 +144,8 @@ struct Payload : Feature<Payload> {
 };
 
 /// Sine-cosine pairs of the joint positions from the caller (encoder tables, a CORDIC, sine_cosines() shared by several
-/// algorithms): input `turns[i]`, of q without the offset theta; ignored for prismatic joints. NaN until given.
+/// algorithms): input `turns[i]`, of q without the offset theta; ignored for prismatic joints. NaN until given
+/// (in fixed point, with the exponent InputFormats::sine_cosine, 0).
 struct SineCosines : Feature<SineCosines> {
   template <class Robot, class T>
   struct Input {
@@ -144,7 +155,7 @@ struct SineCosines : Feature<SineCosines> {
     static constexpr auto unknown() {
       Joints<Robot, SinCos<T>> turns{};
       for (auto& turn : turns.values)
-        turn.sin = turn.cos = NumberTraits<T>::constant(std::numeric_limits<double>::quiet_NaN());
+        turn.sin = turn.cos = detail::UnknownTurn<T>::value();
       return turns;
     }
   };

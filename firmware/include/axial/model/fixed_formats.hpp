@@ -110,6 +110,20 @@ struct FormatRounding {
     lost = lost | beyond;
     return select(beyond, Fx<F, S>{}, u);
   }
+  template <class M, class H, class J, class M2, class H2, class J2>
+  AXIAL_INLINE static constexpr auto together(const RigidInertia<M, H, J>& a, const RigidInertia<M2, H2, J2>& b) {
+    const quantity::RotationalInertia q;
+    const auto &i = a.inertia, &j = b.inertia;
+    return RigidInertia{sum(quantity::Mass{}, a.mass, b.mass),
+                        sum(quantity::FirstMoment{}, a.first_moment, b.first_moment),
+                        Sym3{sum(q, i.xx, j.xx), sum(q, i.yy, j.yy), sum(q, i.zz, j.zz), sum(q, i.xy, j.xy),
+                             sum(q, i.xz, j.xz), sum(q, i.yz, j.yz)}};
+  }
+  template <class N, class F, class N2, class F2>
+  AXIAL_INLINE static constexpr auto without(const ForceVector<N, F>& force, const ForceVector<N2, F2>& other) {
+    return ForceVector{sum(quantity::Moment{}, force.moment, -other.moment),
+                       sum(quantity::Force{}, force.force, -other.force)};
+  }
   /// The mass stays what it is: a literal, or with a payload a number of its own format.
   template <class M, class H, class J>
   AXIAL_INLINE static constexpr auto formatted(const RigidInertia<M, H, J>& body) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/model/fixed_formats.hpp>
+#include <axial/model/fixed_inputs.hpp>
 
 namespace axial {
 

@@ -178,6 +178,7 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
                    public Rounding {
  public:
   using Scene = SceneType;
+  using Scalar = T;
   static constexpr bool unrolled = true;
   static constexpr bool is_last = I + 1 == Scene::Robot::chain.size;
 
@@ -230,6 +231,7 @@ template <class SceneType, class T, class Source, class Columns>
 class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source, Columns>, Source>, public Plain {
  public:
   using Scene = SceneType;
+  using Scalar = T;
   static constexpr bool unrolled = false;
   static constexpr bool branches = Columns::any_branch;
   using Constants = typename Columns::template Row<Source>;

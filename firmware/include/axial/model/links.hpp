@@ -180,6 +180,7 @@ AXIAL_INLINE constexpr auto links_of() {
   using Robot = typename Scene::Robot;
   using Parameters = detail::with_rotors<Scene, parameters_of<Scene, DefaultParameters>>;
   if constexpr (is_stored_v<T>) {
+    detail::check_fixed_scene<Scene>();
     using S1 = detail::ArithmeticOf<Scene, typename T::Word>;
     return StaticLinks<Scene, S1, Parameters, detail::Formats<Scene, Parameters, S1, Recursion>>{};
   } else if constexpr (Scene::template has<Looped>) {

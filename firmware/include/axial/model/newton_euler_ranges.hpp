@@ -157,6 +157,9 @@ class NewtonEulerAnalysis {
     SplitBall force = mass * a_[i] + s.times(side, height);
     SplitBall moment = rotational(c, s) + split(side * a_[i].along + height * a_[i].across, side * a_[i].across);
     if (i + 1 == N) add_tip(i, force, moment);
+    all_.format[i].mass = r_.exponent(mass + m_.loads.payload_mass);
+    all_.format[i].first_moment = r_.exponent(2.0 * (hypotenuse(side, height) + m_.loads.payload_moment));
+    all_.format[i].rotational_inertia = r_.exponent(2.0 * (norm_of(c) + m_.loads.payload_inertia));
     force_[i] = force_[i] + force, moment_[i] = moment_[i] + moment;
     const double travel = m_.joints[i].travel;
     const SplitBall shifted = moment_[i] + cross_along_z(travel, force_[i]);
@@ -206,9 +209,23 @@ class NewtonEulerAnalysis {
         r_.sum(format.moment, {Factor{c.jxx, au, u}, Factor{c.jyy, au, u}, Factor{c.jzz, au, u}, Factor{c.jxy, au, u},
                                Factor{c.jxz, au, u}, Factor{c.jyz, au, u}, Factor{c.hx, al, a}, Factor{c.hy, al, a},
                                Factor{c.hz, al, a}, Factor{largest(c.jzz_jyy, c.jxx_jzz, c.jyy_jxx), au, u}}));
+    if (i + 1 == N && m_.loads.payload_mass > 0.0) carry_payload(i, u, a);
     all_.range[i].force = force_[i].whole, all_.range[i].moment = moment_[i].whole;
     drive(i);
     if (const int p = m_.parent(i); p >= 0) send(i, p);
+  }
+  // Rounding of a run-time payload's body, and of products that no longer have a constant factor.
+  constexpr void carry_payload(int i, double u, double a) {
+    const LinkFormat& f = all_.format[i];
+    const double mass = 2.0 * r_.store(f.mass);
+    const double moment =
+        root3 * (r_.products(1, r_.bits - 2, r_.bits - 2, f.first_moment) + 2.0 * r_.store(f.first_moment));
+    const double inertia = 3.0 * (3.0 * r_.store(f.rotational_inertia) + moment);
+    force_[i] = rounded(force_[i], mass * a + moment * u + r_.products(4, f.mass, f.linear_acceleration, f.force) +
+                                       r_.products(4, f.first_moment, f.angular_acceleration, f.force));
+    moment_[i] = rounded(moment_[i], inertia * u + moment * a +
+                                         r_.products(6, f.rotational_inertia, f.angular_acceleration, f.moment) +
+                                         r_.products(2, f.first_moment, f.linear_acceleration, f.moment));
   }
   static constexpr double largest(double a, double b, double c) {
     const double ab = magnitude(a) > magnitude(b) ? magnitude(a) : magnitude(b);
@@ -249,7 +266,11 @@ class NewtonEulerAnalysis {
     int& format = all_.format[i].joint_effort;
     effort = borne + Ball{rotor * j.acceleration, 0.0} + passive;
     format = j.effort_format == JointRange::unknown ? r_.exponent(effort.size) : j.effort_format;
-    effort.error += r_.sum(format, {Factor{rotor, r_.exponent(j.acceleration), j.acceleration}}) + r_.store(format);
+    const double viscous = m_.loads.friction ? m_.drives[i].viscous : 0.0;
+    effort.error += r_.store(format) +
+                    r_.sum(format, {Factor{viscous, r_.exponent(j.speed), j.speed},
+                                    Factor{rotor, r_.exponent(j.acceleration), j.acceleration}}) +
+                    r_.store(format);
   }
   constexpr Ball passive_effort(const DriveConstants<double>& d, const JointRange& j) const {
     double most = 0.0;

@@ -51,6 +51,15 @@ struct Plain {
   AXIAL_INLINE constexpr const Inertia& formatted(const Inertia& inertia) const {
     return inertia;
   }
+  /// Two bodies as one, and one force less another.
+  template <class A, class B>
+  AXIAL_INLINE constexpr auto together(const A& a, const B& b) const {
+    return a + b;
+  }
+  template <class A, class B>
+  AXIAL_INLINE constexpr auto without(const A& force, const B& other) const {
+    return force - other;
+  }
   /// Rounding in the formats of the link that carries this one.
   AXIAL_INLINE static constexpr Plain outer() { return {}; }
 };

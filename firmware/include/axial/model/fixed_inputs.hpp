@@ -1,0 +1,132 @@
+// Run-time inputs of a scene in fixed point: their formats, from what the robot declares, and how kernels read them.
+#pragma once
+
+#include <axial/model/fixed_joints.hpp>
+#include <axial/scalar/fixed_round.hpp>
+
+namespace axial {
+
+/// Exponents of the words that `Inputs<Scene, Stored<Word>>` holds: value = raw 2^-exponent, SI.
+template <class Robot, class T>
+struct InputFormats {
+  static constexpr double capacity = static_cast<double>(std::numeric_limits<typename T::Word>::max());
+  static constexpr int of(double most) { return detail::fitting_exponent(most, capacity); }
+  static constexpr PayloadLimit load = Robot::chain.payload_limit;
+  static constexpr int payload_mass = of(load.mass), payload_com = of(load.com_reach),
+                       payload_inertia = of(load.inertia);
+  static constexpr TipWrenchLimit wrench = Robot::chain.tip_wrench_limit;
+  static constexpr int tip_force = of(wrench.force), tip_moment = of(wrench.moment);
+  /// A gravity vector given at run time may be as long as the declared one.
+  static constexpr int gravity =
+      of(detail::length_of(Robot::chain.gravity.x, Robot::chain.gravity.y, Robot::chain.gravity.z));
+  static constexpr int sine_cosine = 8 * static_cast<int>(sizeof(typename T::Word)) - 2;
+};
+
+namespace detail {
+
+/// A payload whose parts have their own formats.
+template <class M, class C, class J>
+struct FormattedPayload {
+  M mass{};
+  C com{};
+  J inertia_com{};
+};
+template <class M, class C, class J>
+FormattedPayload(M, C, J) -> FormattedPayload<M, C, J>;
+
+template <int E, class S, class Word>
+AXIAL_INLINE constexpr auto in_format(const Stored<Word>& x) {
+  return Fx<E, S>{x.raw};
+}
+template <int E, class S, class Word>
+AXIAL_INLINE constexpr auto in_format(const Vec3<Stored<Word>>& v) {
+  return Vec3{in_format<E, S>(v.x), in_format<E, S>(v.y), in_format<E, S>(v.z)};
+}
+template <int E, class S, class Word>
+AXIAL_INLINE constexpr auto in_format(const Sym3<Stored<Word>>& m) {
+  return Sym3{in_format<E, S>(m.xx), in_format<E, S>(m.yy), in_format<E, S>(m.zz),
+              in_format<E, S>(m.xy), in_format<E, S>(m.xz), in_format<E, S>(m.yz)};
+}
+
+template <class Scene, class Word>
+using FormatsOfInputs = InputFormats<typename Scene::Robot, Stored<Word>>;
+
+}  // namespace detail
+
+/// Inputs as kernels over a scalar read them: as they are, or with their formats.
+template <class Scene, class Scalar, class T>
+AXIAL_INLINE constexpr const PayloadBody<T>& read_payload(const PayloadBody<T>& load) {
+  return load;
+}
+template <class Scene, class Scalar, class Word>
+AXIAL_INLINE constexpr auto read_payload(const PayloadBody<Stored<Word>>& load) {
+  using F = detail::FormatsOfInputs<Scene, Word>;
+  return detail::FormattedPayload{detail::in_format<F::payload_mass, Scalar>(load.mass),
+                                  detail::in_format<F::payload_com, Scalar>(load.com),
+                                  detail::in_format<F::payload_inertia, Scalar>(load.inertia_com)};
+}
+template <class Scene, class Scalar, class T>
+AXIAL_INLINE constexpr const ForceVector<Vec3<T>, Vec3<T>>& read_wrench(const ForceVector<Vec3<T>, Vec3<T>>& wrench) {
+  return wrench;
+}
+template <class Scene, class Scalar, class Word>
+AXIAL_INLINE constexpr auto read_wrench(const ForceVector<Vec3<Stored<Word>>, Vec3<Stored<Word>>>& wrench) {
+  using F = detail::FormatsOfInputs<Scene, Word>;
+  return ForceVector{detail::in_format<F::tip_moment, Scalar>(wrench.moment),
+                     detail::in_format<F::tip_force, Scalar>(wrench.force)};
+}
+template <class Scene, class Scalar, class T>
+AXIAL_INLINE constexpr const Vec3<T>& read_gravity(const Vec3<T>& g) {
+  return g;
+}
+template <class Scene, class Scalar, class Word>
+AXIAL_INLINE constexpr auto read_gravity(const Vec3<Stored<Word>>& g) {
+  return detail::in_format<detail::FormatsOfInputs<Scene, Word>::gravity, Scalar>(g);
+}
+template <class Scene, class Scalar, class T>
+AXIAL_INLINE constexpr const SinCos<T>& read_turn(const SinCos<T>& turn) {
+  return turn;
+}
+template <class Scene, class Scalar, class Word>
+AXIAL_INLINE constexpr auto read_turn(const SinCos<Stored<Word>>& turn) {
+  return SinCos<Fx<Scalar::unit, Scalar>>{{turn.sin.raw}, {turn.cos.raw}};
+}
+
+namespace detail {
+
+/// The gravity that a robot declares, as an input starts with it.
+template <class Robot, class Word>
+struct DeclaredGravity<Robot, Stored<Word>> {
+  static constexpr Stored<Word> constant(double value) {
+    constexpr int exponent = InputFormats<Robot, Stored<Word>>::gravity;
+    return {static_cast<Word>(nearest_integer(value * power_of_two(exponent)))};
+  }
+};
+template <class Word>
+struct UnknownTurn<Stored<Word>> {
+  static constexpr Stored<Word> value() { return {}; }
+};
+
+/// What fixed point has no proved range for, yet; with what to do about it.
+template <class Scene>
+constexpr void check_fixed_scene() {
+  static_assert(!Scene::template has<BaseMotion> && !Scene::template has<FloatingBase>,
+                "axial: fixed point needs a base at rest, for nothing declares how it moves; compute this scene in "
+                "float");
+  static_assert(!Scene::template has<Underwater>, "axial: fixed point has no water; compute this scene in float");
+  static_assert(!Scene::template has<ExternalWrenches>,
+                "axial: fixed point has no ExternalWrenches; name TipWrench, or compute this scene in float");
+  static_assert(!Scene::template has<JointSprings>, "axial: fixed point has no JointSprings; compute them in float");
+  static_assert(!Scene::template has<CompositeBody>,
+                "axial: forward dynamics in fixed point is that of articulated bodies; take CompositeBody out");
+  static_assert(!Scene::template has<Payload> || Scene::Robot::chain.payload_limit.declared,
+                "axial: fixed point leaves room for the declared payload; add axial::payload_limit(mass, com_reach, "
+                "inertia) to the robot's chain");
+  static_assert(
+      !Scene::template has<TipWrench> || Scene::Robot::chain.tip_wrench_limit.declared,
+      "axial: fixed point leaves room for the declared tip wrench; add axial::tip_wrench_limit(force, moment) "
+      "to the robot's chain");
+}
+
+}  // namespace detail
+}  // namespace axial
