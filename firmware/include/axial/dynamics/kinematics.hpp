@@ -59,10 +59,9 @@ AXIAL_INLINE constexpr auto frames(const Links& links, const Input& in, const Q&
 
 template <class Links, class Input, class Q, class Result>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Result& result) {
-  using T = typename Links::Scalar;
-  auto poses = frames(links, in, q);
-  for_each_link(links, [&](auto i) AXIAL_INLINE { result.frames[i] = poses[i].template dense<T>(); });
-  result.tool = (poses[links.last()] * links.tool_pose()).template dense<T>();
+  auto poses = frames(links, in, read(links, q));
+  for_each_link(links, [&](auto i) AXIAL_INLINE { result.frames[i] = stored(links, poses[i]); });
+  result.tool = stored(links, poses[links.last()] * links.tool_pose());
 }
 
 template <class Axis, class Arm>
@@ -77,10 +76,11 @@ AXIAL_INLINE constexpr auto column(Prismatic, const Axis& axis, const Arm&) {
 /// Columns of the joints that carry link k, for a point of it in the world; the rest stay as they are.
 template <class Links, class Poses, class K, class Point, class Result>
 AXIAL_INLINE constexpr void columns(const Links& links, const Poses& poses, K k, const Point& point, Result& jacobian) {
-  using T = typename Links::Scalar;
   auto write = [&](auto i) AXIAL_INLINE {
-    jacobian[i] = links.link(i).on_joint([&](auto joint) AXIAL_INLINE {
-      return column(joint, z_column(poses[i].rotation), point - poses[i].position).template dense<T>();
+    auto link = links.link(i);
+    jacobian[i] = link.on_joint([&](auto joint) AXIAL_INLINE {
+      auto arm = link.sum(quantity::Length{}, point, -poses[i].position);
+      return stored(links, column(joint, z_column(poses[i].rotation), arm));
     });
   };
   write(k);
@@ -88,24 +88,31 @@ AXIAL_INLINE constexpr void columns(const Links& links, const Poses& poses, K k,
 }
 template <class Links, class Input, class Q, class Result>
 AXIAL_INLINE constexpr void tool_columns(const Links& links, const Input& in, const Q& q, Result& jacobian) {
-  auto poses = frames(links, in, q);
+  auto poses = frames(links, in, read(links, q));
   auto tool = poses[links.last()] * links.tool_pose();
-  columns(links, poses, links.last(), tool.position, jacobian);
+  columns(links, poses, links.last(), links.link(links.last()).sum(quantity::Length{}, tool.position), jacobian);
 }
 template <class Links, class Input, class K, class Q, class Result>
 AXIAL_INLINE constexpr void link_columns(const Links& links, const Input& in, K k, const Q& q, Result& jacobian) {
-  auto poses = frames(links, in, q);
+  auto poses = frames(links, in, read(links, q));
   columns(links, poses, k, poses[k].position, jacobian);
 }
 
 }  // namespace kinematics
+
+/// Exponents of what kinematics answers in fixed point T: of lengths (m), and of entries of rotations and directions.
+template <class S, class T>
+inline constexpr int length_exponent =
+    decltype(links_of<S, T, FullParameters, recursion::Kinematics>().link(Index<0>{}))::format.length;
+template <class T>
+inline constexpr int direction_exponent = 8 * static_cast<int>(sizeof(typename T::Word)) - 2;
 
 /// Poses of all frames and of the tool in the world. In: q (rad or m). Source: Craig 2005, eq. (3.6), as two screws.
 template <class S, class T>
 constexpr ForwardKinematics<robot_of<S>, T> forward_kinematics(const Positions<robot_of<S>, T>& q,
                                                                const Inputs<S, T>& in = {}) {
   ForwardKinematics<robot_of<S>, T> result{};
-  kinematics::run(links_of<S, T>(), in, q, result);
+  kinematics::run(links_of<S, T, FullParameters, recursion::Kinematics>(), in, q, result);
   return result;
 }
 template <int N, class... F, class T, class M = Model<N, F...>>
@@ -121,7 +128,7 @@ constexpr ForwardKinematics<M, T> forward_kinematics(const Model<N, F...>& model
 template <class S, class T>
 constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   Jacobian<robot_of<S>, T> result{};
-  kinematics::tool_columns(links_of<S, T>(), in, q, result);
+  kinematics::tool_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, q, result);
   return result;
 }
 /// The same for the origin of one link's frame, such as the other hand of a tree: jacobian<Robot, 3>(q).
@@ -131,9 +138,9 @@ constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q, 
                 "axial: the robot has no such link; links are counted from 0, base outwards");
   Jacobian<robot_of<S>, T> result{};
   if constexpr (scene_of<S>::template has<Looped>)
-    kinematics::link_columns(links_of<S, T>(), in, Link, q, result);
+    kinematics::link_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, Link, q, result);
   else
-    kinematics::link_columns(links_of<S, T>(), in, Index<Link>{}, q, result);
+    kinematics::link_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, Index<Link>{}, q, result);
   return result;
 }
 template <int N, class... F, class T, class M = Model<N, F...>>

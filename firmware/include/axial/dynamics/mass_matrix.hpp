@@ -25,6 +25,49 @@ struct MassMatrix {
   AXIAL_INLINE static constexpr int at(int i, int j) { return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i; }
 };
 
+namespace detail {
+/// Exponents of the entries: |M_ij| <= sqrt(M_ii M_jj), whatever the configuration.
+template <class S, class Word>
+struct MassMatrixFormat {
+  static constexpr int size = joint_count<S>;
+  int of[size][size] = {};
+
+  static constexpr MassMatrixFormat chosen() {
+    constexpr Rounding rounding{8 * static_cast<int>(sizeof(Word)), true, false, 0.0};
+    const auto ranges = composite_body_ranges(mechanism_of<scene_of<S>, FullParameters>, rounding);
+    MassMatrixFormat format;
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j)
+        format.of[i][j] =
+            rounding.exponent(square_root(ranges.range[i].joint_inertia.size * ranges.range[j].joint_inertia.size));
+    return format;
+  }
+};
+template <class S, class Word>
+inline constexpr MassMatrixFormat<S, Word> mass_matrix_format = MassMatrixFormat<S, Word>::chosen();
+}  // namespace detail
+
+/// In fixed point M(i, j) = raw 2^-exponent(i, j).
+template <class S, class Word>
+struct MassMatrix<S, Stored<Word>> {
+  static constexpr int size = joint_count<S>;
+  Stored<Word> values[size * (size + 1) / 2];
+
+  static constexpr int exponent(int i, int j) { return detail::mass_matrix_format<S, Word>.of[i][j]; }
+  AXIAL_INLINE constexpr Stored<Word>& operator()(int i, int j) { return values[at(i, j)]; }
+  AXIAL_INLINE constexpr const Stored<Word>& operator()(int i, int j) const { return values[at(i, j)]; }
+  template <class I, class J, class V>
+  AXIAL_INLINE constexpr void set(I, J, const V& value) {
+    if constexpr (!is_zero_v<V>) values[at(I::value, J::value)] = {round_to<exponent(I::value, J::value)>(value).raw};
+  }
+
+ private:
+  AXIAL_INLINE static constexpr int at(int i, int j) { return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i; }
+};
+/// Of a scene: in fixed point its formats follow from what the scene puts on the robot.
+template <class S, class T>
+using MassMatrixOf = MassMatrix<std::conditional_t<is_stored_v<T>, S, robot_of<S>>, T>;
+
 namespace crba {
 
 /// A composite body beyond its joint (turned and shifted by it, which leaves what it is about the joint's own axis),
@@ -81,7 +124,7 @@ AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, cons
       auto link = links.link(j);
       auto at_parent = to_parent(link.x(), force, link.outer());
       links.link(Index<parent>{}).on_joint([&](auto joint) AXIAL_INLINE {
-        m.set(i, parent, along_joint(joint, at_parent));
+        m.set(i, Index<parent>{}, along_joint(joint, at_parent));
       });
       climb(links, screws, to_parent(screws[Index<parent>{}], at_parent, links.link(Index<parent>{})), i,
             Index<parent>{}, m);
@@ -127,7 +170,7 @@ AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const S
 }
 template <class Links, class Input, class Q, class Matrix>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Matrix& m) {
-  entries(links, in, joint_screws(links, in, q), m);
+  entries(links, in, joint_screws(links, in, read(links, q)), m);
 }
 
 }  // namespace crba
@@ -136,9 +179,9 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
 /// Source: composite rigid bodies (Walker and Orin 1982) with the spatial-inertia congruence of McMillan and Orin 1995,
 /// Table II; underwater with added mass, as 6x6 inertias (Table II, symmetric 6x6). In: q (rad or m). Out: M(i, j).
 template <class S, class T>
-constexpr MassMatrix<robot_of<S>, T> mass_matrix(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
-  MassMatrix<robot_of<S>, T> m{};
-  crba::run(links_of<S, T, BaseParameters>(), in, q, m);
+constexpr MassMatrixOf<S, T> mass_matrix(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+  MassMatrixOf<S, T> m{};
+  crba::run(links_of<S, T, BaseParameters, recursion::CompositeBodies>(), in, q, m);
   return m;
 }
 template <int N, class... F, class T, class M = Model<N, F...>>

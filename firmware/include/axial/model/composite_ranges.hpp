@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/model/ranges.hpp>
+#include <axial/model/split_ball.hpp>
 
 namespace axial {
 
@@ -58,31 +59,116 @@ constexpr void set_inertia_formats(const Mechanism<N>& m, const CompositeRanges<
   }
 }
 
-/// Ranges of the mass matrix by composite bodies: Moment and Force are those of a unit acceleration, on their way to
-/// the base.
+namespace detail {
+
+/// The recursion of dynamics/mass_matrix.hpp on Balls: composite bodies towards the base, then each joint's unit force
+/// on its way there. Moment and Force are those of unit accelerations.
+template <int N>
+class CompositeBodyAnalysis {
+ public:
+  constexpr CompositeBodyAnalysis(const Mechanism<N>& mechanism, const Rounding& rounding)
+      : m_(mechanism), r_(rounding), bodies_(composite_ranges(mechanism)) {
+    set_inertia_formats(m_, bodies_, r_, all_);
+    for (int i = 0; i < N; ++i)  // of regrouped parameters two diagonal entries may have opposite signs
+      all_.format[i].rotational_inertia = r_.exponent(2.0 * bodies_.behind[i].inertia);
+    for (int i = N; i-- > 0;)
+      reach(i);
+    for (int i = 0; i < N; ++i)
+      all_.format[i].force = r_.exponent(all_.range[i].force.size),
+      all_.format[i].moment = r_.exponent(all_.range[i].moment.size);
+    for (int i = N; i-- > 0;)
+      gather(i);
+    for (int i = 0; i < N; ++i)
+      climb(i);
+  }
+  constexpr const Ranges<N>& ranges() const { return all_; }
+
+ private:
+  struct Force {
+    Ball moment{}, force{};
+  };
+  const Mechanism<N>& m_;
+  const Rounding& r_;
+  CompositeRanges<N> bodies_;
+  Ranges<N> all_{};
+  Ball first_[N] = {}, inertia_[N] = {};  // of what a link carries, in its frame; `turned_` behind its joint
+  Ball turned_first_[N] = {}, turned_inertia_[N] = {};
+
+  static constexpr double larger_of(double a, double b) { return a > b ? a : b; }
+  constexpr double arm(int i) const { return magnitude(m_.links[i].a) + magnitude(m_.links[i].branch.b); }
+
+  // Sizes of unit forces that come by link i, its own among them.
+  constexpr void reach(int i) {
+    const CompositeRange& b = bodies_.behind[i];
+    double &moment = all_.range[i].moment.size, &force = all_.range[i].force.size;
+    force = larger_of(force, m_.links[i].prismatic ? b.mass : b.moment);
+    moment = larger_of(moment, m_.links[i].prismatic ? b.moment : b.inertia) + m_.joints[i].travel * force;
+    const int p = m_.parent(i);
+    if (p < 0) return;
+    all_.range[p].force.size = larger_of(all_.range[p].force.size, force);
+    all_.range[p].moment.size = larger_of(all_.range[p].moment.size, moment + arm(i) * force);
+  }
+
+  constexpr double turn_error(int i) const { return m_.links[i].prismatic ? 0.0 : r_.turn_error; }
+  // A body through one screw at the formats f: a turn by the double angle, and a shift.
+  constexpr void screw(Ball& first, Ball& inertia, double mass, double tilt, double shift, const LinkFormat& f) const {
+    const double step =
+        root3 * (r_.products(2, r_.bits - 2, f.first_moment, f.first_moment) + 2.0 * r_.store(f.first_moment));
+    const double entry = r_.products(2, r_.bits - 2, f.rotational_inertia, f.rotational_inertia) +
+                         r_.products(2, f.first_moment, f.length, f.rotational_inertia) +
+                         2.0 * r_.store(f.rotational_inertia);
+    const double angle = 4.0 * tilt + 4.0 * r_.store(r_.bits - 2);
+    first.error += root2 * tilt * first.reach() + step;
+    inertia.error += 2.0 * angle * inertia.reach() + 2.0 * shift * first.error + 6.0 * entry;
+    first.size += shift * mass, inertia.size += shift * (2.0 * first.size + shift * mass);
+  }
+  constexpr void gather(int i) {
+    const auto& c = m_.links[i];
+    const LinkFormat& own = all_.format[i];
+    first_[i].size = bodies_.own[i].moment, inertia_[i].size = bodies_.own[i].inertia;
+    first_[i].error += root3 * r_.store(own.first_moment), inertia_[i].error += 3.0 * r_.store(own.rotational_inertia);
+    turned_first_[i] = first_[i], turned_inertia_[i] = inertia_[i];
+    screw(turned_first_[i], turned_inertia_[i], bodies_.own[i].mass, turn_error(i), m_.joints[i].travel, own);
+    all_.range[i].rotational_inertia = inertia_[i], all_.range[i].first_moment = first_[i];
+    const int p = m_.parent(i);
+    if (p < 0) return;
+    Ball first = turned_first_[i], inertia = turned_inertia_[i];
+    screw(first, inertia, bodies_.own[i].mass, 0.0, magnitude(c.a), all_.format[p]);
+    if (c.branch.b < 0.0 || c.branch.b > 0.0 || c.branch.sin_gamma < 0.0 || c.branch.sin_gamma > 0.0)
+      screw(first, inertia, bodies_.own[i].mass, 0.0, magnitude(c.branch.b), all_.format[p]);
+    first_[p].error += first.error, inertia_[p].error += inertia.error;
+  }
+  // Errors of row i of the matrix: the largest is kept with the joint.
+  constexpr void climb(int i) {
+    const bool slides = m_.links[i].prismatic;
+    Force f{slides ? turned_first_[i] : turned_inertia_[i], slides ? Ball{bodies_.own[i].mass, 0.0} : turned_first_[i]};
+    Ball& entry = all_.range[i].joint_inertia;
+    entry.error = (slides ? f.force : f.moment).error + 2.0 * r_.store(all_.format[i].joint_inertia);
+    for (int k = i; m_.parent(k) >= 0; k = m_.parent(k)) {
+      const int p = m_.parent(k);
+      if (k != i) carry(f, turn_error(k), m_.joints[k].travel, all_.format[k]);
+      carry(f, 0.0, arm(k), all_.format[p]);
+      const double error = (m_.links[p].prismatic ? f.force : f.moment).error;
+      entry.error = larger_of(entry.error, error + r_.store(all_.format[p].moment));
+    }
+  }
+  constexpr void carry(Force& f, double tilt, double shift, const LinkFormat& to) const {
+    const double force = r_.products(2, r_.bits - 2, to.force, to.force) + r_.store(to.force);
+    const double moment = r_.products(2, r_.bits - 2, to.moment, to.moment) +
+                          r_.products(2, to.force, to.length, to.moment) + r_.store(to.moment);
+    f.moment.error += root2 * tilt * f.moment.reach() + shift * f.force.error + root3 * moment;
+    f.force.error += root2 * tilt * f.force.reach() + root3 * force;
+    f.moment.size += shift * f.force.size;
+  }
+};
+
+}  // namespace detail
+
+/// Ranges and errors of the mass matrix by composite bodies: joint_inertia of joint i bounds what is on and before the
+/// diagonal in row i.
 template <int N>
 constexpr Ranges<N> composite_body_ranges(const Mechanism<N>& m, const Rounding& r) {
-  Ranges<N> all;
-  const CompositeRanges<N> bodies = composite_ranges(m);
-  set_inertia_formats(m, bodies, r, all);
-  for (int i = N; i-- > 0;) {
-    const CompositeRange& b = bodies.behind[i];
-    double& moment = all.range[i].moment.size;
-    double& force = all.range[i].force.size;
-    const double own_force = m.links[i].prismatic ? b.mass : b.moment;
-    const double own_moment = m.links[i].prismatic ? b.moment : b.inertia;
-    force = own_force > force ? own_force : force;
-    moment = own_moment > moment ? own_moment : moment;
-    moment += m.joints[i].travel * force;
-    all.format[i].force = r.exponent(force), all.format[i].moment = r.exponent(moment);
-    const int p = m.parent(i);
-    if (p < 0) continue;
-    const double arm = magnitude(m.links[i].a) + magnitude(m.links[i].branch.b);
-    const double sent = moment + arm * force;
-    all.range[p].force.size = force > all.range[p].force.size ? force : all.range[p].force.size;
-    all.range[p].moment.size = sent > all.range[p].moment.size ? sent : all.range[p].moment.size;
-  }
-  return all;
+  return detail::CompositeBodyAnalysis<N>(m, r).ranges();
 }
 
 }  // namespace axial

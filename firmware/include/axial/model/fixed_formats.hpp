@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/model/fixed_joints.hpp>
+#include <axial/model/kinematics_ranges.hpp>
 #include <axial/scalar/fixed_divide.hpp>
 #include <axial/spatial/inertia.hpp>
 
@@ -49,6 +50,11 @@ constexpr auto analysed(recursion::ArticulatedBodies) {
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::ArticulatedBodiesAtRest) {
   return articulated_at_rest_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>());
+}
+
+template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::Kinematics) {
+  return kinematics_ranges(mechanism_of<Scene, Parameters>, rounding_of<S>());
 }
 
 /// Ranges of a scene's recursion in an arithmetic.

@@ -3,6 +3,7 @@
 
 #include <axial/model/fixed_formats.hpp>
 #include <axial/model/fixed_inputs.hpp>
+#include <axial/spatial/pose.hpp>
 
 namespace axial {
 
@@ -36,6 +37,46 @@ AXIAL_INLINE constexpr void write(const Links&, Values& values, I i, const X& x)
       values.values[I::value] = {Result(x).raw};
     else
       values.values[I::value] = {round_to<Result::exponent>(x).raw};
+  }
+}
+
+namespace detail {
+
+template <int E, class S, class X>
+AXIAL_INLINE constexpr auto stored_at(const X& x) {
+  if constexpr (IsVec3<X>::value)
+    return Vec3{stored_at<E, S>(x.x), stored_at<E, S>(x.y), stored_at<E, S>(x.z)};
+  else if constexpr (is_structural_v<X>)
+    return Stored<typename S::Word>{Fx<E, S>(x).raw};
+  else
+    return Stored<typename S::Word>{round_to<E>(x).raw};
+}
+
+}  // namespace detail
+
+/// A pose and a motion of kinematics as results hold them: plain numbers, or words with the exponents
+/// `direction_exponent` and `length_exponent`.
+template <class Links, class R, class P>
+AXIAL_INLINE constexpr auto stored(const Links& links, const Pose<R, P>& pose) {
+  using S = typename Links::Scalar;
+  if constexpr (is_number_v<S>) {
+    return pose.template dense<S>();
+  } else {
+    constexpr int length = decltype(links.link(Index<0>{}))::format.length;
+    const auto& r = pose.rotation;
+    return Pose{Mat3{detail::stored_at<S::unit, S>(r.x), detail::stored_at<S::unit, S>(r.y),
+                     detail::stored_at<S::unit, S>(r.z)},
+                detail::stored_at<length, S>(pose.position)};
+  }
+}
+template <class Links, class W, class V>
+AXIAL_INLINE constexpr auto stored(const Links& links, const MotionVector<W, V>& motion) {
+  using S = typename Links::Scalar;
+  if constexpr (is_number_v<S>) {
+    return motion.template dense<S>();
+  } else {
+    constexpr int length = decltype(links.link(Index<0>{}))::format.length;
+    return MotionVector{detail::stored_at<S::unit, S>(motion.angular), detail::stored_at<length, S>(motion.linear)};
   }
 }
 

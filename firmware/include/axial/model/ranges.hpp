@@ -18,6 +18,7 @@ struct LoadRange {
   double gravity_across = 0.0, gravity_along = 0.0;  ///< m/s^2, across and along z of frame 0
   double payload_mass = 0.0, payload_moment = 0.0, payload_inertia = 0.0;
   double tip_force = 0.0, tip_moment = 0.0;
+  double base_offset = 0.0, tool_offset = 0.0;  ///< m, of frame 0 in the world and of the tool on the last link
   bool rotors = false, friction = false, springs = false;
 };
 
@@ -26,7 +27,7 @@ struct LinkRange {
   Ball angular_velocity{}, angular_acceleration{}, linear_acceleration{};
   Ball moment{}, force{};
   Ball rotational_inertia{}, first_moment{}, mass{};
-  Ball joint_inertia{}, angular_gain{}, linear_gain{}, joint_effort{}, joint_acceleration{}, length{};
+  Ball joint_inertia{}, angular_gain{}, linear_gain{}, joint_effort{}, joint_acceleration{}, length{}, rotation{};
   double drive = 0.0;  ///< effort that drives a joint besides the bias, at most
   double share = 0.0;  ///< of a joint in qdd^T M qdd, at most
 };
@@ -108,6 +109,8 @@ constexpr LoadRange load_range() {
   if (Scene::template has<RuntimeGravity>) loads.gravity_across = loads.gravity_along = length_of(g.x, g.y, g.z);
   loads.rotors = Scene::template has<RotorInertia>;
   loads.friction = Scene::template has<Friction>;
+  const auto &base = Robot::chain.base.pose.position, &tool = Robot::chain.tool.pose.position;
+  loads.base_offset = length_of(base[0], base[1], base[2]), loads.tool_offset = length_of(tool[0], tool[1], tool[2]);
   loads.springs = Scene::template has<JointSprings>;
   if constexpr (Scene::template has<Payload>) {
     constexpr PayloadLimit most = Robot::chain.payload_limit;

@@ -269,6 +269,10 @@ namespace detail {
 // The format of what was turned, behind a product with a sine or cosine.
 template <class X>
 struct TurnedFormat;
+template <int E, class S>
+struct TurnedFormat<Fx<E, S>> {
+  static constexpr int exponent = E;
+};
 template <std::uint64_t B, int F, class S, bool n>
 struct TurnedFormat<Product<Literal<B, S>, Fx<F, S>, n>> {
   static constexpr int exponent = F;
