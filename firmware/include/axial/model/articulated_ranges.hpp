@@ -186,12 +186,6 @@ constexpr double excess_of_drive(const Mechanism<N>& m, const Ranges<N>& newton_
 
 }  // namespace detail
 
-/// Ranges of the split form: the structure at rest under tau - bias.
-template <int N>
-constexpr Ranges<N> articulated_at_rest_ranges(const Mechanism<N>& m, const Rounding& r) {
-  const Ranges<N> motion = newton_euler_ranges(m, r);
-  return detail::ArticulatedAnalysis<N>(m, r, detail::given_efforts(m, motion, false).all, nullptr).ranges();
-}
 /// Ranges of the classical form: the bias travels with the efforts.
 template <int N>
 constexpr Ranges<N> articulated_ranges(const Mechanism<N>& m, const Rounding& r) {

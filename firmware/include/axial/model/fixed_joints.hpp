@@ -1,7 +1,7 @@
 // Joint values in fixed point: integers, and the exponents that the robot's declared limits give them.
 #pragma once
 
-#include <axial/model/articulated_ranges.hpp>
+#include <axial/model/forward_error.hpp>
 #include <axial/model/joints.hpp>
 
 namespace axial {

@@ -71,6 +71,7 @@ class NewtonEulerAnalysis {
     rotate(i, parent, p);
     accelerate(i, parent, p);
     LinkRange& own = all_.range[i];
+    own.turns_across = spin_[i].w.across.size > 0.0;
     own.angular_velocity = spin_[i].w.whole, own.angular_acceleration = spin_[i].strength();
     own.linear_acceleration = a_[i].whole;
   }

@@ -28,8 +28,9 @@ struct LinkRange {
   Ball moment{}, force{};
   Ball rotational_inertia{}, first_moment{}, mass{};
   Ball joint_inertia{}, angular_gain{}, linear_gain{}, joint_effort{}, joint_acceleration{}, length{}, rotation{};
-  double drive = 0.0;  ///< effort that drives a joint besides the bias, at most
-  double share = 0.0;  ///< of a joint in qdd^T M qdd, at most
+  bool turns_across = false;  ///< whether the link turns about more than its joint's axis
+  double drive = 0.0;         ///< effort that drives a joint besides the bias, at most
+  double share = 0.0;         ///< of a joint in qdd^T M qdd, at most
 };
 
 /// Exponents of the quantities of one link.
