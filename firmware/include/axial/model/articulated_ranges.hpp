@@ -174,10 +174,23 @@ constexpr GivenEfforts<N> given_efforts(const Mechanism<N>& m, const Ranges<N>& 
   return given;
 }
 
+/// What drives the joints without halvings: the declared efforts and as much again as gravity needs.
+template <int N>
+constexpr GivenEfforts<N> usual_drive(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& newton_euler) {
+  Mechanism<N> still = m;
+  for (JointRange& joint : still.joints)
+    joint.speed = joint.acceleration = 0.0;
+  const Ranges<N> rest = newton_euler_ranges(still, r);
+  GivenEfforts<N> drive = given_efforts(m, newton_euler, false);
+  for (int i = 0; i < N; ++i)
+    drive.all[i] += rest.range[i].joint_effort.size;
+  return drive;
+}
+
 /// How far efforts within the declared ones and the bias can drive the joints beyond what formats are made for.
 template <int N>
-constexpr double excess_of_drive(const Mechanism<N>& m, const Ranges<N>& newton_euler) {
-  const GivenEfforts<N> alone = given_efforts(m, newton_euler, false), all = given_efforts(m, newton_euler, true);
+constexpr double excess_of_drive(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& newton_euler) {
+  const GivenEfforts<N> alone = usual_drive(m, r, newton_euler), all = given_efforts(m, newton_euler, true);
   double excess = 1.0;
   for (int i = 0; i < N; ++i)
     excess = all.all[i] > excess * alone.all[i] ? all.all[i] / alone.all[i] : excess;

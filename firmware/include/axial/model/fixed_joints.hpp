@@ -60,7 +60,7 @@ constexpr auto role_exponents() {
   if constexpr (std::is_same_v<Role, role::FreeAcceleration>) {
     constexpr const auto& mechanism = mechanism_of<scene_of<S>, FullParameters>;
     const auto free = articulated_at_rest_ranges(mechanism, rounding);
-    const double excess = excess_of_drive(mechanism, efforts);
+    const double excess = excess_of_drive(mechanism, rounding, efforts);
     for (int i = 0; i < size; ++i)
       table.of[i] = rounding.exponent(excess * free.range[i].joint_acceleration.size);
   }

@@ -157,7 +157,7 @@ template <int N>
 constexpr void certify_forward(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& motion, Ranges<N>& ranges) {
   const detail::ForwardErrorAnalysis<N> errors(m, r, ranges, motion);
   double doublings = 1.0;
-  while (doublings < detail::excess_of_drive(m, motion))
+  while (doublings < detail::excess_of_drive(m, r, motion))
     doublings *= 2.0;
   for (int i = 0; i < N; ++i)
     ranges.range[i].joint_acceleration.error = doublings * errors.of(i);
@@ -167,7 +167,7 @@ constexpr void certify_forward(const Mechanism<N>& m, const Rounding& r, const R
 template <int N>
 constexpr Ranges<N> articulated_at_rest_ranges(const Mechanism<N>& m, const Rounding& r) {
   const Ranges<N> motion = newton_euler_ranges(m, r);
-  const auto given = detail::given_efforts(m, motion, false);
+  const auto given = detail::usual_drive(m, r, motion);
   Ranges<N> ranges = detail::ArticulatedAnalysis<N>(m, r, given.all, nullptr).ranges();
   certify_forward(m, r, motion, ranges);
   return ranges;
