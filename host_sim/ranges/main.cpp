@@ -1,0 +1,79 @@
+// Prints the bounds, formats and certified errors of fixed point.
+#include <host_sim/output/files.hpp>
+#include <host_sim/output/table.hpp>
+#include <host_sim/ranges/rows.hpp>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+using host_sim::significant;
+using ranges::Choice;
+using ranges::Row;
+
+void print(const std::string& robot, const Choice& choice, const std::vector<Row>& rows) {
+  std::printf("%s, %s: %d bits, rounded %s, %s; |quantity| <= bound, kept as an integer times 2^-exponent\n",
+              robot.c_str(), choice.algorithm.c_str(), choice.word, choice.nearest ? "to nearest" : "down",
+              choice.high_word ? "upper words of products" : "exact products");
+  host_sim::Table table({"link", "quantity", "bound", "unit", "exponent", "resolution", "certified error"});
+  for (const Row& row : rows)
+    table.add({std::to_string(row.link), row.quantity, significant(row.bound, 4), row.unit,
+               std::to_string(row.exponent), significant(row.resolution()), row.error ? significant(*row.error) : ""});
+  std::fputs((table.text() + "\n").c_str(), stdout);
+}
+
+nlohmann::ordered_json object(const Row& row, const Choice& choice) {
+  return {{"robot", row.robot},
+          {"algorithm", choice.algorithm},
+          {"word", choice.word},
+          {"rounding", choice.nearest ? "nearest" : "down"},
+          {"multiply", choice.high_word ? "high_word" : "exact"},
+          {"link", row.link},
+          {"quantity", row.quantity},
+          {"unit", row.unit},
+          {"bound", row.bound},
+          {"exponent", row.exponent},
+          {"error", row.error ? nlohmann::ordered_json(*row.error) : nlohmann::ordered_json()}};
+}
+
+void run(const std::string& robot, const Choice& choice, const std::string& json) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const std::string& name : robot.empty() ? ranges::robots() : std::vector<std::string>{robot}) {
+    const auto rows = ranges::rows(name, choice);
+    print(name, choice, rows);
+    for (const Row& row : rows)
+      all.push_back(object(row, choice));
+  }
+  if (!json.empty()) host_sim::write_json(json, all);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("bounds, formats and certified errors of fixed point");
+  Choice choice;
+  std::string robot, json, rounding = "nearest", multiply = "exact";
+  app.add_option("--robot", robot);
+  app.add_option("--algorithm", choice.algorithm);
+  app.add_option("--word", choice.word)->check(CLI::IsMember({16, 32}));
+  app.add_option("--rounding", rounding)->check(CLI::IsMember({"nearest", "down"}));
+  app.add_option("--multiply", multiply)->check(CLI::IsMember({"exact", "high_word"}));
+  app.add_option("--json", json);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  choice.nearest = rounding == "nearest", choice.high_word = multiply == "high_word";
+  try {
+    run(robot, choice, json);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ranges: %s\n", error.what());
+    return 1;
+  }
+}
