@@ -30,7 +30,7 @@ class Costs:
         self.operations = {(row["robot"], row["algorithm"]): row for row in counts
                            if row["parameters"] == "base"}
         self.instructions = {(row["robot"], row["algorithm"], row["board"]): row["instructions"] for row in sizes
-                             if (row["scene"], row["variant"], row["contract"]) == ("bare", "unrolled", "off")}
+                             if (row["scene"], row["scalar"], row["variant"], row["contract"]) == ("bare", "float", "unrolled", "off")}
 
     def of(self, robot, algorithms, unit):
         """None where an algorithm was not measured."""

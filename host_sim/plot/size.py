@@ -20,7 +20,7 @@ SCENES = ["bare", "without_gravity", "without_rotors", "friction", "payload", "t
 
 def main(json_file):
     with open(json_file, encoding="utf-8") as file:
-        rows = [row for row in json.load(file) if row["contract"] == "off"]
+        rows = [row for row in json.load(file) if (row["scalar"], row["contract"]) == ("float", "off")]
     boards, robots = unique(row["board"] for row in rows), unique(row["robot"] for row in rows)
     style.use()
     figure, grid = plt.subplots(2, len(boards), figsize=(max(4.5 * len(boards), 6), 8.4), squeeze=False,

@@ -100,8 +100,8 @@ def everything(data):
     return markdown(header, rows)
 
 
-def size_rows(data, **wanted):
-    return [row for row in data.size if all(row[name] == value for name, value in wanted.items())]
+def size_rows(data, scalar="float", **wanted):
+    return [row for row in data.size if row["scalar"] == scalar and all(row[name] == value for name, value in wanted.items())]
 
 
 def size_of(data, board, contract="off"):
@@ -117,6 +117,16 @@ def size_of(data, board, contract="off"):
                  for each in (row, compact[0] if compact else None)]
         rows.append([f"{row['robot']}, {row['algorithm'].replace('_', ' ')}"] + cells)
     return markdown(header, rows)
+
+
+def size_fixed(data):
+    """Everything in fixed point; boards beside each other."""
+    rows = [row for row in data.size if row["scalar"].startswith("fixed")]
+    header = ["robot, algorithm, numbers", "board", "instructions", "cycles", "flash", "RAM", "stack"]
+    figures = ("instructions", "cycles_estimated", "flash_bytes", "ram_bytes", "stack_bytes")
+    name = lambda row: f"{row['robot']}, {row['algorithm'].replace('_', ' ')}, {row['scalar'].replace('_', ' ')}"
+    return markdown(header, [[name(row), row["board"]] + [grouped(row[figure]) for figure in figures]
+                             for row in sorted(rows, key=lambda row: (name(row), row["board"]))])
 
 
 def size_scenes(data):
@@ -191,7 +201,7 @@ def flag_cell(number):
 
 
 TABLES = {"size_flags": size_flags,
-          "size_provenance": size_provenance, "size_scenes": size_scenes, "size_contract": size_contract,
+          "size_provenance": size_provenance, "size_scenes": size_scenes, "size_fixed": size_fixed, "size_contract": size_contract,
           "size_stm32f405": lambda data: size_of(data, "stm32f405"),
           "size_mps2_an500": lambda data: size_of(data, "mps2_an500", "fast"),
           "size_stm32f100": lambda data: size_of(data, "stm32f100"),

@@ -26,10 +26,20 @@ class Probe(NamedTuple):
     algorithm: str
     variant: str
     contract: str
+    scalar: str = "float"
 
     @property
     def name(self):
-        return "-".join(self[1:])
+        return "-".join(self[1:6]) + suffix(self.scalar)
+
+    @property
+    def empty(self):
+        """The same harness without a kernel: one for all systems of the same words."""
+        return f"empty-{self.robot}" + suffix(self.scalar.split("_")[0])
+
+
+def suffix(scalar):
+    return "" if scalar == "float" else "-" + scalar
 
 
 def boards():
@@ -63,7 +73,7 @@ class Figures:
     def __init__(self, board, probe):
         self.board, self.probe = board, probe
         self.image = Image(path_of(board, probe.name))
-        self.empty = Image(path_of(board, "empty-" + probe.robot))
+        self.empty = Image(path_of(board, probe.empty))
         self.entry = self.image.functions[KERNEL]
         self.depths = stack_depth(self.image)
         self.stack_bytes = self.depths.of(self.entry)
@@ -74,7 +84,7 @@ class Figures:
         low, high = min(self.counts), max(self.counts)
         varying = {} if low == high else {"instructions_min": low, "instructions_max": high}
         return {"board": self.board, "robot": self.probe.robot, "scene": self.probe.scene,
-                "algorithm": self.probe.algorithm, "scalar": "float", "variant": self.probe.variant,
+                "algorithm": self.probe.algorithm, "scalar": self.probe.scalar, "variant": self.probe.variant,
                 "contract": self.probe.contract, "instructions": high, **varying, "cycles_estimated": self.cycles,
                 "flash_bytes": self.image.flash - self.empty.flash, "ram_bytes": self.image.ram - self.empty.ram,
                 "stack_bytes": self.stack_bytes}

@@ -5,7 +5,8 @@ usage: size.py boards [choice]      prints the chosen boards
        size.py measure [choice] [--output FOLDER] [--json FILE]
        size.py budgets FILE         writes budgets from measurements, a little above them
        size.py provenance FILE      writes compiler, flags and commit
-choice: [--quick] [--robot NAME] [--board NAME] [--scene NAME] [--algorithm NAME]
+choice: [--quick] [--robot NAME] [--board NAME] [--scene NAME] [--algorithm NAME] [--scalar NAME]
+        [--variant NAME] [--contract NAME]
 """
 
 import argparse
@@ -25,7 +26,7 @@ import stack
 
 ALLOWANCE, STEP = 1.02, {"stack_bytes": 8}  # of a budget over what was measured: a share, at least a step
 BUDGETED = ("instructions", "flash_bytes", "stack_bytes")
-CHOICES = ("robot", "scene", "algorithm")
+CHOICES = ("robot", "scene", "algorithm", "scalar", "variant", "contract")
 SHOWN = ("instructions", "cycles_estimated", "flash_bytes", "ram_bytes", "stack_bytes")
 FIELDS = ("board", "robot", "scene", "algorithm", "scalar", "variant", "contract", "instructions", "instructions_min",
           "instructions_max", *SHOWN[1:])
@@ -72,8 +73,8 @@ def some_work_of(options):
 
 
 def print_table(rows):
-    header = ["board", "robot", "scene", "algorithm", "variant", "contract", *SHOWN]
-    print_columns([header] + [[str(row[name]) for name in header] for row in rows], 6)
+    header = ["board", "robot", "scene", "algorithm", "scalar", "variant", "contract", *SHOWN]
+    print_columns([header] + [[str(row[name]) for name in header] for row in rows], 7)
 
 
 def print_columns(cells, words):

@@ -33,7 +33,7 @@ compare_py() {
   "$program/counts/counts" --without-errors >"$folder/counts.json"
   for algorithm in inverse_dynamics separation separated_torque closed_form; do
     for board in stm32f405 nrf51; do
-      "$AXIAL_ROOT/axial" size --board "$board" --scene bare --algorithm "$algorithm" --output "$folder/size" \
+      "$AXIAL_ROOT/axial" size --board "$board" --scene bare --algorithm "$algorithm" --scalar float --output "$folder/size" \
         --json "$folder/sizes/$board-$algorithm.json" >/dev/null
     done
   done

@@ -29,9 +29,9 @@ using sine_cosines = Scene<Robot, Gravity, RotorInertia, SineCosines, Tags...>;
 }  // namespace scenes
 
 /// The scene's run-time inputs, taken from the argument.
-template <class S>
-constexpr Inputs<S, float> inputs_of(const Argument<robot_of<S>>& a) {
-  Inputs<S, float> in{};
+template <class S, class T>
+constexpr Inputs<S, T> inputs_of(const Argument<robot_of<S>, T>& a) {
+  Inputs<S, T> in{};
   if constexpr (S::template has<Payload>) in.payload = a.payload;
   if constexpr (S::template has<TipWrench>) in.tip_wrench = a.tip_wrench;
   if constexpr (S::template has<ExternalWrenches>) in.wrenches = a.wrenches;
@@ -90,7 +90,10 @@ struct mass_matrix {
 struct forward_dynamics {
   template <class S, class A>
   static auto run(const A& a) {
-    return axial::forward_dynamics<S>(a.q, a.qd, a.tau, inputs_of<S>(a));
+    using Number = typename A::Number;
+    // The integers of the bare robot's efforts stand for the scene's.
+    return axial::forward_dynamics<S, Number>(a.q, a.qd, reinterpret_cast<const EffortsOf<S, Number>&>(a.tau),
+                                              inputs_of<S>(a));
   }
 };
 
@@ -136,8 +139,9 @@ struct separated_torque {
   /// Whatever numbers stand in the inputs: they cost what others would.
   template <class S, class A>
   static const auto& terms(const A& a) {
-    static_assert(sizeof(Separated<S, float>) <= sizeof a.terms);
-    return *reinterpret_cast<const Separated<S, float>*>(a.terms);
+    using Terms = Separated<S, typename A::Number>;
+    static_assert(sizeof(Terms) <= sizeof a.terms);
+    return *reinterpret_cast<const Terms*>(a.terms);
   }
 };
 
@@ -159,7 +163,7 @@ struct closed_form {
 struct feedforward {
   template <class S, class A>
   static auto run(const A& a) {
-    static FeedforwardState<S, float> state{};
+    static FeedforwardState<S, typename A::Number> state{};
     return axial::feedforward<S>(state, a.q, a.qd, a.qdd, inputs_of<S>(a));
   }
 };

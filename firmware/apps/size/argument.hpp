@@ -9,9 +9,23 @@
 
 namespace axial::apps::size {
 
-template <class Robot>
+/// In numbers T: the values of joints, and room for the mass matrix of eight joints.
+template <class Robot, class T>
 struct Argument {
-  // Room for separated terms where a board has it, else for the mass matrix of eight joints.
+  using Number = T;
+  static constexpr std::size_t largest_result = 64 * sizeof(T);
+
+  Positions<Robot, T> q;
+  Velocities<Robot, T> qd;
+  Accelerations<Robot, T> qdd;
+  Efforts<Robot, T> tau;
+  alignas(8) std::byte result[largest_result];
+};
+
+/// In float: with the inputs of every scene, and room for separated terms where a board has it.
+template <class Robot>
+struct Argument<Robot, float> {
+  using Number = float;
   static constexpr bool roomy = hal::Board::ram_bytes >= 16 * 1024;
   static constexpr std::size_t terms_bytes = roomy ? sizeof(Separated<Robot, float>) : 4;
   static constexpr std::size_t largest_result = roomy ? terms_bytes : 64 * sizeof(float);

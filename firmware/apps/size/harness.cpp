@@ -1,5 +1,6 @@
 /// The part that all probes of a robot share: runs the kernel on seeded states and prints the count of each. It
-/// computes nothing at run time, so that whatever arithmetic a probe links (soft float above all) is the kernel's.
+/// computes nothing at run time, so that whatever arithmetic a probe links (soft float above all) is the kernel's. One
+/// for each type of numbers.
 
 #include <board.hpp>
 #include <robot.hpp>
@@ -8,6 +9,7 @@
 
 #include <hal/text.hpp>
 
+#include "../number_systems.hpp"
 #include "../states.hpp"
 #include "argument.hpp"
 
@@ -21,14 +23,15 @@ using hal::Board;
 constexpr int states = 8;
 constexpr std::uint32_t seed = 0x20240920;
 
-constexpr Argument<Robot> next_argument(Random& random) {
-  const auto state = next_state<Robot, float>(random);
+using Number = number_systems::AXIAL_PROBE_NUMBERS::Number;
+using Given = Argument<Robot, Number>;
+
+/// What scenes need beyond the bare robot, which only probes in float have.
+template <class T>
+constexpr void add_loads(Argument<Robot, T>&, Random&) {}
+constexpr void add_loads(Argument<Robot, float>& a, Random& random) {
   const auto any = [&] { return 0.5f * random.symmetric(); };
   const auto positive = [&] { return 1.0f + any(); };
-  Argument<Robot> a{};
-  a.q = state.q, a.qd = state.qd, a.qdd = state.qdd;
-  for (int i = 0; i < joint_count<Robot>; ++i)
-    a.tau[i] = 20.0f * any();
   const auto near = [&] { return 0.25f * any(); };  // within every robot's declared payload
   a.payload = {
       positive(), {near(), near(), near()}, {0.02f, 0.02f, 0.02f, 0.02f * any(), 0.02f * any(), 0.02f * any()}};
@@ -40,19 +43,32 @@ constexpr Argument<Robot> next_argument(Random& random) {
     a.wrenches[i] = {vector(), vector()};
     a.turns[i] = sincos(a.q[i]);
   }
+}
+
+constexpr Given next_argument(Random& random) {
+  const auto state = next_state<Robot, float>(random);
+  Joints<Robot, float> tau{};
+  for (float& each : tau.values)
+    each = 10.0f * random.symmetric();
+  Given a{};
+  a.q = nearest_positions<Robot, Number>(state.q);
+  a.qd = nearest<Velocities<Robot, Number>>(state.qd);
+  a.qdd = nearest<Accelerations<Robot, Number>>(state.qdd);
+  a.tau = nearest<Efforts<Robot, Number>>(tau);
+  add_loads(a, random);
   return a;
 }
 
 constexpr auto make_arguments() {
   Random random(seed);
-  std::array<Argument<Robot>, states> all{};
+  std::array<Given, states> all{};
   for (auto& a : all)
     a = next_argument(random);
   return all;
 }
 
 constexpr auto arguments = make_arguments();
-Argument<Robot> argument{};
+Given argument{};
 
 void print(const char* head, std::uint32_t value) {
   Board::print(head);

@@ -4,14 +4,17 @@
 
 #include <new>
 
+#include "../number_systems.hpp"
 #include "algorithms.hpp"
 
 namespace axial::apps::size {
 namespace {
 
-using Chosen = scenes::AXIAL_PROBE_SCENE<Robot AXIAL_PROBE_TAGS>;
-using Result = decltype(algorithms::AXIAL_PROBE_ALGORITHM::run<Chosen>(std::declval<const Argument<Robot>&>()));
-static_assert(sizeof(Result) <= Argument<Robot>::largest_result, "make room for the result in argument.hpp");
+using System = number_systems::AXIAL_PROBE_NUMBERS;
+using Chosen = System::scene<scenes::AXIAL_PROBE_SCENE, Robot AXIAL_PROBE_TAGS>;
+using Given = Argument<Robot, System::Number>;
+using Result = decltype(algorithms::AXIAL_PROBE_ALGORITHM::run<Chosen>(std::declval<const Given&>()));
+static_assert(sizeof(Result) <= Given::largest_result, "make room for the result in argument.hpp");
 
 }  // namespace
 }  // namespace axial::apps::size
@@ -19,6 +22,6 @@ static_assert(sizeof(Result) <= Argument<Robot>::largest_result, "make room for 
 /// What is measured, from its first instruction to its return.
 extern "C" void axial_kernel(void* argument) {
   using namespace axial::apps::size;
-  auto& a = *static_cast<Argument<axial::apps::Robot>*>(argument);
+  auto& a = *static_cast<Given*>(argument);
   ::new (static_cast<void*>(a.result)) Result(algorithms::AXIAL_PROBE_ALGORITHM::run<Chosen>(a));
 }
