@@ -32,6 +32,7 @@ write_documents() {
   "$AXIAL_ROOT/axial" size --documents
   "$AXIAL_ROOT/axial" counts --documents
   "$AXIAL_ROOT/axial" compare --documents
+  "$AXIAL_ROOT/axial" numbers --documents
   "$AXIAL_ROOT/axial" exhaustive --documents
   local doc=$AXIAL_ROOT/doc board robot
   host_sim report --output "$doc/data"

@@ -1,0 +1,51 @@
+# shellcheck shell=bash
+# summary: sets fixed point against float and double: errors, instructions and bytes of a torque on every board
+
+usage() {
+  cat <<'END_OF_USAGE'
+usage: ./axial numbers [options]
+Installs and builds what is missing. Computes the same torques in 16-bit and 32-bit fixed point (rounded to nearest, rounded
+down, upper words of products), float and double, on the same seeded states: errors against quadruple precision on the host,
+instructions and bytes on every board in QEMU (doc/number_systems.md). Prints a table, writes CSV, JSON and a picture.
+  --output FOLDER     where the files go; default output/numbers
+  --json FILE         the rows once more, as an array of objects
+  --documents         alone: writes doc/data/number_systems*, doc/pictures/number_systems.* and the tables of doc/number_systems.md
+END_OF_USAGE
+}
+
+run() {
+  ensure_packages
+  if [[ ${1:-} == --documents ]]; then
+    (($# == 1)) || fail_usage "--documents stands alone; see ./axial numbers --help"
+    write_number_documents
+  else
+    numbers_py "$@"
+  fi
+}
+
+# Errors and sizes go to a folder of their own, which is what the table is made from.
+numbers_py() {
+  build host-release numbers
+  local program=$AXIAL_ROOT/build/host-release/host_sim/numbers/numbers folder algorithm board status=0
+  folder=$(mktemp -d)
+  mkdir "$folder/sizes"
+  "$program" >"$folder/errors.json"
+  for board in "${BOARDS[@]}"; do
+    for algorithm in inverse_dynamics closed_form; do
+      "$AXIAL_ROOT/axial" size --board "$board" --scene bare --algorithm "$algorithm" --variant unrolled --contract off \
+        --output "$folder/size" --json "$folder/sizes/$board-$algorithm.json" >/dev/null
+    done
+  done
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/numbers/numbers.py" "$folder/errors.json" "$folder/sizes" "$@" || status=$?
+  rm -r "$folder"
+  return "$status"
+}
+
+write_number_documents() {
+  local doc=$AXIAL_ROOT/doc
+  numbers_py --output "$doc/data" --provenance "$doc/data/number_systems_provenance.json" \
+    --cache "$AXIAL_ROOT/build/host-release/CMakeCache.txt"
+  mv "$doc"/data/number_systems.{png,svg} "$doc/pictures/"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/number_system_tables.py" "$doc/data" \
+    "$AXIAL_ROOT/tests/target/promised_instructions.json" "$doc/number_systems.md"
+}

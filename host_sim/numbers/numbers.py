@@ -1,0 +1,100 @@
+"""Number systems beside each other: errors on the host, costs on the boards; table, CSV, JSON, picture.
+
+usage: numbers.py ERRORS SIZES [--output FOLDER] [--json FILE] [--provenance FILE --cache FILE]
+
+ERRORS: JSON of the program `numbers`. SIZES: a folder of JSON files of ./axial size. Writes number_systems.json, .csv and
+a picture; with --provenance the commit, and the compilers and flags of the boards and of the host, whose are in CACHE.
+"""
+
+import argparse
+import csv
+import json
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "host_sim/size"))
+import size  # noqa: E402
+
+KEY = ("robot", "algorithm", "scalar")
+ERRORS = ("error", "error_rms", "error_certified")
+COSTS = ("instructions", "instructions_min", "cycles_estimated", "flash_bytes", "ram_bytes", "stack_bytes")
+FIELDS = (*KEY, "board", "states", *ERRORS, *COSTS)
+
+
+def load(path):
+    return json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
+
+
+def key(row):
+    return tuple(row[name] for name in KEY)
+
+
+def joined(errors, sizes):
+    """A row a robot, algorithm, number system and board."""
+    rows = []
+    for error in errors:
+        costs = [row for row in sizes if key(row) == key(error) and
+                 (row["scene"], row["variant"], row["contract"]) == ("bare", "unrolled", "off")]
+        if not costs:
+            raise ValueError(f"no board was measured for {' '.join(key(error))}")
+        for cost in costs:
+            both = {**error, **cost}
+            rows.append({name: both[name] for name in FIELDS if name in both})
+    return rows
+
+
+def cell(value):
+    return f"{value:.2e}" if isinstance(value, float) else str(value)
+
+
+def write_csv(path, rows):
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, FIELDS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def write_provenance(path, cache, boards):
+    entries = dict(line.split(":", 1) for line in pathlib.Path(cache).read_text(encoding="utf-8").splitlines() if ":" in line)
+    compiler, flags = (entries[name].split("=", 1)[1] for name in ("CMAKE_CXX_COMPILER", "CMAKE_CXX_FLAGS"))
+    version = subprocess.run([compiler, "--version"], check=True, capture_output=True, text=True).stdout.split("\n")[0]
+    made = size.provenance({board: size.cached(board, "CMAKE_CXX_FLAGS") for board in boards})
+    size.write_json(path, {**made, "host_compiler": version, "host_flags": f"{flags} -O0"})
+
+
+def parse():
+    parser = argparse.ArgumentParser(usage=__doc__)
+    for name in ("errors", "sizes"):
+        parser.add_argument(name)
+    parser.add_argument("--output", default=ROOT / "output/numbers")
+    for name in ("--json", "--provenance", "--cache"):
+        parser.add_argument(name)
+    return parser.parse_args()
+
+
+def main():
+    options = parse()
+    sizes = [row for file in sorted(pathlib.Path(options.sizes).glob("*.json")) for row in load(file)]
+    rows = joined(load(options.errors), sizes)
+    shown = [name for name in FIELDS if name not in ("states", "instructions_min", "ram_bytes")]
+    size.print_columns([shown] + [[cell(row.get(name, "")) for name in shown] for row in rows], len(KEY) + 1)
+    folder = pathlib.Path(options.output)
+    folder.mkdir(parents=True, exist_ok=True)
+    size.write_json(folder / "number_systems.json", rows)
+    write_csv(folder / "number_systems.csv", rows)
+    if options.json:
+        size.write_json(options.json, rows)
+    if options.provenance:
+        write_provenance(options.provenance, options.cache, dict.fromkeys(row["board"] for row in rows))
+    plot = ROOT / "host_sim/plot/number_systems.py"
+    subprocess.run([sys.executable, "-E", plot, folder / "number_systems.json"], check=True)
+    print(f"written: {folder}/number_systems.json, number_systems.csv, number_systems.png, number_systems.svg")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except (ValueError, FileNotFoundError) as error:
+        sys.exit(f"numbers: {error}")
