@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/axial.hpp>
+#include <axial/error_bound.hpp>
 #include <firmware/apps/number_systems.hpp>
 #include <firmware/apps/states.hpp>
 #include <host_sim/numbers/errors.hpp>
@@ -17,18 +18,14 @@ namespace numbers {
 using oracle::quad;
 using Vector = oracle::Vector<quad>;
 
-/// What is compared: a torque, and the ranges that prove its error in arithmetic A.
+/// What is compared: a torque, and what it is called where its error is certified.
 struct InverseDynamics {
   static constexpr const char* name = "inverse_dynamics";
   template <class S, class T, class Q, class V, class A>
   static auto torque(const Q& q, const V& qd, const A& qdd) {
     return axial::inverse_dynamics<S, T>(q, qd, qdd);
   }
-  template <class S, class A>
-  static constexpr auto ranges() {
-    using Parameters = axial::detail::with_rotors<S, axial::BaseParameters>;
-    return axial::detail::ranges_of<S, Parameters, A, axial::recursion::NewtonEuler>;
-  }
+  static constexpr auto certified = axial::algorithm::inverse_dynamics;
 };
 struct ClosedForm {
   static constexpr const char* name = "closed_form";
@@ -36,10 +33,7 @@ struct ClosedForm {
   static auto torque(const Q& q, const V& qd, const A& qdd) {
     return axial::closed_form::scara_torque<S, T>(q, qd, qdd);
   }
-  template <class S, class A>
-  static constexpr auto ranges() {
-    return axial::closed_form::detail::ScaraTable<S, A>::value;
-  }
+  static constexpr auto certified = axial::algorithm::closed_form;
 };
 
 /// A joint value of any number system as it is: an integer times a power of two, or an angle, or a number.
@@ -182,12 +176,7 @@ class RobotErrors {
   template <class Algorithm, class Scene, class T>
   static std::optional<double> certified(const Errors<joints>& errors) {
     if constexpr (axial::is_stored_v<T>) {
-      using Arithmetic = axial::detail::ArithmeticOf<Scene, typename T::Word>;
-      const auto ranges = Algorithm::template ranges<Scene, Arithmetic>();
-      double bounds[joints] = {};
-      for (int i = 0; i < joints; ++i)
-        bounds[i] = ranges.range[i].joint_effort.error;
-      return errors.relative(bounds);
+      return errors.relative(axial::error_bound<Scene, T>(Algorithm::certified).of);
     } else {
       return {};
     }

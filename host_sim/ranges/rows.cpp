@@ -43,6 +43,8 @@ template <class RecursionType, class DefaultParameters>
 struct Analysis {
   using Recursion = RecursionType;
   using Parameters = DefaultParameters;
+  // Columns of the mass matrix are forces of a unit acceleration.
+  static constexpr const char* per = std::is_same_v<Recursion, axial::recursion::CompositeBodies> ? " a unit" : "";
   const char* name;
 };
 
@@ -71,7 +73,7 @@ std::string listed(const std::vector<std::string>& names) {
 
 template <int N>
 std::vector<Row> rows_of(const axial::Ranges<N>& ranges, const axial::LinkParameters (&links)[N], const char* robot,
-                         int sine_exponent) {
+                         int sine_exponent, const std::string& per) {
   std::vector<Row> rows;
   for (int i = 0; i < N; ++i)
     for (const Quantity& quantity : quantities) {
@@ -79,7 +81,9 @@ std::vector<Row> rows_of(const axial::Ranges<N>& ranges, const axial::LinkParame
       if (!(ball.size > 0.0)) continue;
       const bool revolute = links[i].type == axial::JointType::revolute;
       const int exponent = quantity.format == nullptr ? sine_exponent : ranges.format[i].*quantity.format;
-      rows.push_back({robot, i, quantity.name, revolute ? quantity.unit : quantity.prismatic_unit, ball.size, exponent,
+      const bool is_load = quantity.range == &LinkRange::moment || quantity.range == &LinkRange::force;
+      const std::string unit = revolute ? quantity.unit : quantity.prismatic_unit;
+      rows.push_back({robot, i, quantity.name, is_load ? unit + per : unit, ball.size, exponent,
                       ball.error > 0.0 ? std::optional<double>(ball.error) : std::nullopt});
     }
   return rows;
@@ -91,7 +95,7 @@ std::vector<Row> analysed() {
   using Scene = axial::scene_of<Robot>;
   using Parameters = axial::detail::with_rotors<Scene, typename Analysis::Parameters>;
   return rows_of(axial::detail::analysed<Scene, Parameters, Arithmetic>(typename Analysis::Recursion{}),
-                 Robot::chain.links, Robot::name, Arithmetic::unit);
+                 Robot::chain.links, Robot::name, Arithmetic::unit, Analysis::per);
 }
 template <class Robot, class Analysis, class Word>
 std::vector<Row> rounded(const Choice& choice) {
