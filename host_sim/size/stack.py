@@ -8,6 +8,7 @@ CONDITIONS = "eq|ne|cs|hs|cc|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le"
 BRANCH = re.compile(rf"^b({CONDITIONS})?(\.[nw])?$")
 COMPARE_AND_BRANCH = re.compile(r"^cbn?z$")
 CALL = re.compile(rf"^blx?({CONDITIONS})?$")
+CONDITIONAL_CALL = re.compile(rf"^blx?({CONDITIONS})$")
 CONDITIONAL = re.compile(rf"^(?:push|pop|bx|ldr|ldm(?:ia)?|mov|add|sub|vpush|vpop)({CONDITIONS})(\.[nw])?$")
 TARGET = re.compile(r"\b([0-9a-f]+) <")
 
@@ -57,6 +58,7 @@ class StackDepth:
         self.own = {}  # entry -> bytes without callees
         self.reached = set()  # addresses of every instruction on some path
         self._total, self._open = {}, []
+        self._inner = set()  # (function, depth) of calls into its own middle
 
     def of(self, entry):
         """Bytes below the caller's stack pointer, callees included."""
@@ -104,23 +106,34 @@ class StackDepth:
         if CALL.match(name):
             if not target:
                 self._fail(address, f"an indirect call: {name} {operands}")
-            if self._is_far_jump(address, int(target[1], 16)):
-                return depth, 0, [(int(target[1], 16), depth)]
+            if self._is_inside(address, int(target[1], 16)):
+                return depth, 0, [(int(target[1], 16), depth)] + self._after_inner_call(name, address, following, depth)
             return after, self.of(int(target[1], 16)), [(following, after)]
         if BRANCH.match(name) or COMPARE_AND_BRANCH.match(name):
             taken = [(int(target[1], 16), depth)]
             return after, 0, taken + ([(following, depth)] if name not in ("b", "b.n", "b.w") else [])
         if self._leaves(name, operands, address):
-            if after != 0:
+            if after != 0 and not self._is_inner_return(name, address, after):
                 self._fail(address, f"a return with {after} bytes still on the stack")
             return depth, 0, [(following, depth)] if CONDITIONAL.match(name) else []
         untaken = [(following, depth)] if grown and CONDITIONAL.match(name) else []
         return after, 0, [(following, after)] + untaken
 
-    def _is_far_jump(self, address, target):
-        """Where ARMv6-M's branch does not reach, the compiler jumps by a call into the middle of the same function."""
+    def _is_inside(self, address, target):
+        """Whether a call leads into the middle of its own function."""
         name = self.image.function_at(address)
         return self.image.function_at(target) == name and target != self.image.functions[name]
+
+    def _after_inner_call(self, name, address, following, depth):
+        """Where ARMv6-M's branch does not reach, the compiler jumps by such a call. A conditional one, which ARMv6-M has
+        not, is a routine inside a library's: it returns to what follows."""
+        if not CONDITIONAL_CALL.match(name):
+            return []
+        self._inner.add((self.image.function_at(address), depth))
+        return [(following, depth)]
+
+    def _is_inner_return(self, name, address, depth):
+        return name.startswith("bx") and (self.image.function_at(address), depth) in self._inner
 
     def _leaves(self, name, operands, address):
         if re.match(rf"^bx({CONDITIONS})?$", name) or re.match(rf"^mov({CONDITIONS})?$", name) and operands.startswith("pc,"):

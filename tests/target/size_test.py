@@ -200,6 +200,15 @@ class Stack(unittest.TestCase):
         self.assertIn("bl", {name for name, *_ in program.instructions.values()})
         self.assertEqual(stack.StackDepth(program).of(program.functions["f"]), 4 + 36)
 
+    def test_a_routine_inside_a_routine(self):
+        """As libgcc's multiplication of doubles has one; what it returns to is looked at too."""
+        inside = """__attribute__((naked)) void APART f(void) { asm volatile("push {r4, lr}\\n cmp r0, #0\\n it eq\\n bleq 1f\\n"
+                    "sub sp, #24\\n add sp, #24\\n pop {r4, pc}\\n 1: sub sp, #%d\\n add sp, #%d\\n bx lr"); }"""
+        self.assertEqual(self.depth(inside % (16, 16)), 8 + 24)
+        self.assertEqual(self.depth(inside % (40, 40)), 8 + 40)
+        with self.assertRaisesRegex(stack.Unbounded, "a return with 12 bytes"):
+            self.depth(inside % (40, 36))
+
     def test_what_can_not_be_bounded_is_refused(self):
         for why, source in {
             "recursion: f": "int APART f(int n) { return n < 2 ? n : f(n - 1) * 3 + f(n - 2); }",
