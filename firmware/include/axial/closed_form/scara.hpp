@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/closed_form/scara_formats.hpp>
-#include <axial/model/separated.hpp>
+#include <axial/model/separated_format.hpp>
 
 namespace axial {
 namespace closed_form {
@@ -48,19 +48,24 @@ struct ScaraTerms : ScaraRounding<S, T> {
 /// the paper among them. Source: Djuric et al. 2016, eqs. (82) to (92), with its misprints mended
 /// (doc/scara_errata.md). In: q (rad, rad, m). Out: A, B, C, G. For another robot it does not compile and says why.
 template <class S, class T>
-constexpr Separated<robot_of<S>, T> scara(const Positions<robot_of<S>, T>& q) {
+constexpr auto scara(const Positions<robot_of<S>, T>& q) {
   const detail::ScaraTerms<S, T> k;
   auto swing = k.swing_at(read(k, q)[Index<1>{}]);
-  auto a12 = k.a12(swing.cos);
-  Separated<robot_of<S>, T> s{};
-  s.A[0][0] = k.a11(swing.cos);
-  s.A[0][1] = s.A[1][0] = a12;
-  s.A[1][1] = k.elbow_alone;
-  s.A[2][2] = k.lift;
-  s.B[0][0] = -(swing.sin + swing.sin);
-  s.C[0][1] = -(k.sense * swing.sin);
-  s.C[1][0] = swing.sin;
-  s.G[2] = k.weight;
+  constexpr Index<0> shoulder;
+  constexpr Index<1> elbow;
+  constexpr Index<2> slide;
+  using All = Separated<std::conditional_t<is_stored_v<T>, S, robot_of<S>>, T>;
+  All s{};
+  const Collected<std::conditional_t<is_stored_v<T>, S, robot_of<S>>, T, typename detail::ScaraTerms<S, T>::Scalar, All>
+      terms{s};
+  terms.inertia(shoulder, shoulder, k.a11(swing.cos));
+  terms.inertia(shoulder, elbow, k.a12(swing.cos));
+  terms.inertia(elbow, elbow, k.elbow_alone);
+  terms.inertia(slide, slide, k.lift);
+  terms.product(shoulder, shoulder, elbow, -twice(swing.sin));
+  terms.square(shoulder, elbow, -(k.sense * swing.sin));
+  terms.square(elbow, shoulder, swing.sin);
+  terms.rest(slide, k.weight);
   return s;
 }
 

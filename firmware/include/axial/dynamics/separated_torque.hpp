@@ -143,6 +143,81 @@ AXIAL_INLINE constexpr EffortsOf<S, T> torque(const Links& links, const Separate
   return tau;
 }
 
+/// Products of two rates in fixed point, in the format of their limits.
+template <class Robot, class A>
+struct FixedRates {
+  template <int J, int K, class Values>
+  AXIAL_INLINE static constexpr auto product(const Values& qd) {
+    constexpr Rounding rounding = rounding_of<A>();
+    constexpr int format = rounding.exponent(Robot::chain.links[J].speed_limit * Robot::chain.links[K].speed_limit);
+    return round_to<format>(Fx<Values::exponent(J), A>{qd.values[J].raw} *
+                            Fx<Values::exponent(K), A>{qd.values[K].raw});
+  }
+};
+
+/// The terms of one joint in fixed point, each with its format: one exact sum, rounded once into the effort.
+template <class Links, class S, class Word>
+struct FixedTerms {
+  using A = typename Links::Scalar;
+  using T = Stored<Word>;
+  using Format = SeparatedExponents<S, T>;
+  using Rates = FixedRates<robot_of<S>, A>;
+  static constexpr int size = joint_count<S>;
+  const Separated<S, T>& s;
+  const Velocities<robot_of<S>, T>& qd;
+  const Accelerations<robot_of<S>, T>& qdd;
+
+  template <int I, int J>
+  AXIAL_INLINE constexpr auto inertial() const {
+    if constexpr (has_inertia<S, Index<I>, Index<J>>())
+      return Fx<Format::inertia(I, J), A>{s.A[I][J].raw} * read(Links{}, qdd)[Index<J>{}];
+    else
+      return Zero{};
+  }
+  template <int I, int J>
+  AXIAL_INLINE constexpr auto square() const {
+    if constexpr (has_square<S, Index<I>, Index<J>>())
+      return Fx<Format::square(I, J), A>{s.C[I][J].raw} * Rates::template product<J, J>(qd);
+    else
+      return Zero{};
+  }
+  template <int I, int J, int K>
+  AXIAL_INLINE constexpr auto product() const {
+    if constexpr (J >= K)
+      return Zero{};
+    else if constexpr (!has_product<S, Index<I>, Index<J>, Index<K>>())
+      return Zero{};
+    else
+      return Fx<Format::product(I, J, K), A>{s.B[I][Separated<S, T>::pair(J, K)].raw} *
+             Rates::template product<J, K>(qd);
+  }
+  template <int I, int... J>
+  AXIAL_INLINE constexpr auto effort(std::integer_sequence<int, J...> all) const {
+    return detail::lazy_sum(Fx<Format::rest(I), A>{s.G[I].raw}, inertial<I, J>()..., square<I, J>()...,
+                            products<I, J>(all)...);
+  }
+
+ private:
+  template <int I, int J, int... K>
+  AXIAL_INLINE constexpr auto products(std::integer_sequence<int, K...>) const {
+    return detail::lazy_sum(product<I, J, K>()...);
+  }
+};
+
+template <class Links, class S, class Word>
+AXIAL_INLINE constexpr EffortsOf<S, Stored<Word>> torque(const Links& links, const Separated<S, Stored<Word>>& s,
+                                                         const Velocities<robot_of<S>, Stored<Word>>& qd,
+                                                         const Accelerations<robot_of<S>, Stored<Word>>& qdd) {
+  const FixedTerms<Links, S, Word> terms{s, qd, qdd};
+  EffortsOf<S, Stored<Word>> tau{};
+  auto speed = read(links, qd);
+  for_each_link(links, [&](auto i) AXIAL_INLINE {
+    auto sum = terms.template effort<i>(std::make_integer_sequence<int, joint_count<S>>{});
+    write(links, tau, i, detail::lazy_sum(sum, friction_effort(links.link(i), speed[i])));
+  });
+  return tau;
+}
+
 }  // namespace separation
 
 /// Joint efforts A qdd + B [qd qd] + C [qd^2] + G [+ friction] from terms that separate() found: inverse_dynamics<S> at
@@ -151,7 +226,7 @@ AXIAL_INLINE constexpr EffortsOf<S, T> torque(const Links& links, const Separate
 template <class S, class T>
 constexpr EffortsOf<S, T> torque(const Separated<S, T>& separated, const Velocities<robot_of<S>, T>& qd,
                                  const Accelerations<robot_of<S>, T>& qdd) {
-  return separation::torque(links_of<S, T, BaseParameters>(), separated, qd, qdd);
+  return separation::torque(links_of<S, T, BaseParameters, recursion::Separation>(), separated, qd, qdd);
 }
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr Efforts<M, T> torque(const Model<N, F...>& model, const Separated<M, T>& separated,

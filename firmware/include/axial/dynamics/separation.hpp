@@ -3,7 +3,7 @@
 
 #include <axial/dynamics/joint_motions.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
-#include <axial/model/separated.hpp>
+#include <axial/model/separated_format.hpp>
 
 namespace axial {
 namespace separation {
@@ -25,7 +25,7 @@ template <class Links, class Input, class Screws>
 AXIAL_INLINE constexpr auto falls(const Links& links, const Input& in, const Screws& screws) {
   return outward(links, Fall{ZeroVec3{}, base_acceleration(links, in)}, [&](auto i, const auto& parent) AXIAL_INLINE {
     auto link = links.link(i);
-    auto before = to_child(link.x(), parent.after);
+    auto before = to_child(link.x(), link.sum(quantity::GravityAcceleration{}, parent.after));
     return Fall{link.shape(before), link.shape(to_child(screws[i], before))};
   });
 }
@@ -66,28 +66,30 @@ AXIAL_INLINE constexpr auto product_force(Revolute, const Link& link, const B& b
   auto yz = j.yz + j.yz;
   auto xx = (j.yy - j.xx) + j.zz;  // second moments, twice
   auto yy = (j.xx - j.yy) + j.zz;
-  return ForceVector{Vec3{link.sum(Moment{}, w.y * yy, -(w.x * xy), -(w.z * yz)),
-                          link.sum(Moment{}, w.y * xy, -(w.x * xx), w.z * xz), Zero{}},
-                     Vec3{-(w.z * hx), -(w.z * hy), link.sum(Force{}, w.x * hx, w.y * hy)}};
+  return ForceVector{
+      Vec3{link.sum(Moment{}, w.y * yy, -(w.x * xy), -(w.z * yz)), link.sum(Moment{}, w.y * xy, -(w.x * xx), w.z * xz),
+           Zero{}},
+      Vec3{link.sum(Force{}, -(w.z * hx)), link.sum(Force{}, -(w.z * hy)), link.sum(Force{}, w.x * hx, w.y * hy)}};
 }
 template <class Link, class B, class W>
 AXIAL_INLINE constexpr auto product_force(Prismatic, const Link& link, const B& body, const W& w) {
   using namespace quantity;
   const auto& h = body.first_moment;
-  auto x = w.x + w.x;
-  auto y = w.y + w.y;
-  return ForceVector{Vec3{h.z * x, h.z * y, link.sum(Moment{}, -(h.x * x), -(h.y * y))},
-                     Vec3{body.mass * y, -(body.mass * x), Zero{}}};
+  auto x = twice(w.x);
+  auto y = twice(w.y);
+  return ForceVector{
+      Vec3{link.sum(Moment{}, h.z * x), link.sum(Moment{}, h.z * y), link.sum(Moment{}, -(h.x * x), -(h.y * y))},
+      Vec3{link.sum(Force{}, body.mass * y), link.sum(Force{}, -(body.mass * x)), Zero{}}};
 }
 
 /// Sets a coefficient of qd_j qd_i that joint m feels, j and m both inboard of i, and the coefficient that follows from
 /// it. As M(a, b) depends on joints beyond the inner one of a and b alone, Christoffel's symbols give
 /// b(i; j m) = -b(m; j i) for j inboard of m, c(i; j j) = -b(j; j i) / 2, and nothing for b(i; j i) and c(i; i i).
-template <class T, class Terms, class V>
-AXIAL_INLINE constexpr void set_product(Terms& terms, int m, int j, int i, const V& value) {
+template <class Terms, class M, class J, class I, class V>
+AXIAL_INLINE constexpr void set_product(Terms& terms, M m, J j, I i, const V& value) {
   terms.product(m, j, i, value);
   if (j < m) terms.product(i, j, m, -value);
-  if (j == m) terms.square(i, j, -(NumberTraits<T>::constant(0.5) * value));
+  if (j == m) terms.square(i, j, -half(value));
 }
 
 /// What the joint of link i contributes: its column of A, and all coefficients of products with its rate.
@@ -105,7 +107,7 @@ AXIAL_INLINE constexpr void joint_terms(const Links& links, const Bodies& bodies
       terms.square(j, i, along_motion(motions[j][i], square));
       auto product = product_force(kind, link, body, motions[j][i].angular);
       for_each_ancestor(links, i, [&](auto m) AXIAL_INLINE {
-        set_product<typename Links::Scalar>(terms, m, j, i, along_motion(motions[m][i], product));
+        set_product(terms, m, j, i, link.sum(quantity::JointInertia{}, along_motion(motions[m][i], product)));
       });
     });
   });
@@ -117,6 +119,8 @@ AXIAL_INLINE constexpr void rest_terms(const Links& links, const Input& in, cons
                                        const Bodies& bodies, Terms& terms) {
   using Scene = typename Links::Scene;
   if constexpr (Scene::template has<TipWrench> || Scene::template has<ExternalWrenches>) {
+    static_assert(is_number_v<typename Links::Scalar>,
+                  "axial: separate() in fixed point has no wrenches; take TipWrench out of the scene");
     Joints<typename Scene::Robot, typename Links::Scalar> effort{};
     rnea::efforts(links, in, q, screws, NoMotion{}, NoMotion{}, effort);
     for_each_link(links, [&](auto i) AXIAL_INLINE { terms.rest(i, effort[i]); });
@@ -148,34 +152,12 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
   rest_terms(links, in, screws, q, bodies, terms);
 }
 
-/// Takes the coefficients that Out has room for: any of SeparatedA, B, C, G, or all.
-template <class S, class T, class Out>
-struct Collected {
-  Out& out;
-
-  template <class V>
-  AXIAL_INLINE constexpr void inertia(int i, int j, const V& value) const {
-    if constexpr (std::is_base_of_v<SeparatedA<S, T>, Out>) out.A[i][j] = out.A[j][i] = static_cast<T>(value);
-  }
-  template <class V>
-  AXIAL_INLINE constexpr void product(int i, int j, int k, const V& value) const {
-    if constexpr (std::is_base_of_v<SeparatedB<S, T>, Out>) out.B[i][Out::pair(j, k)] = static_cast<T>(value);
-  }
-  template <class V>
-  AXIAL_INLINE constexpr void square(int i, int j, const V& value) const {
-    if constexpr (std::is_base_of_v<SeparatedC<S, T>, Out>) out.C[i][j] = static_cast<T>(value);
-  }
-  template <class V>
-  AXIAL_INLINE constexpr void rest(int i, const V& value) const {
-    if constexpr (std::is_base_of_v<SeparatedG<S, T>, Out>) out.G[i] = static_cast<T>(value);
-  }
-};
-
 template <class Out, class S, class T, class Links, class Input, class Q>
 AXIAL_INLINE constexpr Out collected(const Links& links, const Input& in, const Q& q) {
   Out out{};
-  Collected<S, T, Out> all{out};
-  run(links, in, q, joint_screws(links, in, q), all);
+  Collected<S, T, typename Links::Scalar, Out> all{out};
+  auto at = read(links, q);
+  run(links, in, at, joint_screws(links, in, at), all);
   return out;
 }
 
@@ -187,24 +169,24 @@ AXIAL_INLINE constexpr Out collected(const Links& links, const Input& in, const 
 /// the paper does not use. In: q (rad or m). Out: A, B, C, G for torque().
 template <class S, class T>
 constexpr Separated<S, T> separate(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
-  return separation::collected<Separated<S, T>, S, T>(links_of<S, T, BaseParameters>(), in, q);
+  return separation::collected<Separated<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
 /// The same for one of the four; what the others need alone is not computed.
 template <class S, class T>
 constexpr SeparatedA<S, T> separate_A(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
-  return separation::collected<SeparatedA<S, T>, S, T>(links_of<S, T, BaseParameters>(), in, q);
+  return separation::collected<SeparatedA<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
 template <class S, class T>
 constexpr SeparatedB<S, T> separate_B(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
-  return separation::collected<SeparatedB<S, T>, S, T>(links_of<S, T, BaseParameters>(), in, q);
+  return separation::collected<SeparatedB<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
 template <class S, class T>
 constexpr SeparatedC<S, T> separate_C(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
-  return separation::collected<SeparatedC<S, T>, S, T>(links_of<S, T, BaseParameters>(), in, q);
+  return separation::collected<SeparatedC<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
 template <class S, class T>
 constexpr SeparatedG<S, T> separate_G(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
-  return separation::collected<SeparatedG<S, T>, S, T>(links_of<S, T, BaseParameters>(), in, q);
+  return separation::collected<SeparatedG<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr Separated<M, T> separate(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {}) {

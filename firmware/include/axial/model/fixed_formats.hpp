@@ -3,6 +3,7 @@
 
 #include <axial/model/fixed_joints.hpp>
 #include <axial/model/kinematics_ranges.hpp>
+#include <axial/model/separation_ranges.hpp>
 #include <axial/scalar/fixed_divide.hpp>
 #include <axial/spatial/inertia.hpp>
 
@@ -15,6 +16,7 @@ struct CompositeBodies {};
 struct ArticulatedBodies {};        ///< the classical form
 struct ArticulatedBodiesAtRest {};  ///< of the split form
 struct Kinematics {};
+struct Separation {};
 }  // namespace recursion
 
 namespace detail {
@@ -55,6 +57,11 @@ constexpr auto analysed(recursion::ArticulatedBodiesAtRest) {
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::Kinematics) {
   return kinematics_ranges(mechanism_of<Scene, Parameters>, rounding_of<S>());
+}
+
+template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::Separation) {
+  return separation_ranges_of(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>());
 }
 
 /// Ranges of a scene's recursion in an arithmetic.

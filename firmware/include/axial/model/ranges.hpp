@@ -38,7 +38,8 @@ struct LinkFormat {
   int angular_velocity = 0, angular_acceleration = 0, linear_acceleration = 0;
   int moment = 0, force = 0;
   int rotational_inertia = 0, first_moment = 0, mass = 0;
-  int joint_inertia = 0, angular_gain = 0, linear_gain = 0, joint_effort = 0, joint_acceleration = 0, length = 0;
+  int joint_inertia = 0, angular_gain = 0, linear_gain = 0, joint_effort = 0, joint_acceleration = 0, length = 0,
+      gravity = 0;
 
   constexpr int of(quantity::AngularVelocity) const { return angular_velocity; }
   constexpr int of(quantity::AngularAcceleration) const { return angular_acceleration; }
@@ -54,6 +55,7 @@ struct LinkFormat {
   constexpr int of(quantity::JointEffort) const { return joint_effort; }
   constexpr int of(quantity::JointAcceleration) const { return joint_acceleration; }
   constexpr int of(quantity::Length) const { return length; }
+  constexpr int of(quantity::GravityAcceleration) const { return gravity; }
 };
 
 /// One of each a link.

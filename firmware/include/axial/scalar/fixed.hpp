@@ -301,6 +301,12 @@ AXIAL_INLINE constexpr Fx<E - 1, S> twice(const Fx<E, S>& x) {
   return {x.raw};
 }
 
+/// x / 2, exactly.
+template <int E, class S>
+AXIAL_INLINE constexpr Fx<E + 1, S> half(const Fx<E, S>& x) {
+  return {x.raw};
+}
+
 template <int E, class S>
 AXIAL_INLINE constexpr bool operator<(Fx<E, S> a, Fx<E, S> b) {
   return a.raw < b.raw;

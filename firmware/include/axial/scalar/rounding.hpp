@@ -21,6 +21,7 @@ struct LinearGain {};           // K = U / D, linear block over D
 struct JointEffort {};          // N m or N
 struct JointAcceleration {};    // rad/s^2 or m/s^2
 struct Length {};               // m
+struct GravityAcceleration {};  // m/s^2
 }  // namespace quantity
 
 /// Rounding of float, double and the counting scalar: none beyond the operations themselves.
@@ -74,6 +75,15 @@ AXIAL_INLINE constexpr T turned(const T& x) {
 template <class T>
 AXIAL_INLINE constexpr auto twice(const T& x) {
   return x + x;
+}
+
+/// x / 2.
+template <class T>
+AXIAL_INLINE constexpr auto half(const T& x) {
+  if constexpr (is_zero_v<T>)
+    return Zero{};
+  else
+    return NumberTraits<T>::constant(0.5) * x;
 }
 
 /// 1 / x. Number systems without a division overload it.
