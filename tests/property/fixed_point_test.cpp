@@ -1,0 +1,194 @@
+// Fixed point against double precision, on states inside the declared limits: what fits its format, and how exact it
+// is. Inverse dynamics and the closed form have a test of their own (ranges_test.cpp).
+#include <gtest/gtest.h>
+#include <axial/error_bound.hpp>
+#include <cmath>
+#include <random>
+#include <robots/robots.hpp>
+
+namespace {
+
+using namespace axial;
+
+constexpr double turn = 4294967296.0, two_pi = 6.283185307179586476925;
+
+double real(Fixed32 x, int exponent) { return std::ldexp(static_cast<double>(x.raw), -exponent); }
+Fixed32 word(double x, int exponent) { return {static_cast<std::int32_t>(std::llround(std::ldexp(x, exponent)))}; }
+
+/// Sets a word and the number that it stands for.
+void put(Fixed32& fixed, double& number, double x, int exponent) {
+  fixed = word(x, exponent);
+  number = real(fixed, exponent);
+}
+
+/// A random state inside a robot's limits, in words and as what they stand for.
+template <class R>
+struct State {
+  static constexpr int size = joint_count<R>;
+  Positions<R, Fixed32> q{};
+  Velocities<R, Fixed32> qd{};
+  Accelerations<R, Fixed32> qdd{};
+  Joints<R, double> q_real{}, qd_real{}, qdd_real{};
+
+  template <class Generator>
+  explicit State(Generator& generator) {
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    for (int i = 0; i < size; ++i) {
+      const LinkParameters& link = R::chain.links[i];
+      if (link.type == JointType::revolute) {
+        q[i].raw = static_cast<std::int32_t>(any(generator) * 2147483647.0);
+        q_real[i] = q[i].raw * (two_pi / turn);
+      } else {
+        const double middle = 0.5 * (link.position_min + link.position_max);
+        put(q[i], q_real[i], middle + any(generator) * (link.position_max - middle), q.exponent(i));
+      }
+      put(qd[i], qd_real[i], any(generator) * link.speed_limit, qd.exponent(i));
+      put(qdd[i], qdd_real[i], any(generator) * link.acceleration_limit, qdd.exponent(i));
+    }
+  }
+};
+
+template <class R>
+class FixedPoint : public testing::Test {
+ protected:
+  using Checked = Scene<R, Gravity, RotorInertia, RangeCheck>;
+  static constexpr int size = joint_count<R>;
+
+  FixedPoint() { range_overflows = 0; }
+  ~FixedPoint() override { EXPECT_EQ(range_overflows, 0U); }
+
+  std::mt19937_64 generator{7};
+};
+using Robots = testing::Types<robots::Puma560, robots::Panda, robots::Scara, robots::ScaraRrpr, robots::Indy7>;
+TYPED_TEST_SUITE(FixedPoint, Robots);
+
+}  // namespace
+
+TYPED_TEST(FixedPoint, PosesAndJacobiansStayInsideTheirBound) {
+  using Checked = typename TestFixture::Checked;
+  constexpr auto bound = error_bound<Checked>(algorithm::forward_kinematics);
+  constexpr int length = length_exponent<Checked, Fixed32>;
+  for (int k = 0; k < 300; ++k) {
+    const State<TypeParam> state(this->generator);
+    const auto fixed = forward_kinematics<Checked>(state.q);
+    const auto exact = forward_kinematics<TypeParam>(state.q_real);
+    const auto columns = jacobian<Checked>(state.q);
+    const auto exact_columns = jacobian<TypeParam>(state.q_real);
+    for (int i = 0; i < this->size; ++i) {
+      EXPECT_NEAR(real(fixed.frames[i].position.x, length), exact.frames[i].position.x, bound[i]);
+      EXPECT_NEAR(real(fixed.frames[i].position.z, length), exact.frames[i].position.z, bound[i]);
+      EXPECT_NEAR(real(fixed.frames[i].rotation.y.x, direction_exponent<Fixed32>), exact.frames[i].rotation.y.x, 1e-8);
+      EXPECT_NEAR(real(columns[i].linear.y, length), exact_columns[i].linear.y, 2.0 * bound.worst());
+    }
+    EXPECT_NEAR(real(fixed.tool.position.y, length), exact.tool.position.y, 2.0 * bound.worst());
+  }
+}
+
+TYPED_TEST(FixedPoint, MassMatrixStaysInsideItsBound) {
+  using Checked = typename TestFixture::Checked;
+  constexpr auto bound = error_bound<Checked>(algorithm::mass_matrix);
+  for (int k = 0; k < 300; ++k) {
+    const State<TypeParam> state(this->generator);
+    const auto fixed = mass_matrix<Checked>(state.q);
+    const auto exact = mass_matrix<TypeParam>(state.q_real);
+    for (int i = 0; i < this->size; ++i)
+      for (int j = 0; j <= i; ++j)
+        EXPECT_NEAR(real(fixed(i, j), fixed.exponent(i, j)), exact(i, j), bound[i]) << i << ' ' << j;
+  }
+}
+
+TYPED_TEST(FixedPoint, SeparatedTermsGiveTheTorque) {
+  using Checked = typename TestFixture::Checked;
+  for (int k = 0; k < 100; ++k) {
+    const State<TypeParam> state(this->generator);
+    const auto tau = torque(separate<Checked>(state.q), state.qd, state.qdd);
+    const auto exact = inverse_dynamics<TypeParam>(state.q_real, state.qd_real, state.qdd_real);
+    for (int i = 0; i < this->size; ++i)
+      EXPECT_NEAR(real(tau[i], tau.exponent(i)), exact[i], 2e-5) << i;
+  }
+}
+
+TYPED_TEST(FixedPoint, ForwardDynamicsStaysInsideItsBoundAndUndoesTheTorque) {
+  using Checked = typename TestFixture::Checked;
+  constexpr auto bound = error_bound<Checked>(algorithm::forward_dynamics);
+  for (int k = 0; k < 100; ++k) {
+    const State<TypeParam> state(this->generator);
+    const auto tau = inverse_dynamics<TypeParam>(state.q_real, state.qd_real, state.qdd_real);
+    EffortsOf<Checked, Fixed32> given{};
+    Joints<TypeParam, double> given_real{};
+    bool declared = true;
+    for (int i = 0; i < this->size; ++i) {
+      declared = declared && std::abs(tau[i]) <= TypeParam::chain.links[i].effort_limit;
+      put(given[i], given_real[i], tau[i], given.exponent(i));
+    }
+    const auto fixed = forward_dynamics<Checked>(state.q, state.qd, given);
+    const auto exact = forward_dynamics<Scene<TypeParam, Gravity, RotorInertia, ArticulatedBody>>(
+        state.q_real, state.qd_real, given_real);
+    ASSERT_NE(fixed.status.code, Status::Code::saturated);
+    for (int i = 0; declared && i < this->size; ++i)
+      EXPECT_NEAR(real(fixed[i], fixed.exponent(i)), exact[i], bound[i]) << i;
+  }
+}
+
+TEST(FixedPointForwardDynamics, HalvesEffortsBeyondTheDeclaredOnesAndSaysSo) {
+  using R = robots::Scara;
+  using S = Scene<R, Gravity, RotorInertia>;
+  Positions<R, Fixed32> q{};
+  Velocities<R, Fixed32> qd{};
+  EffortsOf<S, Fixed32> tau{};
+  tau[0] = word(40.0, tau.exponent(0));
+  EXPECT_EQ(forward_dynamics<S>(q, qd, tau).status.code, Status::Code::ok);
+  tau[0].raw = std::numeric_limits<std::int32_t>::max();
+  const auto beyond = forward_dynamics<S>(q, qd, tau);
+  EXPECT_EQ(beyond.status.code, Status::Code::rescaled);
+  Joints<R, double> q_real{}, qd_real{}, tau_real{};
+  tau_real[0] = real(tau[0], tau.exponent(0));
+  const auto exact = forward_dynamics<R>(q_real, qd_real, tau_real);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(real(beyond[i], beyond.exponent(i)), exact[i], 1e-3);
+}
+
+namespace {
+
+constexpr auto pushed_chain() {
+  auto chain = robots::Puma560::chain;
+  chain.tip_wrench_limit = tip_wrench_limit(50.0, 10.0);
+  return chain;
+}
+/// A Puma that declares a tip wrench too.
+struct PushedPuma : robots::Puma560 {
+  static constexpr auto chain = pushed_chain();
+};
+
+}  // namespace
+
+TEST(FixedPointInputs, PayloadWrenchGravityAndFrictionStayInsideTheBound) {
+  using R = PushedPuma;
+  using Exact = Scene<R, RuntimeGravity, RotorInertia, Payload, TipWrench, Friction>;
+  using Checked = Scene<R, RuntimeGravity, RotorInertia, Payload, TipWrench, Friction, RangeCheck>;
+  using Format = InputFormats<R, Fixed32>;
+  constexpr auto bound = error_bound<Checked>(algorithm::inverse_dynamics);
+  range_overflows = 0;
+  std::mt19937_64 generator(11);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (int k = 0; k < 1000; ++k) {
+    const State<R> state(generator);
+    Inputs<Checked, Fixed32> in{};
+    Inputs<Exact, double> exact_in{};
+    put(in.payload.mass, exact_in.payload.mass, 2.5 * std::abs(any(generator)), Format::payload_mass);
+    put(in.payload.com.x, exact_in.payload.com.x, 0.17 * any(generator), Format::payload_com);
+    put(in.payload.com.z, exact_in.payload.com.z, 0.17 * any(generator), Format::payload_com);
+    put(in.payload.inertia_com.yy, exact_in.payload.inertia_com.yy, 0.05 * std::abs(any(generator)),
+        Format::payload_inertia);
+    put(in.tip_wrench.force.y, exact_in.tip_wrench.force.y, 50.0 * any(generator), Format::tip_force);
+    put(in.tip_wrench.moment.x, exact_in.tip_wrench.moment.x, 10.0 * any(generator), Format::tip_moment);
+    put(in.gravity.x, exact_in.gravity.x, 6.0 * any(generator), Format::gravity);
+    put(in.gravity.y, exact_in.gravity.y, 0.0, Format::gravity);
+    put(in.gravity.z, exact_in.gravity.z, 7.0 * any(generator), Format::gravity);
+    const auto tau = inverse_dynamics<Checked>(state.q, state.qd, state.qdd, in);
+    const auto exact = inverse_dynamics<Exact>(state.q_real, state.qd_real, state.qdd_real, exact_in);
+    for (int i = 0; i < 6; ++i)
+      EXPECT_NEAR(real(tau[i], tau.exponent(i)), exact[i], bound[i]) << i;
+  }
+  EXPECT_EQ(range_overflows, 0U);
+}
