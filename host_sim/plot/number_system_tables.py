@@ -30,8 +30,12 @@ def errors(rows):
         row = next(iter(boards.values()))
         certified = f"{row['error_certified']:.1e}" if "error_certified" in row else ""
         lines.append([kernel(row), f"{row['error']:.1e}", f"{row['error_rms']:.1e}", certified,
-                      f"{floats[key[:2]] / row['error']:.2g}" if row["scalar"] not in ("float", "double") else ""])
+                      times(floats[key[:2]] / row["error"]) if row["scalar"] not in ("float", "double") else ""])
     return markdown(header, lines)
+
+
+def times(ratio):
+    return f"{ratio:.0f}" if ratio >= 10 else f"{ratio:.2g}"
 
 
 def per_board(rows, cell):
