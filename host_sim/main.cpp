@@ -24,6 +24,8 @@ void add_demo(CLI::App& app, host_sim::DemoOptions& options, int& status) {
       add_verb(app, "demo", "streams a pick-and-place cycle to a board in QEMU", options, status, host_sim::run_demo);
   verb->add_option("--robot", options.robot, "name as in robots/README.md")->capture_default_str();
   verb->add_option("--board", options.board, "folder of hal/boards")->capture_default_str();
+  verb->add_option("--number", options.number, "what the firmware computes in: float or fixed32")
+      ->capture_default_str();
   verb->add_option("--trajectory", options.trajectory, "way-points (.json) or set-points (.csv)")
       ->check(CLI::ExistingFile);
   verb->add_option("--output", options.output, "folder of CSV, JSON and picture")->capture_default_str();

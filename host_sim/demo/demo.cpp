@@ -20,6 +20,12 @@ std::string trajectory_file(const DemoOptions& options) {
   return std::string(AXIAL_ROOT) + "/host_sim/trajectories/" + options.robot + ".json";
 }
 
+const char* app_of(const std::string& number) {
+  if (number == "float") return "feedforward";
+  if (number == "fixed32") return "feedforward-fixed";
+  throw std::runtime_error("unknown number '" + number + "'; there are: float, fixed32");
+}
+
 /// What the emulator printed belongs to the message when the conversation with it breaks.
 Recording record(const Board& board, const std::string& image, const Robot& robot, const Trajectory& trajectory) {
   Emulator emulator(board, image);
@@ -56,7 +62,8 @@ void write_csv(const std::string& path, const Recording& recording, int joints) 
 
 void write_files(const DemoOptions& options, const Recording& recording, const Summary& summary) {
   make_folder(options.output);
-  const std::string stem = options.output + "/" + summary.robot.name + "-" + summary.board.name;
+  const std::string suffix = options.number == "float" ? "" : "-" + options.number;
+  const std::string stem = options.output + "/" + summary.robot.name + "-" + summary.board.name + suffix;
   write_csv(stem + ".csv", recording, summary.robot.joints());
   write_json(stem + ".json", to_json(summary));
   if (!options.json.empty()) write_json(options.json, to_json(summary));
@@ -70,15 +77,17 @@ int run_demo(const DemoOptions& options) {
   const Robot robot = find_robot(options.robot);
   const Board board = read_board(options.board);
   const Trajectory trajectory = load_trajectory(trajectory_file(options), robot.name, robot.limits);
-  const std::string image = image_path(board, "feedforward", robot.name);
+  const std::string image = image_path(board, app_of(options.number), robot.name);
 
   const Recording recording = record(board, image, robot, trajectory);
-  const Summary summary = summarise(recording, robot, board, image);
+  const Summary summary = summarise(recording, robot, board, image, options.number);
   std::printf("%s", describe(summary).c_str());
   write_files(options, recording, summary);
   if (within_bound(summary)) return 0;
-  std::fprintf(stderr, "demo: an error is above its bound of %s relative to the joint's largest torque\n",
-               significant(error_bound(robot.joints())).c_str());
+  for (std::size_t i = 0; i < summary.joints.size(); ++i)
+    if (!(summary.joints[i].largest() <= summary.bounds[i]))
+      std::fprintf(stderr, "demo: joint %zu: the largest error is above its bound of %s %s\n", i + 1,
+                   significant(summary.bounds[i]).c_str(), robot.effort_unit(static_cast<int>(i)));
   return 1;
 }
 

@@ -8,6 +8,7 @@ namespace host_sim {
 struct DemoOptions {
   std::string robot = "scara";
   std::string board = "stm32f405";
+  std::string number = "float";        ///< what the firmware computes in: float or fixed32
   std::string trajectory;              ///< file; empty for the robot's own cycle
   std::string output = "output/demo";  ///< folder
   std::string json;                    ///< file; empty for none but the one in the folder

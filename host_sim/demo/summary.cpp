@@ -1,6 +1,7 @@
 #include <host_sim/demo/summary.hpp>
 
 #include <host_sim/analysis/joint_scales.hpp>
+#include <host_sim/demo/bounds.hpp>
 #include <host_sim/output/table.hpp>
 
 #include <nlohmann/json.hpp>
@@ -9,13 +10,24 @@ namespace host_sim {
 
 namespace {
 
+bool is_fixed(const Summary& s) { return s.number == "fixed32"; }
+
 std::string table_of_errors(const Summary& s) {
-  Table table({"joint", "unit", "largest torque", "largest error", "RMS error", "largest relative", "RMS relative"});
+  std::vector<std::string> names = {
+      "joint", "unit", "largest torque", "largest error", "RMS error", "largest relative", "RMS relative"};
+  if (is_fixed(s)) names.push_back("bound");
+  Table table(names);
   for (std::size_t i = 0; i < s.joints.size(); ++i) {
     const ErrorStatistics& e = s.joints[i];
-    table.add({std::to_string(i + 1), s.robot.effort_unit(static_cast<int>(i)), significant(e.scale(), 4),
-               significant(e.largest()), significant(e.rms()), significant(relative(s, i, e.largest())),
-               significant(relative(s, i, e.rms()))});
+    std::vector<std::string> row = {std::to_string(i + 1),
+                                    s.robot.effort_unit(static_cast<int>(i)),
+                                    significant(e.scale(), 4),
+                                    significant(e.largest()),
+                                    significant(e.rms()),
+                                    significant(relative(s, i, e.largest())),
+                                    significant(relative(s, i, e.rms()))};
+    if (is_fixed(s)) row.push_back(significant(s.bounds[i]));
+    table.add(row);
   }
   return table.text();
 }
@@ -30,8 +42,10 @@ std::string cost_lines(const Summary& s) {
 
 }  // namespace
 
-Summary summarise(const Recording& recording, const Robot& robot, const Board& board, const std::string& image) {
-  Summary summary{robot, board, std::vector<ErrorStatistics>(robot.limits.size()), {}, {}, image_size(image)};
+Summary summarise(const Recording& recording, const Robot& robot, const Board& board, const std::string& image,
+                  const std::string& number) {
+  Summary summary{
+      robot, board, std::vector<ErrorStatistics>(robot.limits.size()), {}, number, {}, {}, image_size(image)};
   for (const Sample& sample : recording.samples) {
     for (std::size_t i = 0; i < sample.torque.size(); ++i)
       summary.joints[i].add(sample.torque[i], sample.exact[i]);
@@ -40,6 +54,7 @@ Summary summarise(const Recording& recording, const Robot& robot, const Board& b
   for (const ErrorStatistics& joint : summary.joints)
     summary.scales.push_back(joint.scale());
   summary.scales = joint_scales(summary.scales);
+  summary.bounds = is_fixed(summary) ? fixed32_bounds(recording, robot) : float_bounds(summary.scales);
   summary.hello = recording.hello;
   summary.stack = recording.stats.stack_bytes;
   summary.set_points = recording.samples.size();
@@ -52,15 +67,15 @@ double relative(const Summary& summary, std::size_t joint, double error) {
 }
 
 bool within_bound(const Summary& summary) {
-  const double bound = error_bound(summary.robot.joints());
   for (std::size_t i = 0; i < summary.joints.size(); ++i)
-    if (!(relative(summary, i, summary.joints[i].largest()) <= bound)) return false;
+    if (!(summary.joints[i].largest() <= summary.bounds[i])) return false;
   return true;
 }
 
 std::string describe(const Summary& s) {
-  return s.robot.name + " on " + s.board.name + " in QEMU: " + grouped(s.set_points) + " set-points, " +
-         significant(s.duration) + " s of motion\n\n" + table_of_errors(s) + "\n" + cost_lines(s);
+  return s.robot.name + " on " + s.board.name + (is_fixed(s) ? ", 32-bit fixed point, in QEMU: " : " in QEMU: ") +
+         grouped(s.set_points) + " set-points, " + significant(s.duration) + " s of motion\n\n" + table_of_errors(s) +
+         "\n" + cost_lines(s);
 }
 
 nlohmann::json to_json(const Summary& s) {
@@ -69,6 +84,7 @@ nlohmann::json to_json(const Summary& s) {
     const ErrorStatistics& e = s.joints[i];
     rows.push_back({{"robot", s.robot.name},
                     {"board", s.board.name},
+                    {"scalar", s.number},
                     {"joint", i + 1},
                     {"unit", s.robot.effort_unit(static_cast<int>(i))},
                     {"torque_max", e.scale()},
@@ -77,7 +93,7 @@ nlohmann::json to_json(const Summary& s) {
                     {"error_max_relative", relative(s, i, e.largest())},
                     {"error_rms", e.rms()},
                     {"error_rms_relative", relative(s, i, e.rms())},
-                    {"error_bound_relative", error_bound(s.robot.joints())},
+                    {"error_bound_relative", relative(s, i, s.bounds[i])},
                     {"instructions_min", s.instructions.min},
                     {"instructions_max", s.instructions.max},
                     {"flash_bytes", s.image.flash},

@@ -18,6 +18,8 @@ struct Summary {
   Board board;
   std::vector<ErrorStatistics> joints;
   std::vector<double> scales;  ///< what each joint's errors are relative to: joint_scales() of the largest torques
+  std::string number;          ///< float or fixed32
+  std::vector<double> bounds;  ///< what each joint's errors may be, N m or N
   Range instructions;
   ImageSize image;
   link::Hello hello{};
@@ -26,12 +28,9 @@ struct Summary {
   double duration = 0.0;  ///< s of motion
 };
 
-/// Largest torque error that the float kernels are allowed, relative to the joint's largest torque over the trajectory.
-/// Rounding gathers along the chain and the last joints of a long arm carry next to nothing, so these get twice as
-/// much.
-constexpr double error_bound(int joints) { return joints <= 6 ? 5e-7 : 1e-6; }
-
-Summary summarise(const Recording& recording, const Robot& robot, const Board& board, const std::string& image);
+/// `number` is float or fixed32.
+Summary summarise(const Recording& recording, const Robot& robot, const Board& board, const std::string& image,
+                  const std::string& number);
 
 /// An error of a joint, relative to its scale; 0 when all torques are 0.
 double relative(const Summary& summary, std::size_t joint, double error);

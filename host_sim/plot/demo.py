@@ -35,8 +35,8 @@ def main(csv_file, json_file):
 def title(joints):
     first = joints[0]
     count = f"{first['instructions_min']} to {first['instructions_max']}"
-    return (f"{first['robot']} on {first['board']} in QEMU: {first['set_points']} set-points at 1 kHz, float, "
-            f"{count} instructions per torque")
+    return (f"{first['robot']} on {first['board']} in QEMU: {first['set_points']} set-points at 1 kHz, "
+            f"{first.get('scalar', 'float')}, {count} instructions per torque")
 
 
 def draw_pair(axes, data, joints, column, heading, units):
@@ -63,7 +63,7 @@ def draw_errors(axes, data, joints):
         time, error = largest_of_each(10, data["time"], np.abs(data[f"error{index + 1}"]))
         relative = np.maximum(error / (joint["torque_scale"] or 1.0), FLOOR)
         axes.step(time, relative, where="post", color=style.COLOURS[index], linewidth=1.0)
-    bound = joints[0]["error_bound_relative"]
+    bound = max(joint["error_bound_relative"] for joint in joints)
     axes.axhline(bound, color=style.INK, linewidth=1.0, linestyle=(0, (2, 2)))
     axes.annotate(f"bound {bound:g}", (data["time"][-1], bound), xytext=(-4, 3), textcoords="offset points", ha="right")
     axes.set_yscale("log")

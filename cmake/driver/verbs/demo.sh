@@ -8,6 +8,7 @@ Installs and builds what is missing, starts the feed-forward firmware of a board
 cycle to it tick by tick, compares every torque with the oracle, prints a table and writes CSV, JSON and a picture.
   --robot NAME        scara (default), scara_rrpr, puma560, panda, planar2r
   --board NAME        stm32f405 (default), stm32f100, nrf51, rv32_virt
+  --number NAME       what the firmware computes in: float (default), fixed32 (32-bit fixed point; the wire stays float)
   --trajectory FILE   way-points (.json as in host_sim/trajectories) or set-points (.csv: time, q..., qd..., qdd...)
   --output FOLDER     where the files go; default output/demo
   --json FILE         the figures of every joint once more, as an array of objects

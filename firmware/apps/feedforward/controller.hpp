@@ -21,20 +21,34 @@ constexpr hal::link::TorqueStatus link_status(Status::Code code) {
   }
 }
 
-/// One torque is load, compute, store; `compute` alone is what a user embeds, and what is measured.
-template <class Scene>
+/// One torque is load, compute, store; `compute` alone is what a user embeds, and what is measured. The wire carries
+/// float; `Number` is what the control layer computes in: float, or fixed point, to and from which load and store
+/// convert.
+template <class Scene, class Number = float>
 class Controller {
+  using Robot = robot_of<Scene>;
+  using Real = Joints<Robot, float>;
+
  public:
   static constexpr std::size_t joints = static_cast<std::size_t>(joint_count<Scene>);
-  static constexpr const char* name = robot_of<Scene>::name;
+  static constexpr const char* name = Robot::name;
 
   void load(const hal::link::SetPoint& request) {
-    copy(request.q, q_);
-    copy(request.qd, qd_);
-    copy(request.qdd, qdd_);
+    if constexpr (is_stored_v<Number>)
+      request_ = to_fixed_request<Scene, typename Number::Word>(real(request.q), real(request.qd), real(request.qdd));
+    else
+      request_ = {real(request.q), real(request.qd), real(request.qdd), {}};
   }
 
-  void compute() { result_ = feedforward<Scene>(state_, q_, qd_, qdd_); }
+  void compute() {
+    if constexpr (is_stored_v<Number>) {
+      if (!request_.status.ok()) {  // it was brought within limits: not what was asked
+        result_ = {state_.last_safe, request_.status};
+        return;
+      }
+    }
+    result_ = feedforward<Scene>(state_, request_.q, request_.qd, request_.qdd);
+  }
 
   void store(hal::link::Torque& answer) const {
     store_efforts(result_.tau, answer);
@@ -46,23 +60,27 @@ class Controller {
   void store_last_safe(hal::link::Torque& answer) const { store_efforts(state_.last_safe, answer); }
 
  private:
-  using Values = Joints<robot_of<Scene>, float>;
-  using Wire = std::array<float, hal::link::max_joints>;
-
-  static void copy(const Wire& from, Values& to) {
+  static Real real(const std::array<float, hal::link::max_joints>& from) {
+    Real to{};
     for (std::size_t i = 0; i < joints; ++i)
       to[static_cast<int>(i)] = from[i];
+    return to;
   }
 
-  static void store_efforts(const Values& tau, hal::link::Torque& answer) {
+  static void store_efforts(const EffortsOf<Scene, Number>& efforts, hal::link::Torque& answer) {
+    Real tau{};
+    if constexpr (is_stored_v<Number>)
+      tau = to_real<float>(efforts);
+    else
+      tau = efforts;
     answer.joints = joints;
     for (std::size_t i = 0; i < joints; ++i)
       answer.tau[i] = tau[static_cast<int>(i)];
   }
 
-  Values q_{}, qd_{}, qdd_{};
-  FeedforwardState<Scene, float> state_{};
-  FeedforwardResult<Scene, float> result_{};
+  Request<Scene, Number> request_{};
+  FeedforwardState<Scene, Number> state_{};
+  FeedforwardResult<Scene, Number> result_{};
 };
 
 }  // namespace axial::apps

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <axial/closed_form/scara.hpp>
+#include <axial/control/border.hpp>
+#include <axial/control/encoder.hpp>
 #include <axial/control/feedforward.hpp>
 #include <axial/control/two_rate.hpp>
 #include <axial/dynamics/base_wrench.hpp>

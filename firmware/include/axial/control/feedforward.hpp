@@ -26,10 +26,11 @@ template <class S, class T>
 constexpr Status clamp_efforts(EffortsOf<S, T>& tau) {
   Status status;
   for (int i = joint_count<S>; i-- > 0;) {
-    const T most = limits_of<robot_of<S>, T>.joints[i].effort;
-    const T clamped = tau[i] > most ? most : tau[i] < -most ? -most : tau[i];
-    if (clamped < tau[i] || clamped > tau[i]) status = {Status::Code::effort_limit, i};
-    tau[i] = clamped;
+    const auto& most = limits_for<S, T>().joints[i].effort;
+    const bool within = magnitude_inside(tau[i], most);
+    status.code = within ? status.code : Status::Code::effort_limit;
+    status.joint = select(within, status.joint, i);
+    tau[i] = nearest_inside(tau[i], most);
   }
   return status;
 }
@@ -47,6 +48,8 @@ constexpr Status check_all(const Positions<robot_of<S>, T>& q, const Velocities<
                            const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in) {
   if constexpr (scene_of<S>::template has<Payload>)
     if (const Status payload = check_payload<S>(in.payload); !payload.ok()) return payload;
+  if constexpr (is_stored_v<T>)
+    if (const Status inputs = check_fixed_inputs<S>(in); !inputs.ok()) return inputs;
   return check_request<S>(q, qd, qdd);
 }
 
@@ -68,7 +71,10 @@ constexpr void hand_out(FeedforwardResult<S, T>& result, FeedforwardState<S, T>&
 /// where it names Friction. Out: efforts (N m or N) inside the declared effort limits.
 /// A request that is not finite or outside the declared limits, a payload beyond the declared maximum (which the robot
 /// must declare: axial::payload_limit), and run-time inputs that make the result not finite, give the last safe output
-/// and a status that names the joint or the payload; an effort beyond its limit is clamped and reported.
+/// and a status that names the joint or the payload; an effort beyond its limit is clamped and reported. A request that
+/// is to be followed as far as the limits go passes through clamped_request() first.
+/// Fixed point: the same, on raw words (Positions<Robot, Fixed32> ...); border.hpp brings real numbers there and back,
+/// and says what was wrong with them.
 template <class S, class T>
 constexpr FeedforwardResult<S, T> feedforward(FeedforwardState<S, T>& state, const Positions<robot_of<S>, T>& q,
                                               const Velocities<robot_of<S>, T>& qd,

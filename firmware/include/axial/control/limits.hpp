@@ -1,7 +1,8 @@
 // Checks of run-time requests against what a robot declares.
 #pragma once
 
-#include <axial/model/joints.hpp>
+#include <axial/control/fixed_inputs_check.hpp>
+#include <axial/control/fixed_limits.hpp>
 #include <axial/model/status.hpp>
 
 namespace axial {
@@ -14,6 +15,11 @@ constexpr bool is_finite(const T& x) {
     return (__builtin_bit_cast(std::uint32_t, x) & 0x7F800000u) != 0x7F800000u;
   else
     return (__builtin_bit_cast(std::uint64_t, x) & 0x7FF0000000000000u) != 0x7FF0000000000000u;
+}
+/// Fixed point is always a number.
+template <class Word>
+constexpr bool is_finite(const Stored<Word>&) {
+  return true;
 }
 
 /// The largest number T not beyond a declared limit, so that the limit itself is inside.
@@ -51,19 +57,61 @@ inline constexpr Limits<Robot, T> limits_of = declared_limits<Robot, T>();
 
 namespace detail {
 
+/// What a request and an effort are held against: of the robot, or in fixed point of the scene, which gives efforts
+/// their formats.
+template <class S, class T>
+constexpr const auto& limits_for() {
+  if constexpr (is_stored_v<T>)
+    return fixed_limits_of<S, typename T::Word>;
+  else
+    return limits_of<robot_of<S>, T>;
+}
+
 // NaN is not inside; unlimited joints have the largest number as limit, so infinity is not inside either.
 template <class T>
 constexpr bool inside(const T& x, const T& low, const T& high) {
   return x >= low && x <= high;
 }
 
-// What is wrong with a joint of which something is.
 template <class L, class T>
-constexpr Status::Code complaint(const L& l, const T& q, const T& qd, const T& qdd) {
+constexpr bool position_inside(const L& l, const T& q) {
+  if constexpr (is_stored_v<T>)
+    return l.reaches(q);
+  else
+    return inside(q, l.position_min, l.position_max);
+}
+// A speed, an acceleration or an effort, and what it may be in either direction.
+template <class T, class Most>
+constexpr bool magnitude_inside(const T& x, const Most& most) {
+  if constexpr (is_stored_v<T>)
+    return most.allows(x);
+  else
+    return inside(x, -most, most);
+}
+
+// The nearest number within limits.
+template <class T, class Most>
+constexpr T nearest_inside(const T& x, const Most& most) {
+  if constexpr (is_stored_v<T>)
+    return most.nearest(x);
+  else
+    return x > most ? most : x < -most ? -most : x;
+}
+template <class T, class L>
+constexpr T nearest_reached(const T& q, const L& l) {
+  if constexpr (is_stored_v<T>)
+    return l.nearest(q);
+  else
+    return q > l.position_max ? l.position_max : q < l.position_min ? l.position_min : q;
+}
+
+// What is wrong with a joint of which something is.
+template <class L, class Q, class T>
+constexpr Status::Code complaint(const L& l, const Q& q, const T& qd, const T& qdd) {
   using Code = Status::Code;
   if (!(is_finite(q) && is_finite(qd) && is_finite(qdd))) return Code::not_finite;
-  if (!inside(q, l.position_min, l.position_max)) return Code::position_limit;
-  return inside(qd, -l.speed, l.speed) ? Code::acceleration_limit : Code::speed_limit;
+  if (!position_inside(l, q)) return Code::position_limit;
+  return magnitude_inside(qd, l.speed) ? Code::acceleration_limit : Code::speed_limit;
 }
 
 }  // namespace detail
@@ -73,12 +121,37 @@ template <class S, class T>
 constexpr Status check_request(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                const Accelerations<robot_of<S>, T>& qdd) {
   for (int i = 0; i < joint_count<S>; ++i) {
-    const auto& l = limits_of<robot_of<S>, T>.joints[i];
-    if (!(detail::inside(q[i], l.position_min, l.position_max) && detail::inside(qd[i], -l.speed, l.speed) &&
-          detail::inside(qdd[i], -l.acceleration, l.acceleration)))
+    const auto& l = detail::limits_for<S, T>().joints[i];
+    if (!(detail::position_inside(l, q[i]) && detail::magnitude_inside(qd[i], l.speed) &&
+          detail::magnitude_inside(qdd[i], l.acceleration)))
       return {detail::complaint(l, q[i], qd[i], qdd[i]), i};
   }
   return {};
+}
+
+/// A desired motion, and what was wrong with it.
+template <class S, class T>
+struct Request {
+  Positions<robot_of<S>, T> q{};
+  Velocities<robot_of<S>, T> qd{};
+  Accelerations<robot_of<S>, T> qdd{};
+  Status status{};
+};
+
+/// The nearest motion within the declared limits, joint by joint and quantity by quantity; the status is that of
+/// check_request() for what was asked. A revolute position in fixed point goes to the nearer end along the circle.
+/// NaN has no nearest number: it stays, and feedforward() refuses it; infinities become limits.
+template <class S, class T>
+constexpr Request<S, T> clamped_request(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+                                        const Accelerations<robot_of<S>, T>& qdd) {
+  Request<S, T> near{q, qd, qdd, check_request<S>(q, qd, qdd)};
+  for (int i = 0; i < joint_count<S>; ++i) {
+    const auto& l = detail::limits_for<S, T>().joints[i];
+    near.q[i] = detail::nearest_reached(q[i], l);
+    near.qd[i] = detail::nearest_inside(qd[i], l.speed);
+    near.qdd[i] = detail::nearest_inside(qdd[i], l.acceleration);
+  }
+  return near;
 }
 
 /// Whether a run-time payload is within what the robot declares; NaN is not.
@@ -98,6 +171,11 @@ constexpr Status check_payload(const PayloadBody<T>& load) {
   within = within && detail::inside(j.xy, -inertia, inertia) && detail::inside(j.xz, -inertia, inertia) &&
            detail::inside(j.yz, -inertia, inertia);
   return {within ? Status::Code::ok : Status::Code::payload_limit, -1};
+}
+
+template <class S, class Word>
+constexpr Status check_payload(const PayloadBody<Stored<Word>>& load) {
+  return {detail::payload_within<S>(load) ? Status::Code::ok : Status::Code::payload_limit, -1};
 }
 
 }  // namespace axial

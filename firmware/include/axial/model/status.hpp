@@ -17,6 +17,8 @@ struct Status {
     saturated = 9,      ///< fixed-point forward dynamics: efforts drive this joint beyond the range of its formats
     rescaled = 10,      ///< fixed-point forward dynamics: efforts beyond the declared ones; right, but less exact
     not_ready = 8,      ///< asked before the first good refresh(); about no joint
+    input_limit = 11,   ///< fixed point: tip wrench or gravity beyond the declared ones, or no sine-cosine pair; about
+                        ///< no joint
   };
   Code code = Code::ok;
   int joint = -1;

@@ -1,0 +1,61 @@
+#include <host_sim/robots/fixed_format.hpp>
+
+#include <host_sim/robots/robot.hpp>
+
+#include <axial/model/links.hpp>
+#include <robots/robots.hpp>
+
+#include <cmath>
+
+namespace host_sim {
+
+namespace {
+
+/// Beyond half a unit: angles are rounded to 2^-20 of theirs.
+constexpr double border_slack = 1.0 + 0x1p-19;
+
+template <class Values>
+std::vector<double> half_units() {
+  std::vector<double> halves;
+  for (int i = 0; i < Values::size; ++i)
+    halves.push_back(border_slack * std::ldexp(0.5, -Values::exponent(i)));
+  return halves;
+}
+
+template <class Robot>
+std::vector<double> half_units_of_positions() {
+  std::vector<double> halves = half_units<axial::Positions<Robot, axial::Fixed32>>();
+  const double half_angle = border_slack * 0x1p-33 * 2.0 * std::acos(-1.0);
+  for (std::size_t i = 0; i < halves.size(); ++i)
+    if (Robot::chain.links[i].type == axial::JointType::revolute) halves[i] = half_angle;
+  return halves;
+}
+
+template <class Robot>
+std::vector<double> certified_errors() {
+  using Links = decltype(axial::links_of<Robot, axial::Fixed32, axial::BaseParameters>());
+  std::vector<double> errors;
+  for (const axial::LinkRange& range :
+       axial::detail::ranges_of<typename Links::Scene, typename Links::Parameters, typename Links::Scalar,
+                                axial::recursion::NewtonEuler>.range)
+    errors.push_back(range.joint_effort.error);
+  return errors;
+}
+
+template <class Robot>
+FixedFormat format_of() {
+  using axial::Fixed32;
+  return {half_units_of_positions<Robot>(), half_units<axial::Velocities<Robot, Fixed32>>(),
+          half_units<axial::Accelerations<Robot, Fixed32>>(), certified_errors<Robot>()};
+}
+
+}  // namespace
+
+FixedFormat fixed32_format(const std::string& robot) {
+  FixedFormat format;
+  if (!robots::visit_named(robot.c_str(), [&](auto named) { format = format_of<typename decltype(named)::Robot>(); }))
+    find_robot(robot);  // says which there are
+  return format;
+}
+
+}  // namespace host_sim
