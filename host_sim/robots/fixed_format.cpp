@@ -2,7 +2,7 @@
 
 #include <host_sim/robots/robot.hpp>
 
-#include <axial/model/links.hpp>
+#include <axial/error_bound.hpp>
 #include <robots/robots.hpp>
 
 #include <cmath>
@@ -33,12 +33,9 @@ std::vector<double> half_units_of_positions() {
 
 template <class Robot>
 std::vector<double> certified_errors() {
-  using Links = decltype(axial::links_of<Robot, axial::Fixed32, axial::BaseParameters>());
   std::vector<double> errors;
-  for (const axial::LinkRange& range :
-       axial::detail::ranges_of<typename Links::Scene, typename Links::Parameters, typename Links::Scalar,
-                                axial::recursion::NewtonEuler>.range)
-    errors.push_back(range.joint_effort.error);
+  for (const double error : axial::error_bound<Robot>(axial::algorithm::inverse_dynamics).of)
+    errors.push_back(error);
   return errors;
 }
 
