@@ -24,15 +24,15 @@ namespace detail {
 // Keeps efforts inside the declared ones; names the first joint that was clamped.
 template <class S, class T>
 constexpr Status clamp_efforts(EffortsOf<S, T>& tau) {
-  Status status;
+  int joint = -1;
   for (int i = joint_count<S>; i-- > 0;) {
     const auto& most = limits_for<S, T>().joints[i].effort;
-    const bool within = magnitude_inside(tau[i], most);
-    status.code = within ? status.code : Status::Code::effort_limit;
-    status.joint = select(within, status.joint, i);
+    const int outside = outside_mask(tau[i], most);
+    joint = (joint & ~outside) | (i & outside);
     tau[i] = nearest_inside(tau[i], most);
   }
-  return status;
+  constexpr int limited = static_cast<int>(Status::Code::effort_limit);
+  return {static_cast<Status::Code>(limited & ~(joint >> 31)), joint};
 }
 
 template <class S, class T>

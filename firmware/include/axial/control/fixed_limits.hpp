@@ -10,11 +10,16 @@ namespace axial {
 template <class Word>
 struct RawMost {
   Word raw{};
+  /// -1 where |x| is larger, else 0; a subtraction, which no compiler makes a branch.
+  constexpr std::int32_t outside(const Stored<Word>& x) const {
+    const std::uint32_t up = static_cast<std::uint32_t>(x.raw) + static_cast<std::uint32_t>(raw);
+    return static_cast<std::int32_t>((2 * std::int64_t{raw} - std::int64_t{up}) >> 32);
+  }
   constexpr bool allows(const Stored<Word>& x) const { return x.raw <= raw && x.raw >= -raw; }
-  /// x, or the nearer end; by masks.
+  /// x, or the nearer end.
   constexpr Stored<Word> nearest(const Stored<Word>& x) const {
-    const int above = -static_cast<int>(x.raw > raw), below = -static_cast<int>(x.raw < -raw);
-    return {static_cast<Word>((x.raw & ~(above | below)) | (raw & above) | (-raw & below))};
+    const std::int32_t sign = x.raw >> (8 * static_cast<int>(sizeof(Word)) - 1), end = (raw ^ sign) - sign;
+    return {static_cast<Word>(x.raw ^ ((x.raw ^ end) & outside(x)))};
   }
 };
 

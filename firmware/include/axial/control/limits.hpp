@@ -89,6 +89,14 @@ constexpr bool magnitude_inside(const T& x, const Most& most) {
     return inside(x, -most, most);
 }
 
+// -1 where it is not, else 0.
+template <class T, class Most>
+constexpr int outside_mask(const T& x, const Most& most) {
+  if constexpr (is_stored_v<T>)
+    return static_cast<int>(most.outside(x));
+  else
+    return -static_cast<int>(!inside(x, -most, most));
+}
 // The nearest number within limits.
 template <class T, class Most>
 constexpr T nearest_inside(const T& x, const Most& most) {
