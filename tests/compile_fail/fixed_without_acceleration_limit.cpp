@@ -1,0 +1,11 @@
+// expect: give every link an acceleration_limit()
+#include <axial/axial.hpp>
+
+struct Robot {
+#ifdef MENDED
+  static constexpr auto chain = axial::chain(axial::revolute().mass(1.0).speed_limit(1.0).acceleration_limit(2.0));
+#else
+  static constexpr auto chain = axial::chain(axial::revolute().mass(1.0).speed_limit(1.0));
+#endif
+};
+constexpr int exponent = axial::Velocities<Robot, axial::Fixed32>::exponent(0);

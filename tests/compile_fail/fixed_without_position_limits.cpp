@@ -1,0 +1,12 @@
+// expect: give every prismatic link position_limits()
+#include <axial/axial.hpp>
+
+struct Robot {
+#ifdef MENDED
+  static constexpr auto chain =
+      axial::chain(axial::prismatic().mass(1.0).speed_limit(1.0).acceleration_limit(2.0).position_limits(0.0, 0.5));
+#else
+  static constexpr auto chain = axial::chain(axial::prismatic().mass(1.0).speed_limit(1.0).acceleration_limit(2.0));
+#endif
+};
+constexpr int exponent = axial::Velocities<Robot, axial::Fixed32>::exponent(0);
