@@ -68,10 +68,11 @@ AXIAL_INLINE constexpr auto move(Revolute, const Link& link, const Screw& screw,
   auto w = link.sum(AngularVelocity{}, turning, along_z(qd));
   auto p = products(w, link);
   auto u = rotation_acceleration(w, still, p, link);
-  auto angular = cross_z(turning, qd);
+  auto angular = link.sum(AngularAcceleration{}, cross_z(turning, qd));
   // d lies on the axis, which turns with the parent: w_parent x (w_parent x d) in terms of this link's products.
   auto on_axis = screw.shift * Vec3{p.y + angular.y, p.x - angular.x, u.z.z};
-  auto linear = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, parent.u * translation(x))), on_axis);
+  auto at_axis = link.sum(LinearAcceleration{}, parent.u * translation(x));
+  auto linear = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, at_axis)), on_axis);
   return Velocity{w, p, u, MotionVector{angular, linear}};
 }
 template <class Link, class Screw, class Parent, class V>
@@ -82,8 +83,9 @@ AXIAL_INLINE constexpr auto move(Prismatic, const Link& link, const Screw& screw
   auto w = to_child(screw, to_child(x, parent.w));
   auto p = products(w, link);
   auto u = rotation_acceleration(w, still, p, link);
-  auto linear = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, parent.u * translation(x))),
-                         u * along_z(screw.shift), cross_z(w, twice(qd)));
+  auto at_axis = link.sum(LinearAcceleration{}, parent.u * translation(x));
+  auto linear = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, at_axis)), u * along_z(screw.shift),
+                         cross_z(w, twice(qd)));
   return Velocity{w, p, u, MotionVector{still, linear}};
 }
 
