@@ -271,7 +271,7 @@ AXIAL_INLINE constexpr Status status_of(int lost, bool scaled) {
   constexpr bool ranged = decltype(std::declval<const Links&>().link(Index<0>{}))::ranged;
   const auto trouble = static_cast<int>(ranged ? Status::Code::saturated : Status::Code::near_singular);
   const int otherwise = select(scaled, static_cast<int>(Status::Code::rescaled), static_cast<int>(Status::Code::ok));
-  return {static_cast<Status::Code>(select(lost >= 0, trouble, otherwise)), lost};
+  return {static_cast<Status::Code>(select(!is_negative(lost), trouble, otherwise)), lost};
 }
 
 /// The algorithm over any form of links and the screws at q; writes one acceleration a joint.
@@ -306,7 +306,7 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
       write(links, qdd, i, unscaled(lost, own, situation.shift));
       return link.shape(with_joint(link, moved, along_axis(joint, own)));
     });
-    singular = select((singular < 0) & lost, static_cast<int>(i), singular);
+    singular = first_found(singular, lost, static_cast<int>(i));
     return answer;
   });
   return write_base(links, in, base, status_of<Links>(singular, is_scaled(situation.shift)), qdd);

@@ -20,12 +20,10 @@ namespace detail {
 inline constexpr int most_halvings = 5;
 
 /// Halvings that bring |x| to `limit` or below, at most most_halvings; the same instructions whatever they are.
-AXIAL_INLINE constexpr int halvings(std::int64_t x, std::int64_t limit) {
+template <int... K>
+AXIAL_INLINE constexpr int halvings(std::int64_t x, std::int64_t limit, std::integer_sequence<int, K...>) {
   const std::int64_t sign = x >> 63, size = (x ^ sign) - sign;
-  int count = 0;
-  for (int k = 0; k < most_halvings; ++k)
-    count += static_cast<int>(size > (limit << k));
-  return count;
+  return (0 + ... + static_cast<int>(is_less(limit << K, size)));
 }
 
 template <int E, class S>
@@ -52,8 +50,9 @@ AXIAL_INLINE constexpr auto scaled_drive(const Links& links, const Tau& tau, con
     int shift = 0;
     for_each_link(links, [&](auto i) AXIAL_INLINE {
       constexpr std::int64_t limit = Links::template drive_limit<i>(decltype(tau[i])::exponent);
-      const int own = detail::halvings(detail::difference(tau[i], bias[i]), limit);
-      shift = select(own > shift, own, shift);
+      const int own = detail::halvings(detail::difference(tau[i], bias[i]), limit,
+                                       std::make_integer_sequence<int, detail::most_halvings>{});
+      shift = select(detail::is_less(shift, own), own, shift);
     });
     auto values = map_links(links, [&](auto i) AXIAL_INLINE {
       using From = decltype(tau[i]);
@@ -71,14 +70,8 @@ AXIAL_INLINE constexpr const X& unscaled(bool&, const X& x, Zero) {
 }
 template <int E, class S>
 AXIAL_INLINE constexpr Fx<E, S> unscaled(bool& lost, const Fx<E, S>& x, int shift) {
-  const std::int64_t whole = std::int64_t{x.raw} * (std::int64_t{1} << shift);
-  constexpr auto most = static_cast<std::int64_t>(S::capacity);
-  const bool above = whole > most, below = whole < -most;
-  lost = lost | above | below;
-  constexpr auto limit = static_cast<typename S::Word>(most);
-  using F = Fx<E, S>;
-  return select(above, F{limit},
-                select(below, F{static_cast<typename S::Word>(-limit)}, F{static_cast<typename S::Word>(whole)}));
+  const std::int64_t whole = integer::multiply(x.raw, std::int32_t{1} << shift);
+  return {detail::held_in_word<S>(lost, whole)};
 }
 
 /// Whether efforts were taken in parts.

@@ -119,7 +119,7 @@ struct FormatRounding {
     // u^2 <= D share, both as upper words: share is brought to the exponent that u^2 has beyond D's, less two bits.
     constexpr std::int32_t share =
         static_cast<std::int32_t>(Table::value.range[I].share * power_of_two(2 * F - E - 2) * 0.999);
-    const bool beyond = (integer::multiply_high(u.raw, u.raw) >> 2) > integer::multiply_high(d.raw, share);
+    const bool beyond = is_less(integer::multiply_high(d.raw, share), integer::multiply_high(u.raw, u.raw) >> 2);
     lost = lost | beyond;
     return select(beyond, Fx<F, S>{}, u);
   }

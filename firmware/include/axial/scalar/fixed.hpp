@@ -307,13 +307,31 @@ AXIAL_INLINE constexpr Fx<E + 1, S> half(const Fx<E, S>& x) {
   return {x.raw};
 }
 
+// Comparisons by the sign of a difference: a processor without conditional instructions would branch otherwise.
+namespace detail {
+AXIAL_INLINE constexpr bool is_less(std::int64_t a, std::int64_t b) {  // where a - b fits
+  return (static_cast<std::uint64_t>(a - b) >> 63) != 0;
+}
+
+/// x where it fits a word, else the largest or smallest number; sets `lost` there. |x| < 2^(31 + the word's bits).
+template <class S>
+AXIAL_INLINE constexpr typename S::Word held_in_word(bool& lost, std::int64_t x) {
+  const auto sign = static_cast<std::int32_t>(x >> 63);
+  const auto spill = static_cast<std::uint32_t>(static_cast<std::int32_t>(x >> (S::bits - 1)) ^ sign);
+  const auto beyond = static_cast<std::int32_t>((spill | (0U - spill)) >> 31);
+  lost = lost | (beyond != 0);
+  constexpr auto most = static_cast<std::int32_t>(S::capacity);
+  const std::int32_t limit = (most ^ sign) - sign, held = static_cast<std::int32_t>(x);
+  return static_cast<typename S::Word>((held & (beyond - 1)) | (limit & -beyond));
+}
+}  // namespace detail
 template <int E, class S>
 AXIAL_INLINE constexpr bool operator<(Fx<E, S> a, Fx<E, S> b) {
-  return a.raw < b.raw;
+  return detail::is_less(a.raw, b.raw);
 }
 template <int E, class S>
 AXIAL_INLINE constexpr bool operator>(Fx<E, S> a, Fx<E, S> b) {
-  return a.raw > b.raw;
+  return b < a;
 }
 
 template <std::uint64_t B, class S>

@@ -255,13 +255,7 @@ AXIAL_INLINE constexpr auto saturated(bool& lost, const X& x) {
   const auto sum = accumulate<common>(x);
   constexpr auto half = S::nearest && common > E ? typename S::Bits{1} << (common - E - 1) : typename S::Bits{0};
   const auto wide = static_cast<typename S::Wide>(detail::shifted<E - common, S>(sum.raw + half));
-  constexpr auto most = static_cast<typename S::Wide>(S::capacity);
-  const bool above = wide > most, below = wide < -most;
-  lost = lost | above | below;
-  const auto held = static_cast<typename S::Word>(wide);
-  using F = Fx<E, S>;
-  constexpr auto limit = static_cast<typename S::Word>(most);
-  return select(above, F{limit}, select(below, F{static_cast<typename S::Word>(-limit)}, F{held}));
+  return Fx<E, S>{detail::held_in_word<S>(lost, static_cast<std::int64_t>(wide))};
 }
 
 namespace detail {

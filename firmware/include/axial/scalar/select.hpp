@@ -30,6 +30,13 @@ template <class T, std::enable_if_t<!std::is_floating_point_v<T> || (sizeof(T) >
 AXIAL_INLINE constexpr T select(bool condition, const T& yes, const T& no) {
   return condition ? yes : no;
 }
+/// What has been found (an index, -1 for nothing), or `index` where it is found now.
+AXIAL_INLINE constexpr int first_found(int found, bool now, int index) {
+  const int open = (found >> (8 * static_cast<int>(sizeof(int)) - 1)) & -static_cast<int>(now);
+  return (index & open) | (found & ~open);
+}
+/// x < 0, by its sign bit.
+AXIAL_INLINE constexpr bool is_negative(int x) { return (static_cast<unsigned>(x) >> (8 * sizeof(int) - 1)) != 0; }
 /// The same for an index.
 AXIAL_INLINE constexpr int select(bool condition, int yes, int no) {
   const int mask = -static_cast<int>(condition);
