@@ -1,0 +1,158 @@
+#pragma once
+/// Fixed point over a fixed sequence of states, hashed: the same number on every board, host and compiler.
+
+#include <axial/axial.hpp>
+
+#include <cstdint>
+
+namespace axial::apps::fixed {
+
+/// FNV-1a (Fowler, Noll, Vo) over bytes, the least significant first.
+class Hash {
+ public:
+  constexpr void add(std::int32_t word) {
+    for (int byte = 0; byte < 4; ++byte)
+      value_ = (value_ ^ (static_cast<std::uint32_t>(word) >> (8 * byte) & 0xffU)) * 0x100000001b3U;
+  }
+  constexpr std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325U;
+};
+
+/// Marsaglia's xorshift32, integers only.
+class Random {
+ public:
+  constexpr std::int32_t next() {
+    state_ ^= state_ << 13, state_ ^= state_ >> 17, state_ ^= state_ << 5;
+    return static_cast<std::int32_t>(state_);
+  }
+  /// In [-limit, limit).
+  constexpr std::int32_t within(std::int32_t limit) { return integer::multiply_high(next(), limit) * 2; }
+
+ private:
+  std::uint32_t state_ = 0x20240920;
+};
+
+/// The limits of one role as raw words.
+template <class S>
+struct RawLimits {
+  std::int32_t of[robot_of<S>::chain.size];
+};
+template <class S, class Values, class Get>
+constexpr RawLimits<S> raw_limits(Get get) {
+  RawLimits<S> limits{};
+  for (int i = 0; i < robot_of<S>::chain.size; ++i)
+    limits.of[i] =
+        static_cast<std::int32_t>(get(robot_of<S>::chain.links[i]) * detail::power_of_two(Values::exponent(i)));
+  return limits;
+}
+
+/// What a kernel is called with.
+template <class S, class T>
+struct Call {
+  using R = robot_of<S>;
+  Positions<R, T> q{};
+  Velocities<R, T> qd{};
+  Accelerations<R, T> qdd{};
+  EffortsOf<S, T> tau{};
+};
+
+/// The next state: every fourth one holds each number at a limit or at 0, angles at eighths of a turn.
+template <class S, class T>
+constexpr Call<S, T> next_call(Random& random, int index) {
+  using C = Call<S, T>;
+  using Word = typename T::Word;
+  constexpr auto slide =
+      raw_limits<S, decltype(C::q)>([](const auto& p) { return p.position_max < 100.0 ? p.position_max : 0.0; });
+  constexpr auto speed = raw_limits<S, decltype(C::qd)>([](const auto& p) { return p.speed_limit; });
+  constexpr auto pull = raw_limits<S, decltype(C::qdd)>([](const auto& p) { return p.acceleration_limit; });
+  constexpr auto effort = raw_limits<S, decltype(C::tau)>([](const auto& p) { return p.effort_limit; });
+  const bool corner = index % 4 == 3;
+  const auto draw = [&](std::int32_t limit) {
+    const std::int32_t any = random.within(limit), side = random.next() >> 30;
+    return static_cast<Word>(!corner ? any : side == 0 ? 0 : side < 0 ? -limit : limit);
+  };
+  C call{};
+  for (int i = 0; i < robot_of<S>::chain.size; ++i) {
+    const bool turns = robot_of<S>::chain.links[i].type == JointType::revolute;
+    const std::int32_t angle = random.next(), depth = random.next();
+    const auto eighth = static_cast<std::int32_t>(static_cast<std::uint32_t>(angle) & 0xe0000000U);
+    const std::int32_t shift = static_cast<std::int32_t>(static_cast<std::uint32_t>(depth) >> 1);
+    call.q[i].raw = !turns ? integer::multiply_high(shift, slide.of[i]) * 2 : corner ? eighth : angle;
+    call.qd[i].raw = draw(speed.of[i]), call.qdd[i].raw = draw(pull.of[i]), call.tau[i].raw = draw(effort.of[i]);
+  }
+  return call;
+}
+
+// The kernels, by name.
+struct InverseDynamics {
+  static constexpr const char* name = "inverse_dynamics";
+  template <class S, class T>
+  static constexpr auto run(const Call<S, T>& c) {
+    return inverse_dynamics<S>(c.q, c.qd, c.qdd);
+  }
+};
+struct ForwardDynamics {
+  static constexpr const char* name = "forward_dynamics";
+  template <class S, class T>
+  static constexpr auto run(const Call<S, T>& c) {
+    return forward_dynamics<S>(c.q, c.qd, c.tau);
+  }
+};
+struct ClosedForm {
+  static constexpr const char* name = "closed_form";
+  template <class S, class T>
+  static constexpr auto run(const Call<S, T>& c) {
+    return closed_form::scara_torque<S>(c.q, c.qd, c.qdd);
+  }
+};
+
+/// What one kernel showed.
+struct Golden {
+  const char* kernel;
+  const char* arithmetic;
+  std::uint64_t hash;
+  std::uint32_t least, most;  ///< instructions, where the counter counts
+};
+
+inline constexpr int golden_states = 256;
+
+/// `count(code)` runs code and says what it cost.
+template <class Kernel, class S, class T, class Count>
+Golden golden(const char* arithmetic, Count count) {
+  Random random;
+  Hash hash;
+  std::uint32_t least = ~0U, most = 0;
+  for (int k = 0; k < golden_states; ++k) {
+    const auto call = next_call<S, T>(random, k);
+    decltype(Kernel::run(call)) result{};
+    auto code = [&] { result = Kernel::run(call); };
+    const std::uint32_t cost = count(code);
+    least = cost < least ? cost : least, most = cost > most ? cost : most;
+    for (const auto& value : result.values)
+      hash.add(value.raw);
+  }
+  return {Kernel::name, arithmetic, hash.value(), least, most};
+}
+
+/// All kernels of a robot, each given to `put`.
+template <class R, class Count, class Put>
+void all_golden(Count count, Put put) {
+  using Exact = Scene<R, Gravity, RotorInertia>;
+  using Down = Scene<R, Gravity, RotorInertia, RoundDown>;
+  using High = Scene<R, Gravity, RotorInertia, HighWord>;
+  put(golden<InverseDynamics, Exact, Fixed32>("32_nearest", count));
+  put(golden<InverseDynamics, Down, Fixed32>("32_down", count));
+  put(golden<InverseDynamics, High, Fixed32>("32_high_word", count));
+  put(golden<InverseDynamics, Exact, Fixed16>("16_nearest", count));
+  put(golden<ForwardDynamics, Exact, Fixed32>("32_nearest", count));
+  if constexpr (R::chain.size == 3) {
+    put(golden<ForwardDynamics, High, Fixed32>("32_high_word", count));
+    put(golden<ClosedForm, Exact, Fixed32>("32_nearest", count));
+    put(golden<ClosedForm, High, Fixed32>("32_high_word", count));
+    put(golden<ClosedForm, Exact, Fixed16>("16_nearest", count));
+  }
+}
+
+}  // namespace axial::apps::fixed

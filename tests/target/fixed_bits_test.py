@@ -1,0 +1,30 @@
+"""Fixed point computes the host's bits on every board, in the same number of instructions for every input."""
+
+import json
+import pathlib
+
+import emulator
+import harness
+
+GOLDEN = pathlib.Path(__file__).resolve().parents[1] / "property" / "golden_bits.json"
+
+
+class FixedBits(harness.BoardTest):
+    def test_bits_and_constant_time(self):
+        wanted = json.loads(GOLDEN.read_text())
+        found = {}
+        for robot in ("scara", "puma560"):
+            code, text = emulator.run(self.board, "fixed-" + robot)
+            self.assertEqual(code, 0, text[-500:])
+            self.assertTrue(text.endswith("end\n"), text[-500:])
+            for row in (line.split(",") for line in text.splitlines() if line.startswith("fixed,")):
+                name, bits, least, most = ",".join(row[1:4]), row[4], int(row[5]), int(row[6])
+                found[name] = bits
+                self.assertGreater(least, 20, f"{name}: it can not be that few")
+                self.assertEqual(least, most, f"{name}: one count for all inputs")
+                print(f"{name}: {most} instructions")
+        self.assertEqual(found, wanted)
+
+
+if __name__ == "__main__":
+    harness.main()
