@@ -10,6 +10,12 @@ Installs and builds what is missing. Compares sine and cosine of all 2^32 binary
   --json FILE         the rows once more, as an array of objects
   --threads N         default 2
   --stride N          only every N-th block of 4096 arguments; default 1, all
+  --ranges            fixed point instead: overflows of every kernel and robot over random states and corners, certified
+                      errors and bounds under a search that tries to exceed them; then with
+                        --states N       a kernel; default 1000000
+                        --robot NAME     default all
+                        --processes N    default 2
+                        --json FILE
   --documents         alone: writes doc/data/sincos_exhaustive.json and doc/pictures/sincos_exhaustive.*
 Exits non-zero when an error is above what the headers promise, or sin(-x) is not -sin(x).
 END_OF_USAGE
@@ -17,6 +23,12 @@ END_OF_USAGE
 
 run() {
   ensure_packages
+  if [[ ${1:-} == --ranges ]]; then
+    shift
+    build host-release exhaustive_ranges
+    exhaustive_program exhaustive_ranges "$@"
+    return
+  fi
   build host-release exhaustive
   if [[ ${1:-} == --documents ]]; then
     (($# == 1)) || fail_usage "--documents stands alone; see ./axial exhaustive --help"
@@ -27,7 +39,13 @@ run() {
 }
 
 exhaustive() {
-  "$AXIAL_ROOT/build/host-release/host_sim/exhaustive/exhaustive" --commit "$("$AXIAL_ROOT/host_sim/system/commit.sh")" "$@"
+  exhaustive_program exhaustive "$@"
+}
+
+exhaustive_program() {
+  local program=$1
+  shift
+  "$AXIAL_ROOT/build/host-release/host_sim/exhaustive/$program" --commit "$("$AXIAL_ROOT/host_sim/system/commit.sh")" "$@"
 }
 
 write_exhaustive_documents() {
