@@ -116,10 +116,9 @@ struct FormatRounding {
   /// Drive u of a joint, 0 where its share u^2 / D of qdd^T M qdd is beyond what the formats are made for.
   template <int E, int F>
   AXIAL_INLINE static constexpr Fx<F, S> admitted(bool& lost, const Fx<E, S>& d, const Fx<F, S>& u) {
-    // u^2 <= D share, both as upper words: share is brought to the exponent that u^2 has beyond D's, less two bits.
-    constexpr std::int32_t share =
-        static_cast<std::int32_t>(Table::value.range[I].share * power_of_two(2 * F - E - 2) * 0.999);
-    const bool beyond = is_less(integer::multiply_high(d.raw, share), integer::multiply_high(u.raw, u.raw) >> 2);
+    const bool beyond = S::bits == 32
+                            ? is_less(by_upper_words(d.raw, share<E, F, 2>()), by_upper_words(u.raw, u.raw) >> 2)
+                            : is_less(std::int64_t{d.raw} * share<E, F, 0>(), std::int64_t{u.raw} * u.raw);
     lost = lost | beyond;
     return select(beyond, Fx<F, S>{}, u);
   }
@@ -158,6 +157,16 @@ struct FormatRounding {
   }
 
  private:
+  // u^2 <= D share: the share at the exponent that u^2 has beyond D's, less some bits.
+  template <int E, int F, int less>
+  AXIAL_INLINE static constexpr std::int32_t share() {
+    constexpr double raw = Table::value.range[I].share * power_of_two(2 * F - E - less) * 0.999;
+    constexpr double most = 2147483647.0;
+    return static_cast<std::int32_t>(raw < most ? raw : most);
+  }
+  AXIAL_INLINE static constexpr std::int64_t by_upper_words(std::int32_t a, std::int32_t b) {
+    return integer::multiply_high(a, b);
+  }
   template <class Quantity, class M>
   AXIAL_INLINE static constexpr auto symmetric(Quantity q, const M& m) {
     return Sym3{sum(q, m.xx), sum(q, m.yy), sum(q, m.zz), sum(q, m.xy), sum(q, m.xz), sum(q, m.yz)};
