@@ -23,7 +23,7 @@ TYPED_TEST(FixedErrors, InverseDynamicsIsFiveTimesBetterThanFloat) {
   EXPECT_GE(gain, 5.0);
 }
 
-TYPED_TEST(FixedErrorBounds, NoStateExceedsTheCertifiedError) {
+TYPED_TEST(FixedErrors, NoStateExceedsTheCertifiedError) {
   const auto seen = errors<exhaustive::InverseDynamics, TypeParam, Fixed32>(states, seed);
   for (int i = 0; i < TypeParam::chain.size; ++i) {
     const double bound = exhaustive::certified<TypeParam, Fixed32>(i);
