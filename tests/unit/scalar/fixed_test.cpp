@@ -68,7 +68,7 @@ void expect_exact_sums(unsigned seed) {
     constexpr int common = E + F, drop = common - H;
     static_assert(drop > 0 && common >= G);
     __extension__ using Int128 = __int128;
-    const Int128 exact = Int128{a} * b + Int128{c} * d + (Int128{e} << (common - G));
+    const Int128 exact = Int128{a} * b + Int128{c} * d + Int128{e} * (Int128{1} << (common - G));
     const auto wanted = static_cast<std::int64_t>((exact + (Int128{1} << (drop - 1))) >> drop);
     const auto sum = X<E>{a} * X<F>{b} + X<E>{c} * X<F>{d} + X<G>{e};
     ASSERT_EQ(round_to<H>(sum).raw, static_cast<std::int32_t>(wanted)) << a << " " << b << " " << c << " " << d;
