@@ -52,6 +52,7 @@ AXIAL_INLINE constexpr Status solve_model(const Links& links, const Input& in, c
 /// in the rounding of the composite one; it is solved all the same, or held (acceleration 0) where nothing is left of
 /// it. On a floating base the result holds the base's acceleration too, and joint -1 stands for the base. A robot with
 /// a joint that no mass, inertia or rotor resists does not compile.
+/// In fixed point q and qd must be inside the declared limits (check_request); efforts may be any: see drive_scale.hpp.
 template <class S, class T>
 constexpr ForwardDynamicsOf<S, T> forward_dynamics(const Positions<robot_of<S>, T>& q,
                                                    const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,

@@ -179,7 +179,8 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
 /// Source: recursive Newton-Euler (Luh, Walker and Paul 1980) in link frames with successive axial screws.
 /// In: q (rad or m), qd, qdd; `in` carries the run-time inputs that the scene names. Out: N m or N, one a joint.
 /// Gravity as the chain declares it: a link that must be held up has a positive effort along +g's opposite.
-/// NaN and infinities propagate to the result; use control/feedforward.hpp where inputs are not trusted.
+/// NaN and infinities propagate to the result, and in fixed point q, qd and qdd must be inside the declared limits; use
+/// control/feedforward.hpp where inputs are not trusted.
 template <class S, class T>
 constexpr EffortsOf<S, T> inverse_dynamics(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                            const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {

@@ -108,7 +108,9 @@ class ArticulatedAnalysis {
     const double free = energy_share(i) / square_root(least);
     const double rigorous = free + own.angular_gain.size * turn + own.linear_gain.size * carried;
     const bool alike = p >= 0 && m_.links[p].prismatic == c.prismatic;
-    const double joint = least_of(rigorous, free + (alike ? up.joint_acceleration.size : 0.0));
+    // What is held at the format may exceed it 2^8-fold before that goes unseen (saturated()): half of it is used.
+    const double usual = free + (alike ? up.joint_acceleration.size : 0.0);
+    const double joint = larger_of(least_of(rigorous, usual), rigorous / 128.0);
     own.joint_acceleration.size = joint;
     own.angular_acceleration.size = least_of(turn + (c.prismatic ? 0.0 : joint), spins);
     own.linear_acceleration.size = carried + (c.prismatic ? joint : 0.0);
@@ -130,6 +132,11 @@ class ArticulatedAnalysis {
     own.angular_acceleration.size += more.angular_acceleration.size;
     own.linear_acceleration.size += more.linear_acceleration.size;
     own.moment.size += more.moment.size + m_.joints[i].travel * more.force.size, own.force.size += more.force.size;
+    if (const int format = m_.joints[i].effort_format; format != JointRange::unknown) {  // any word may be given
+      const double given = r_.capacity() * power_of_two(-format);
+      own.joint_effort.size =
+          larger_of(own.joint_effort.size, given + square_root(own.joint_inertia.size * outboard_[i]));
+    }
     own.joint_effort.size += slides ? more.force.size : more.moment.size;
     own.joint_acceleration.size += slides ? more.linear_acceleration.size : more.angular_acceleration.size;
   }

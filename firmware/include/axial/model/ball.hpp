@@ -21,14 +21,6 @@ constexpr Ball operator*(const Ball& a, const Ball& b) {
 }
 /// A constant multiple; the constant's own rounding is counted where it is rounded.
 constexpr Ball operator*(double c, const Ball& b) { return {magnitude(c) * b.size, magnitude(c) * b.error}; }
-constexpr Ball larger(const Ball& a, const Ball& b) {
-  return {a.size > b.size ? a.size : b.size, a.error > b.error ? a.error : b.error};
-}
-/// Of two components at right angles.
-constexpr Ball across(const Ball& a, const Ball& b) {
-  return {square_root(a.size * a.size + b.size * b.size), square_root(a.error * a.error + b.error * b.error)};
-}
-
 /// A constant factor of a variable at exponent `format` that reaches `size`; what a literal's own rounding costs.
 struct Factor {
   double constant = 0.0;

@@ -152,7 +152,8 @@ class ForwardErrorAnalysis {
 
 }  // namespace detail
 
-/// Fills in the errors of the joint accelerations of the split form, the drive being halved at most `halvings` times.
+/// Fills in the errors of the joint accelerations of the split form, the drive being halved as often as the
+/// declared efforts and the bias may need (excess_of_drive).
 template <int N>
 constexpr void certify_forward(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& motion, Ranges<N>& ranges) {
   const detail::ForwardErrorAnalysis<N> errors(m, r, ranges, motion);

@@ -28,7 +28,7 @@
 
 namespace axial::integer {
 
-/// What the caller knows of two factors. Narrow ones, |a| + |b| <= 2^31, save 3 instructions a product on a Cortex-M0
+/// What the caller knows of two factors. Narrow ones, |a|, |b| <= 2^30, save 3 instructions a product on a Cortex-M0
 /// (sines and cosines with 30 fractional bits by anything within 2^30) and nothing elsewhere; others go wrong there.
 enum class Factors { any, narrow };
 
