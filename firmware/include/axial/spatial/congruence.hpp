@@ -24,18 +24,21 @@ DoubleAngle(X, W, A, B, C) -> DoubleAngle<X, W, A, B, C>;
 
 namespace detail {
 
-template <class A, class B>
+// `Number` is what two different structural scalars (a link of 1 kg m^2 about one axis, 0 about another) become.
+template <class Number, class A, class B>
 AXIAL_INLINE constexpr auto pick(std::true_type, const A& yes, const B&) {
   return yes;
 }
-template <class A, class B>
+template <class Number, class A, class B>
 AXIAL_INLINE constexpr auto pick(std::false_type, const A&, const B& no) {
   return no;
 }
-template <class A, class B>
+template <class Number, class A, class B>
 AXIAL_INLINE constexpr auto pick(bool condition, const A& yes, const B& no) {
   if constexpr (std::is_same_v<A, B> && is_structural_v<A>)
     return yes;
+  else if constexpr (is_structural_v<A> && is_structural_v<B>)
+    return select(condition, Number(yes), Number(no));
   else if constexpr (is_structural_v<A>)
     return select(condition, B(yes), no);
   else
@@ -69,7 +72,8 @@ AXIAL_INLINE constexpr auto exact_double_angle(const AxialScrew<Axis, C, S, L, T
   auto ss = turned(x.sin * x.sin);
   auto sc = turned(x.sin * x.cos);
   auto exchange = detail::beyond_45_degrees(x, ss);
-  return DoubleAngle{exchange, detail::pick(exchange, -turned(x.cos * x.cos), ss), One{} - ss - ss, sc, sc + sc};
+  return DoubleAngle{exchange, detail::pick<decltype(ss)>(exchange, -turned(x.cos * x.cos), ss), One{} - ss - ss, sc,
+                     sc + sc};
 }
 
 namespace detail {
@@ -77,17 +81,19 @@ namespace detail {
 // R S R^T about z, step B or C of Table I: 8M 7A.
 template <class A, class Screw, class XX, class YY, class ZZ, class XY, class XZ, class YZ>
 AXIAL_INLINE constexpr auto turn(const A& twice, const Screw& x, const Sym3<XX, YY, ZZ, XY, XZ, YZ>& s) {
+  using W = decltype(twice.small);
   auto difference = s.xx - s.yy;
   auto k1 = turned(difference * twice.small + s.xy * twice.two_sc);
   auto k2 = turned(difference * twice.sc + s.xy * twice.cc_ss);
   auto column = to_parent(z_screw(x.cos, x.sin, Zero{}), Vec3{s.xz, s.yz, Zero{}});
   return Sym3{
-      pick(twice.exchange, s.yy, s.xx) - k1, pick(twice.exchange, s.xx, s.yy) + k1, s.zz, k2, column.x, column.y};
+      pick<W>(twice.exchange, s.yy, s.xx) - k1, pick<W>(twice.exchange, s.xx, s.yy) + k1, s.zz, k2, column.x, column.y};
 }
 
 // R M R^T about z for a general M, step D of Table I: 12M 14A, 8M 10A with a zero row.
 template <class A, class Screw, class R1, class R2, class R3>
 AXIAL_INLINE constexpr auto turn(const A& twice, const Screw& x, const Mat3<R1, R2, R3>& m) {
+  using W = decltype(twice.small);
   auto difference = m.x.x - m.y.y;
   auto sum = m.x.y + m.y.x;
   auto k1 = turned(difference * twice.small + sum * twice.sc);
@@ -95,8 +101,9 @@ AXIAL_INLINE constexpr auto turn(const A& twice, const Screw& x, const Mat3<R1, 
   auto plane = z_screw(x.cos, x.sin, Zero{});
   auto column = to_parent(plane, Vec3{m.x.z, m.y.z, Zero{}});
   auto row = to_parent(plane, Vec3{m.z.x, m.z.y, m.z.z});
-  return Mat3{Vec3{pick(twice.exchange, m.y.y, m.x.x) - k1, pick(twice.exchange, -m.y.x, m.x.y) + k2, column.x},
-              Vec3{pick(twice.exchange, -m.x.y, m.y.x) + k2, pick(twice.exchange, m.x.x, m.y.y) + k1, column.y}, row};
+  return Mat3{Vec3{pick<W>(twice.exchange, m.y.y, m.x.x) - k1, pick<W>(twice.exchange, -m.y.x, m.x.y) + k2, column.x},
+              Vec3{pick<W>(twice.exchange, -m.x.y, m.y.x) + k2, pick<W>(twice.exchange, m.x.x, m.y.y) + k1, column.y},
+              row};
 }
 
 // p~ M for p along z, step E: 5M for a symmetric M.
