@@ -18,6 +18,7 @@ LAYERS = {
     "dynamics": {"scalar", "spatial", "model"},
     "closed_form": {"scalar", "spatial", "model"},
     "control": {"scalar", "spatial", "model", "dynamics"},
+    "simulation": {"scalar", "spatial", "model", "dynamics"},
 }
 FREESTANDING = {"cstddef", "cstdint", "limits", "type_traits", "utility"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)

@@ -1,0 +1,178 @@
+// Integrators: how a robot moves on by one step of time.
+#pragma once
+
+#include <axial/simulation/system.hpp>
+
+namespace axial {
+
+/// Where an integrator asks for efforts.
+template <class S, class T>
+struct Instant {
+  const Positions<robot_of<S>, T>& q;
+  const Velocities<robot_of<S>, T>& qd;
+  T time;  ///< s since step 0
+};
+
+/// Efforts and inputs that do not change during a step: what a controller holds. Without any, the robot moves freely.
+template <class S, class T>
+struct Held {
+  EffortsOf<S, T> tau{};
+  Inputs<S, T> in{};
+  template <class Where>
+  constexpr void operator()(const Where&, EffortsOf<S, T>& effort, Inputs<S, T>& input) const {
+    effort = tau, input = in;
+  }
+};
+
+namespace detail {
+
+/// What drives the robot at an instant.
+template <class S, class T>
+struct Driven {
+  EffortsOf<S, T> tau{};
+  Inputs<S, T> in{};
+};
+
+template <class Drive, class S, class T>
+inline constexpr bool tells_stiffness =
+    std::is_invocable_v<const Drive&, const Instant<S, T>&, EffortsOf<S, T>&, Inputs<S, T>&, DriveStiffness<S, T>&>;
+
+template <class S, class T, class Drive>
+constexpr Driven<S, T> ask(const Drive& drive, const Instant<S, T>& instant) {
+  Driven<S, T> driven{};
+  if constexpr (tells_stiffness<Drive, S, T>) {
+    DriveStiffness<S, T> ignored{};
+    drive(instant, driven.tau, driven.in, ignored);
+  } else {
+    drive(instant, driven.tau, driven.in);
+  }
+  return driven;
+}
+
+constexpr Status first_trouble(const Status& a, const Status& b) { return a.ok() ? b : a; }
+
+}  // namespace detail
+
+/// Semi-implicit (symplectic) Euler: qd' = qd + h a(q, qd), q' = q + h qd'. First order, one evaluation; its energy
+/// error stays bounded where there is no friction.
+struct SemiImplicitEuler {
+  static constexpr int order = 1, evaluations = 1;
+
+  template <class System, class X, class T, class Drive>
+  static constexpr Status step(const System& system, X& x, T h, const Drive& drive) {
+    using S = typename System::Subject;
+    const auto driven = detail::ask<S, T>(drive, {x.q, x.qd, x.time(h)});
+    const auto a = system.accelerations(x.q, x.qd, driven.tau, driven.in);
+    move(system.size(), x, h, a);
+    return a.status;
+  }
+
+  /// qd += h a, q += h qd.
+  template <class X, class T, class A>
+  static constexpr void move(int joints, X& x, T h, const A& a) {
+    for (int i = 0; i < joints; ++i) {
+      detail::add_velocity(x, i, h * a[i]);
+      detail::add_position(x, i, h * x.qd[i]);
+    }
+  }
+};
+
+/// The classical Runge-Kutta method of fourth order, four evaluations.
+struct RungeKutta4 {
+  static constexpr int order = 4, evaluations = 4;
+
+  template <class System, class X, class T, class Drive>
+  static constexpr Status step(const System& system, X& x, T h, const Drive& drive) {
+    using S = typename System::Subject;
+    const T half = h * T(0.5), time = x.time(h);
+    const auto a = slope<S>(system, x.q, x.qd, time, drive);
+    const auto b = behind(system, x, half, a, time + half, drive);
+    const auto c = behind(system, x, half, b, time + half, drive);
+    const auto d = behind(system, x, h, c, static_cast<T>(x.steps + 1) * h, drive);
+    const T sixth = h / T(6);
+    for (int i = 0; i < system.size(); ++i) {
+      detail::add_position(x, i, sixth * (a.qd[i] + (T(2) * (b.qd[i] + c.qd[i]) + d.qd[i])));
+      detail::add_velocity(x, i, sixth * (a.qdd[i] + (T(2) * (b.qdd[i] + c.qdd[i]) + d.qdd[i])));
+    }
+    return detail::first_trouble(detail::first_trouble(a.status, b.status), detail::first_trouble(c.status, d.status));
+  }
+
+ private:
+  template <class S, class T>
+  struct Slope {
+    Velocities<robot_of<S>, T> qd{};
+    FreeAccelerations<robot_of<S>, T> qdd{};
+    Status status{};
+  };
+
+  template <class S, class System, class Q, class V, class T, class Drive>
+  static constexpr Slope<S, T> slope(const System& system, const Q& q, const V& qd, T time, const Drive& drive) {
+    const auto driven = detail::ask<S, T>(drive, {q, qd, time});
+    const auto a = system.accelerations(q, qd, driven.tau, driven.in);
+    return {qd, a, a.status};
+  }
+  /// The slope where the slope `last` leads in h.
+  template <class System, class X, class T, class Last, class Drive>
+  static constexpr auto behind(const System& system, const X& x, T h, const Last& last, T time, const Drive& drive) {
+    auto q = x.q;
+    auto qd = x.qd;
+    for (int i = 0; i < system.size(); ++i)
+      q[i] += h * last.qd[i], qd[i] += h * last.qdd[i];
+    return slope<typename System::Subject>(system, q, qd, time, drive);
+  }
+};
+
+/// Linearly implicit Euler: (M + h D + h^2 K) a = tau - c - g - passive - h K qd, then as SemiImplicitEuler. K and D
+/// are the joints' springs, their viscous and smoothed dry friction, and the drive's own stiffness where it tells it
+/// (DriveStiffness); they are folded into the articulated inertias, so the step is one recursion, O(n). First order; no
+/// step is too large for springs and dampers (of the linear part it is backward Euler), what it does not resolve it
+/// damps.
+struct LinearlyImplicitEuler {
+  static constexpr int order = 1, evaluations = 1;
+
+  template <class System, class X, class T, class Drive>
+  static constexpr Status step(const System& system, X& x, T h, const Drive& drive) {
+    using S = typename System::Subject;
+    const Instant<S, T> instant{x.q, x.qd, x.time(h)};
+    detail::Driven<S, T> driven{};
+    if constexpr (detail::tells_stiffness<Drive, S, T>) {
+      DriveStiffness<S, T> stiffness{};
+      drive(instant, driven.tau, driven.in, stiffness);
+      return solved(system, x, h, driven, stiffness);
+    } else {
+      drive(instant, driven.tau, driven.in);
+      return solved(system, x, h, driven, NoStiffness{});
+    }
+  }
+
+ private:
+  template <class System, class X, class T, class Driven, class Stiffness>
+  static constexpr Status solved(const System& system, X& x, T h, const Driven& driven, const Stiffness& stiffness) {
+    const auto a = detail::implicit_accelerations(system, h, x.q, x.qd, driven.tau, driven.in, stiffness);
+    SemiImplicitEuler::move(system.size(), x, h, a);
+    return a.status;
+  }
+};
+
+/// Moves x on by one step of h seconds: advance<RungeKutta4>(x, h, drive), x a Motion or a CompensatedMotion.
+/// `drive(instant, tau, in)` fills the efforts and inputs at an Instant; one with a fourth argument, a
+/// DriveStiffness&, tells an implicit method how stiff it is. A Held drive does not change during the step.
+/// Out: the first status of forward dynamics that was not ok; x is moved all the same. See step_limit.hpp for how large
+/// h may be.
+template <class Method, class X, class Drive>
+constexpr Status advance(X& x, typename X::Scalar h, const Drive& drive) {
+  using S = typename X::Subject;
+  detail::check_fixed_base<S>();
+  const Status status = Method::step(detail::StaticSystem<S>{}, x, h, drive);
+  ++x.steps;
+  return status;
+}
+template <class Method, int N, class... F, class X, class Drive>
+constexpr Status advance(const Model<N, F...>& model, X& x, typename X::Scalar h, const Drive& drive) {
+  detail::check_fixed_base<Model<N, F...>>();
+  const Status status = Method::step(detail::ModelSystem<Model<N, F...>>{model}, x, h, drive);
+  ++x.steps;
+  return status;
+}
+
+}  // namespace axial

@@ -1,0 +1,99 @@
+// Links whose joints are as heavy as an implicit step makes them.
+#pragma once
+
+#include <axial/dynamics/drives.hpp>
+#include <axial/dynamics/passes.hpp>
+
+namespace axial {
+
+/// Stiffness -d tau_i / d q_i (N m/rad, N/m) and damping -d tau_i / d qd_i (N m s/rad, N s/m) of what drives the
+/// joints, each on its own joint and not negative: a stiff controller, end stops.
+template <class S, class T>
+struct DriveStiffness {
+  Joints<robot_of<S>, T> stiffness{};
+  Joints<robot_of<S>, T> damping{};
+};
+
+/// Drives without any: zero by type.
+struct NoStiffness {
+  NoMotion stiffness{};
+  NoMotion damping{};
+};
+
+namespace detail {
+
+template <class Link>
+AXIAL_INLINE constexpr auto spring_slope(const Link& link) {
+  if constexpr (Link::Scene::template has<JointSprings>)
+    return link.spring_stiffness();
+  else
+    return Zero{};
+}
+
+// Dry friction over its smooth speed v0: C x (3 - x^2)/2 of x = v/v0 has the slope 3/2 (1 - x^2) C/v0 inside +-v0, none
+// outside. C is the larger breakaway effort of both directions; the fall of Stribeck's curve is left out, for its slope
+// is negative.
+template <class Link, class V>
+AXIAL_INLINE constexpr auto dry_slope(const Link& link, const V& qd) {
+  if constexpr (is_zero_v<decltype(link.inverse_smooth_speed())>) {
+    return Zero{};
+  } else {
+    const V inverse(link.inverse_smooth_speed()), x = qd * inverse, left = V(One{}) - x * x;
+    const V forward(link.coulomb_forward() + link.stribeck_forward());
+    const V backward(-(link.coulomb_backward() + link.stribeck_backward()));
+    const V level = select(forward > backward, forward, backward);
+    return NumberTraits<V>::constant(1.5) * select(left > V(Zero{}), left, V(Zero{})) * inverse * level;
+  }
+}
+
+template <class Link, class V>
+AXIAL_INLINE constexpr auto friction_slope(const Link& link, const V& qd) {
+  if constexpr (Link::Scene::template has<Friction>)
+    return link.viscous() + dry_slope(link, qd);
+  else
+    return Zero{};
+}
+
+}  // namespace detail
+
+/// A link with the inertia `added` on its joint.
+template <class Link, class Added>
+class HeavierLink : public Link {
+ public:
+  AXIAL_INLINE constexpr HeavierLink(const Link& link, const Added& added) : Link(link), added_(added) {}
+  AXIAL_INLINE constexpr auto rotor() const { return Link::rotor() + added_; }
+
+ private:
+  Added added_;
+};
+
+/// The links as M + h D + h^2 K sees them: the springs' K and the dampers' D of each joint, at velocities qd, stand
+/// where a rotor's inertia does, so that the articulated-body recursion solves for them in O(n). A joint without either
+/// is as it was, by type.
+template <class Links, class V, class Stiffness>
+class StiffLinks : public Links {
+ public:
+  using Scalar = typename Links::Scalar;
+  AXIAL_INLINE constexpr StiffLinks(const Links& links, Scalar h, const V& qd, const Stiffness& drive)
+      : Links(links), h_(h), qd_(qd), drive_(drive) {}
+
+  template <class I>
+  AXIAL_INLINE constexpr auto link(I i) const {
+    auto link = Links::link(i);
+    auto damping = detail::friction_slope(link, qd_[i]) + drive_.damping[i];
+    auto added = h_ * (damping + h_ * stiffness(i));
+    return HeavierLink<decltype(link), decltype(added)>(link, added);
+  }
+  /// Of springs and drive together.
+  template <class I>
+  AXIAL_INLINE constexpr auto stiffness(I i) const {
+    return detail::spring_slope(Links::link(i)) + drive_.stiffness[i];
+  }
+
+ private:
+  Scalar h_;
+  const V& qd_;
+  const Stiffness& drive_;
+};
+
+}  // namespace axial

@@ -1,0 +1,67 @@
+// A robot as an integrator asks it: accelerations, explicit or of an implicit step. A scene, or a run-time model.
+#pragma once
+
+#include <axial/dynamics/forward_dynamics.hpp>
+#include <axial/simulation/motion.hpp>
+#include <axial/simulation/stiff_links.hpp>
+
+namespace axial {
+
+namespace detail {
+
+template <class S>
+constexpr void check_fixed_base() {
+  static_assert(!scene_of<S>::template has<FloatingBase>,
+                "axial: integrators move joints; integrate a floating base as doc/moving_base.md shows");
+}
+
+/// A scene whose robot is a type.
+template <class S>
+struct StaticSystem {
+  using Subject = S;
+  static constexpr int size() { return joint_count<S>; }
+  template <class T>
+  static constexpr auto links() {
+    return links_of<S, T, FullParameters, recursion::ArticulatedBodies>();
+  }
+  template <class T, class Q, class V, class Tau>
+  static constexpr ForwardDynamicsOf<S, T> accelerations(const Q& q, const V& qd, const Tau& tau,
+                                                         const Inputs<S, T>& in) {
+    return forward_dynamics<S>(q, qd, tau, in);
+  }
+};
+
+/// A robot described at run time.
+template <class M>
+struct ModelSystem {
+  using Subject = M;
+  const M& model;
+  constexpr int size() const { return model.size(); }
+  template <class T>
+  constexpr auto links() const {
+    return model.template links<T>();
+  }
+  template <class T, class Q, class V, class Tau>
+  constexpr ForwardDynamicsOf<M, T> accelerations(const Q& q, const V& qd, const Tau& tau,
+                                                  const Inputs<M, T>& in) const {
+    return forward_dynamics(model, q, qd, tau, in);
+  }
+};
+
+/// Accelerations a with (M + h D + h^2 K) a = tau - c - g - passive efforts - h K qd, the step of the linearly implicit
+/// method: articulated bodies on full parameters, whatever route the scene names.
+template <class T, class System, class Q, class V, class Tau, class S, class Stiffness>
+constexpr ForwardDynamicsOf<S, T> implicit_accelerations(const System& system, T h, const Q& q, const V& qd,
+                                                         const Tau& tau, const Inputs<S, T>& in,
+                                                         const Stiffness& drive) {
+  auto links = system.template links<T>();
+  StiffLinks<decltype(links), V, Stiffness> stiff(links, h, qd, drive);
+  Tau left{};
+  for_each_link(stiff, [&](auto i) AXIAL_INLINE { left[i] = tau[i] - T(h * (stiff.stiffness(i) * qd[i])); });
+  ForwardDynamicsOf<S, T> result{};
+  result.status = aba::run(stiff, in, q, qd, left, result);
+  return result;
+}
+
+}  // namespace detail
+}  // namespace axial

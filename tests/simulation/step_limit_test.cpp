@@ -1,0 +1,130 @@
+// The step limit is below what is stable, and not far below.
+#include <axial/axial.hpp>
+#include <axial/simulation/step_limit.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace {
+
+using namespace axial;
+using Chain = Model<6, RotorInertia, JointSprings, Friction>;
+
+struct Sampler {
+  std::mt19937 engine;
+  double operator()(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine()) / 4294967296.0;
+  }
+};
+
+/// A random chain without gravity, sprung about q, each joint with or without a damper.
+struct Sprung {
+  Chain model;
+  Joints<Chain, double> q{};
+  int size;
+
+  Sprung(unsigned seed, bool damped) {
+    Sampler sample{std::mt19937(seed)};
+    size = 1 + static_cast<int>(seed % 6);
+    for (int i = 0; i < size; ++i) {
+      const double mass = sample(0.1, 4.0), wide = mass * sample(0.005, 0.02);
+      q[i] = sample(-1.0, 1.0);
+      const double stiffness = std::exp2(sample(4.0, 14.0));
+      const double damping = damped && seed % 3 != static_cast<unsigned>(i) ? std::exp2(sample(-2.0, 6.0)) : 0.0;
+      const auto dressed = [&](auto joint) {
+        return joint.alpha_deg(90.0 * static_cast<int>(sample(-1.0, 2.0)))
+            .a(sample(0.0, 0.5))
+            .mass(mass)
+            .com(sample(-0.2, 0.2), sample(-0.2, 0.2), sample(-0.2, 0.2))
+            .inertia_com(wide, 1.5 * wide, 1.2 * wide)
+            .spring(stiffness, q[i])
+            .viscous(damping);
+      };
+      EXPECT_TRUE(i % 4 == 2 ? model.add(dressed(prismatic())) : model.add(dressed(revolute())));
+    }
+  }
+};
+
+/// Largest |q - rest| after many steps of a motion that starts within 1e-7 of it.
+template <class Method>
+double excursion(const Sprung& sprung, double h) {
+  Motion<Chain, double> x;
+  x.q = sprung.q;
+  for (int i = 0; i < sprung.size; ++i)
+    x.q[i] += (i % 2 == 0 ? 1e-7 : -0.5e-7);
+  double worst = 0.0;
+  for (int k = 0; k < 3000 && worst < 1.0; ++k) {
+    advance<Method>(sprung.model, x, h, Held<Chain, double>{});
+    for (int i = 0; i < sprung.size; ++i)
+      worst = std::fmax(worst, std::isfinite(x.q[i]) ? std::fabs(x.q[i] - sprung.q[i]) : 1.0);
+  }
+  return worst;
+}
+
+template <class Method>
+void expect_guarantee(bool damped, double beyond) {
+  int broken = 0;
+  for (unsigned seed = 1; seed <= 24; ++seed) {
+    const Sprung sprung(seed, damped);
+    const double limit = step_limit<Method>(sprung.model, sprung.q);
+    EXPECT_LE(excursion<Method>(sprung, 0.999 * limit), 1e-4) << "seed " << seed;
+    broken += excursion<Method>(sprung, beyond * limit) >= 1e-2 ? 1 : 0;
+  }
+  if (beyond > 0.0) {
+    EXPECT_GE(broken, 22) << "the limit is far below what is stable";
+  }
+}
+
+struct Wheel {
+  static constexpr auto chain = axial::chain(revolute().mass(1.0).inertia_com(1, 1, 0.25).spring(100.0).viscous(3.0));
+};
+
+}  // namespace
+
+TEST(StepLimit, OfOneJointIsTheTextbooks) {
+  using Undamped = Scene<Wheel, JointSprings>;
+  using Damped = Scene<Wheel, JointSprings, Friction>;
+  const Joints<Wheel, double> q{};
+  const double w = 20.0, d = 12.0;
+  EXPECT_NEAR((step_limit<SemiImplicitEuler, Undamped>(q)), 2.0 / w, 1e-14);
+  EXPECT_NEAR((step_limit<RungeKutta4, Undamped>(q)), std::sqrt(8.0) / w, 1e-14);
+  const double h = step_limit<SemiImplicitEuler, Damped>(q);
+  EXPECT_NEAR(h * h * w * w + 2.0 * h * d, 4.0, 1e-13);
+  EXPECT_NEAR((step_limit<SemiImplicitEuler, Damped>(Joints<Wheel, float>{})), h, 1e-7);
+  // What the drive adds counts the same.
+  const DriveStiffness<Undamped, double> drive{{300.0}, {}};
+  EXPECT_NEAR((step_limit<SemiImplicitEuler, Undamped>(q, {}, drive)), 1.0 / w, 1e-14);
+}
+
+TEST(StepLimit, IsInfiniteWithoutSpringsAndForTheImplicitMethod) {
+  EXPECT_TRUE((std::isinf(step_limit<RungeKutta4, Scene<Wheel>>(Joints<Wheel, double>{}))));
+  EXPECT_TRUE((std::isinf(step_limit<LinearlyImplicitEuler, Scene<Wheel, JointSprings>>(Joints<Wheel, double>{}))));
+}
+
+TEST(StepLimit, BoundsTheLargestEigenvalueClosely) {
+  detail::Square<double, 3> a{{{2.0, 1.0, 0.0}, {1.0, 2.0, 1.0}, {0.0, 1.0, 2.0}}};
+  const double largest = 2.0 + std::sqrt(2.0), bound = detail::largest_eigenvalue_bound(a, 3);
+  EXPECT_GE(bound, largest);
+  EXPECT_LE(bound, largest * std::pow(3.0, 1.0 / 32.0));
+  const detail::Square<double, 3> equal{{{5.0, 0.0, 0.0}, {0.0, 5.0, 0.0}, {0.0, 0.0, 5.0}}};
+  EXPECT_NEAR(detail::largest_eigenvalue_bound(equal, 3), 5.0 * std::pow(3.0, 1.0 / 32.0), 1e-12);
+  EXPECT_EQ(detail::largest_eigenvalue_bound(detail::Square<double, 3>{}, 3), 0.0);
+}
+
+TEST(StepLimit, HoldsForSpringsAndIsClose) {
+  expect_guarantee<SemiImplicitEuler>(false, 1.05);
+  expect_guarantee<RungeKutta4>(false, 1.05);
+}
+TEST(StepLimit, HoldsForSpringsAndDampers) {
+  expect_guarantee<SemiImplicitEuler>(true, 0.0);
+  expect_guarantee<RungeKutta4>(true, 0.0);
+}
+TEST(StepLimit, LinearlyImplicitStepsHoldAtAHundredTimesTheExplicitLimit) {
+  for (unsigned seed = 1; seed <= 24; ++seed) {
+    const Sprung sprung(seed, seed % 2 == 0);
+    const double h = 100.0 * step_limit<SemiImplicitEuler>(sprung.model, sprung.q);
+    EXPECT_LE(excursion<LinearlyImplicitEuler>(sprung, h), 1e-6) << "seed " << seed;
+  }
+}
