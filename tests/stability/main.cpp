@@ -1,0 +1,102 @@
+// Runs the suite: a table, and JSON for the pictures.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stability/ablation.hpp>
+#include <stability/rows.hpp>
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json number(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr); }
+
+ordered_json json_of(const stability::Row& row) {
+  return {{"scenario", row.scenario},
+          {"family", row.family},
+          {"scalar", row.scalar},
+          {"route", row.route},
+          {"joints", row.joints},
+          {"condition", number(row.condition)},
+          {"forward_error", number(row.forward)},
+          {"forward_error_absolute", row.absolute},
+          {"backward_error", number(row.backward)},
+          {"gate", number(row.gate.forward)},
+          {"gate_backward", number(row.gate.backward)},
+          {"pass", row.pass},
+          {"status", row.status}};
+}
+
+std::string cell(double x) {
+  char text[16];
+  std::snprintf(text, sizeof text, std::isfinite(x) ? "%.1e" : "-", x);
+  return text;
+}
+
+void print(const stability::Row& row) {
+  std::printf("%-34s %-6s %-22s %8s %8s %8s %8s  %-4s %s\n", row.scenario.c_str(), row.scalar.c_str(),
+              row.route.c_str(), cell(row.condition).c_str(), cell(row.forward).c_str(), cell(row.backward).c_str(),
+              cell(row.gate.forward).c_str(), row.pass ? "ok" : "FAIL", row.status.c_str());
+}
+
+/// Scenarios down, variants across.
+void print(const std::vector<stability::AblationRow>& rows) {
+  std::string last;
+  for (const auto& row : rows) {
+    const std::string name = row.scenario + " " + row.scalar;
+    if (name != last) std::printf("\n%-34s", name.c_str());
+    std::printf(" %s:%s", row.variant.c_str(), cell(row.forward).c_str());
+    last = name;
+  }
+  std::printf("\n");
+}
+
+struct Options {
+  std::string scenario, json;
+  bool ablation = false;
+};
+
+int run(const Options& options) {
+  const auto rows = stability::all_rows(
+      options.scenario, [](const std::string& name) { std::fprintf(stderr, "stability: %s\n", name.c_str()); });
+  if (rows.empty()) throw std::runtime_error("no scenario's name holds '" + options.scenario + "'");
+  std::printf("%-34s %-6s %-22s %8s %8s %8s %8s  %-4s %s\n", "scenario", "scalar", "route", "cond(M)", "forward",
+              "backward", "gate", "", "status");
+  ordered_json all = ordered_json::array();
+  std::ptrdiff_t failed = 0;
+  for (const auto& row : rows) {
+    print(row);
+    all.push_back(json_of(row));
+    failed += !row.pass;
+  }
+  std::printf("%zu answers, %td outside their gates\n", rows.size(), failed);
+  if (options.ablation) print(stability::ablation());
+  if (!options.json.empty()) {
+    std::ofstream file(options.json);
+    file << all.dump(1) << '\n';
+    if (!file.flush()) throw std::runtime_error("can not write " + options.json);
+  }
+  return failed == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+  Options options;
+  CLI::App app("Forward dynamics on stiff and extreme chains");
+  app.add_option("--scenario", options.scenario, "only scenarios whose names hold this");
+  app.add_option("--json", options.json, "write the rows as an array of objects");
+  app.add_flag("--ablation", options.ablation, "also what each improvement of the articulated bodies is worth");
+  try {
+    app.parse(count, values);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    return run(options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "stability: %s\n", error.what());
+    return 1;
+  }
+}
