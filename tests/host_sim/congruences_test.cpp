@@ -64,8 +64,8 @@ TEST(Congruences, StayInsideTheGateOfLongChains) {
   for (const auto& scenario : cases::rods())
     for (const auto& r : rows())
       if (r.links == scenario.size()) {
-        EXPECT_LE(r.in_float, scenario.gate_float) << r.congruence << ' ' << r.links;
-        EXPECT_LE(r.in_double, scenario.gate_double) << r.congruence << ' ' << r.links;
+        EXPECT_LE(r.in_float, scenario.in_float.forward) << r.congruence << ' ' << r.links;
+        EXPECT_LE(r.in_double, scenario.in_double.forward) << r.congruence << ' ' << r.links;
         EXPECT_GT(r.in_float, 0.0) << r.congruence << ' ' << r.links;
       }
 }
