@@ -1,19 +1,19 @@
 // Runs the suite: a table, and JSON for the pictures.
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <stability/ablation.hpp>
+#include <stability/json.hpp>
 #include <stability/rows.hpp>
 
 namespace {
 
-using nlohmann::ordered_json;
+using stability::cell;
+using stability::Json;
+using stability::number;
 
-ordered_json number(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr); }
-
-ordered_json json_of(const stability::Row& row) {
-  return {{"scenario", row.scenario},
+Json json_of(const stability::Row& row) {
+  return {{"kind", "gate"},
+          {"scenario", row.scenario},
           {"family", row.family},
           {"scalar", row.scalar},
           {"route", row.route},
@@ -28,10 +28,16 @@ ordered_json json_of(const stability::Row& row) {
           {"status", row.status}};
 }
 
-std::string cell(double x) {
-  char text[16];
-  std::snprintf(text, sizeof text, std::isfinite(x) ? "%.1e" : "-", x);
-  return text;
+Json json_of(const stability::AblationRow& row) {
+  return {{"kind", "ablation"},
+          {"scenario", row.scenario},
+          {"scalar", row.scalar},
+          {"route", row.variant},
+          {"forward_error", number(row.forward)},
+          {"backward_error", nullptr},
+          {"gate", nullptr},
+          {"pass", true},
+          {"status", "ok"}};
 }
 
 void print(const stability::Row& row) {
@@ -63,7 +69,7 @@ int run(const Options& options) {
   if (rows.empty()) throw std::runtime_error("no scenario's name holds '" + options.scenario + "'");
   std::printf("%-34s %-6s %-22s %8s %8s %8s %8s  %-4s %s\n", "scenario", "scalar", "route", "cond(M)", "forward",
               "backward", "gate", "", "status");
-  ordered_json all = ordered_json::array();
+  Json all = Json::array();
   std::ptrdiff_t failed = 0;
   for (const auto& row : rows) {
     print(row);
@@ -71,12 +77,13 @@ int run(const Options& options) {
     failed += !row.pass;
   }
   std::printf("%zu answers, %td outside their gates\n", rows.size(), failed);
-  if (options.ablation) print(stability::ablation());
-  if (!options.json.empty()) {
-    std::ofstream file(options.json);
-    file << all.dump(1) << '\n';
-    if (!file.flush()) throw std::runtime_error("can not write " + options.json);
+  if (options.ablation) {
+    const auto ablation = stability::ablation();
+    print(ablation);
+    for (const auto& row : ablation)
+      all.push_back(json_of(row));
   }
+  if (!options.json.empty()) stability::write(options.json, all);
   return failed == 0 ? 0 : 1;
 }
 
