@@ -23,8 +23,12 @@ struct Motion {
   P p{};
   U u{};
   template <class T>
-  AXIAL_INLINE constexpr Motion<Vec3<T>, Vec3<T>, Vec3<T>, Vec3<T>, Mat3<Vec3<T>>> dense() const {
-    return {w, dw, a, p, u};
+  AXIAL_INLINE constexpr auto dense() const {
+    using Rate = Held<T, quantity::AngularVelocity>;
+    using Turning = Held<T, quantity::AngularAcceleration>;
+    return rnea::Motion{w.template dense<Rate>(), dw.template dense<Turning>(),
+                        a.template dense<Held<T, quantity::LinearAcceleration>>(), p.template dense<Turning>(),
+                        u.template dense<Turning>()};
   }
 };
 template <class W, class DW, class A, class P, class U>

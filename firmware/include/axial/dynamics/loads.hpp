@@ -54,7 +54,7 @@ class TipLoads {
       else
         return none;
     } else {
-      auto wrench = in_.tip_wrench;
+      auto wrench = link.shape(link.without(read_wrench<Scene, typename Link::Scalar>(in_.tip_wrench), none));
       if (!link.is_last) wrench = link.shape(none);
       return wrench;
     }
@@ -72,7 +72,7 @@ class TipLoads {
         return link.body();
     } else {
       auto body = link.shape(link.body());
-      if (link.is_last) body = body + payload_inertia(link, payload(link));
+      if (link.is_last) body = link.shape(link.together(body, payload_inertia(link, payload(link))));
       return body;
     }
   }

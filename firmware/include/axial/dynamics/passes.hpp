@@ -164,7 +164,7 @@ AXIAL_INLINE constexpr auto outward(const Links& links, const Root& root, const 
   if constexpr (Links::unrolled) {
     return detail::outward_unrolled<Links>(root, step, typename Links::Indices{});
   } else {
-    auto dense_root = root.template dense<typename Links::Scalar>();
+    auto dense_root = root.template dense<typename Links::Dense>();
     Row<std::decay_t<decltype(step(0, dense_root))>, Links::capacity> values;
     for (int i = 0; i < links.size(); ++i) {
       const int parent = links.parent_index(i);

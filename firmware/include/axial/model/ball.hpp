@@ -32,7 +32,8 @@ struct Factor {
 struct Rounding {
   int bits;
   bool nearest, high_word;
-  double turn_error;  ///< of one sine or cosine of a joint
+  double turn_error;    ///< of one sine or cosine of a joint
+  bool tabled = false;  ///< constants come from a table, each column at one exponent: the looped form
 
   constexpr double capacity() const { return detail::power_of_two(bits - 1) - 1.0; }
   /// The exponent of a quantity that reaches at most `size`, with a little room for its rounding errors.
@@ -53,6 +54,7 @@ struct Rounding {
     for (const Factor& f : factors)
       common = detail::smaller(common, f.format + literal(f, exponent + bits));
     double error = high_word ? 0.0 : store(exponent) + ulp(common);
+    if (tabled) return error + from_table(exponent, common, factors);
     for (const Factor& f : factors) {
       if (!(f.constant < 0.0 || f.constant > 0.0)) continue;
       const int own = literal(f, high_word ? exponent + bits : common);
@@ -69,6 +71,15 @@ struct Rounding {
   }
 
  private:
+  // Constants at their columns' exponents: products as of variables, which all meet one exponent.
+  template <int N>
+  constexpr double from_table(int exponent, int common, const Factor (&factors)[N]) const {
+    const double step = high_word ? 2.0 * ulp(detail::smaller(common - bits, exponent)) : ulp(common);
+    double error = 0.0;
+    for (const Factor& f : factors)
+      if (f.constant < 0.0 || f.constant > 0.0) error += step + 0.5 * ulp(literal(f, exponent + bits + 64)) * f.size;
+    return error;
+  }
   constexpr int literal(const Factor& f, int wanted) const {
     return detail::smaller(wanted - f.format, detail::fitting_exponent(f.constant, capacity()));
   }
@@ -76,9 +87,9 @@ struct Rounding {
 
 /// Rounding of an arithmetic S whose sines and cosines come from axial::sincos.
 template <class S>
-constexpr Rounding rounding_of() {
+constexpr Rounding rounding_of(bool tabled = false) {
   return {S::bits, S::nearest, S::high_word,
-          integer::sincos_error + (S::bits == 32 ? 0.0 : detail::power_of_two(-S::unit - 1))};
+          integer::sincos_error + (S::bits == 32 ? 0.0 : detail::power_of_two(-S::unit - 1)), tabled};
 }
 
 }  // namespace axial

@@ -2,6 +2,8 @@
 // neither Friction nor JointSprings holds none of it.
 #pragma once
 
+#include <cstddef>
+
 #include <axial/model/chain.hpp>
 
 namespace axial {
@@ -30,19 +32,22 @@ constexpr DriveConstants<double> drive_constants(const LinkParameters& p) {
   return c;
 }
 
+/// The constants in an order that is the same for every T.
+template <class T>
+inline constexpr T DriveConstants<T>::*drive_numbers[] = {
+    &DriveConstants<T>::viscous,           &DriveConstants<T>::coulomb_forward,
+    &DriveConstants<T>::coulomb_backward,  &DriveConstants<T>::stribeck_forward,
+    &DriveConstants<T>::stribeck_backward, &DriveConstants<T>::inverse_stribeck_speed2,
+    &DriveConstants<T>::inverse_smooth_speed, &DriveConstants<T>::spring_stiffness,
+    &DriveConstants<T>::spring_rest};
+
 /// The same constants in another number format.
 template <class T>
 constexpr DriveConstants<T> converted(const DriveConstants<double>& c) {
-  using N = NumberTraits<T>;
-  return {N::constant(c.viscous),
-          N::constant(c.coulomb_forward),
-          N::constant(c.coulomb_backward),
-          N::constant(c.stribeck_forward),
-          N::constant(c.stribeck_backward),
-          N::constant(c.inverse_stribeck_speed2),
-          N::constant(c.inverse_smooth_speed),
-          N::constant(c.spring_stiffness),
-          N::constant(c.spring_rest)};
+  DriveConstants<T> result;
+  for (std::size_t i = 0; i < sizeof(drive_numbers<T>) / sizeof(drive_numbers<T>[0]); ++i)
+    result.*drive_numbers<T>[i] = NumberTraits<T>::constant(c.*drive_numbers<double>[i]);
+  return result;
 }
 
 }  // namespace axial

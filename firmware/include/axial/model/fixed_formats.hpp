@@ -38,30 +38,30 @@ constexpr auto loaded_mechanism() {
 
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::NewtonEuler) {
-  return newton_euler_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>());
+  return newton_euler_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>(Scene::template has<Looped>));
 }
 
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::CompositeBodies) {
-  return composite_body_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>());
+  return composite_body_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>(Scene::template has<Looped>));
 }
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::ArticulatedBodies) {
-  return articulated_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>());
+  return articulated_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>(Scene::template has<Looped>));
 }
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::ArticulatedBodiesAtRest) {
-  return articulated_at_rest_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>());
+  return articulated_at_rest_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>(Scene::template has<Looped>));
 }
 
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::Kinematics) {
-  return kinematics_ranges(mechanism_of<Scene, Parameters>, rounding_of<S>());
+  return kinematics_ranges(mechanism_of<Scene, Parameters>, rounding_of<S>(Scene::template has<Looped>));
 }
 
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::Separation) {
-  return separation_ranges_of(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>());
+  return separation_ranges_of(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>(Scene::template has<Looped>));
 }
 
 /// Ranges of a scene's recursion in an arithmetic.

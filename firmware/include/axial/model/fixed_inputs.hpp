@@ -119,8 +119,6 @@ constexpr void check_fixed_scene() {
   static_assert(!Scene::template has<JointSprings>, "axial: fixed point has no JointSprings; compute them in float");
   static_assert(!Scene::template has<CompositeBody>,
                 "axial: forward dynamics in fixed point is that of articulated bodies; take CompositeBody out");
-  static_assert(!Scene::template has<Looped>,
-                "axial: fixed point has a format a link and quantity, so it is unrolled; take Looped out");
   static_assert(!Scene::template has<Payload> || Scene::Robot::chain.payload_limit.declared,
                 "axial: fixed point leaves room for the declared payload; add axial::payload_limit(mass, com_reach, "
                 "inertia) to the robot's chain");

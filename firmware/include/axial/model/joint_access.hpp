@@ -1,8 +1,8 @@
 // How kernels read and write joint values, whatever the number system.
 #pragma once
 
-#include <axial/model/fixed_formats.hpp>
 #include <axial/model/fixed_inputs.hpp>
+#include <axial/model/fixed_table.hpp>
 #include <axial/spatial/pose.hpp>
 
 namespace axial {
@@ -15,7 +15,10 @@ AXIAL_INLINE constexpr const Values& read(const Links&, const Values& values) {
 template <class Links, class S, class Word, class Role>
 AXIAL_INLINE constexpr auto read(const Links&, const Joints<S, Stored<Word>, Role>& values) {
   using Values = Joints<S, Stored<Word>, Role>;
-  return detail::FixedView<robot_of<S>, typename Links::Scalar, Values, Role>{values};
+  if constexpr (Links::unrolled)
+    return detail::FixedView<robot_of<S>, typename Links::Scalar, Values, Role>{values};
+  else
+    return detail::SharedView<Links, Values, Role>{values};
 }
 
 /// Efforts to fill, in the format of the scene.
@@ -25,12 +28,24 @@ AXIAL_INLINE constexpr auto no_efforts(const Links&) {
   return EffortsOf<Scene, typename detail::StoredAs<typename Links::Scalar>::type>{};
 }
 
+namespace detail {
+/// From the format that all joints share into joint i's own, which is as fine or finer: nothing is lost.
+template <class Values, int E, class S>
+AXIAL_INLINE constexpr void write_shared(Values& values, int i, const Fx<E, S>& x) {
+  constexpr const auto& shifts = shifts_of<Values, E>;
+  using Bits = typename S::Bits;
+  values.values[i] = {narrowed<S>(static_cast<Bits>(static_cast<Bits>(typename S::Wide{x.raw}) << shifts.of[i]))};
+}
+}  // namespace detail
+
 /// values[i] = x, rounded into the format of the values.
 template <class Links, class Values, class I, class X>
 AXIAL_INLINE constexpr void write(const Links&, Values& values, I i, const X& x) {
   using Scalar = typename Links::Scalar;
   if constexpr (is_number_v<Scalar>) {
     values[i] = static_cast<Scalar>(x);
+  } else if constexpr (!Links::unrolled) {
+    detail::write_shared(values, i, x);
   } else {
     using Result = Fx<Values::exponent(I::value), Scalar>;
     if constexpr (is_structural_v<X>)

@@ -73,6 +73,16 @@ constexpr bool any_drive_has(...) {
   return true;
 }
 
+// A joint's position as the kind of the joint reads it.
+template <class Q>
+AXIAL_INLINE constexpr const Q& joint_angle(const Q& q) {
+  return q;
+}
+template <class Q>
+AXIAL_INLINE constexpr const Q& joint_length(const Q& q) {
+  return q;
+}
+
 /// What both views share: the accessors, written over `get<member>()` of the view.
 template <class View, class Source>
 class LinkAccess {
@@ -155,17 +165,17 @@ class LinkAccess {
   }
   template <class Q>
   AXIAL_INLINE constexpr auto joint_screw(Revolute, const Q& q) const {
-    if constexpr (is_structural_v<decltype(self().template get<&C::cos_theta>())> || !View::unrolled) {
-      return turned_screw(sincos(q));  // exact for quarter turns
+    if constexpr (is_structural_v<decltype(self().template get<&C::cos_theta>())> || !View::adds_angles) {
+      return turned_screw(sincos(joint_angle(q)));  // exact for quarter turns
     } else {
-      auto pair = sincos(self().with_offset(q));
+      auto pair = sincos(self().with_offset(joint_angle(q)));
       return z_screw(pair.cos, pair.sin, self().template get<&C::d>());
     }
   }
   template <class Q>
   AXIAL_INLINE constexpr auto joint_screw(Prismatic, const Q& q) const {
     return z_screw(self().template get<&C::cos_theta>(), self().template get<&C::sin_theta>(),
-                   self().sum(quantity::Length{}, self().template get<&C::d>(), q))
+                   self().sum(quantity::Length{}, self().template get<&C::d>(), joint_length(q)))
         .with_turn(self().template beyond_45_degrees<&C::sin_theta>());
   }
 };
@@ -180,6 +190,7 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
   using Scene = SceneType;
   using Scalar = T;
   static constexpr bool unrolled = true;
+  static constexpr bool adds_angles = true;
   static constexpr bool is_last = I + 1 == Scene::Robot::chain.size;
 
   template <detail::Member<double> M>
@@ -233,6 +244,7 @@ class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source, Colu
   using Scene = SceneType;
   using Scalar = T;
   static constexpr bool unrolled = false;
+  static constexpr bool adds_angles = false;
   static constexpr bool branches = Columns::any_branch;
   using Constants = typename Columns::template Row<Source>;
   const Constants& row;

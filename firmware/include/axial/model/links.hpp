@@ -95,6 +95,7 @@ class TableLinks {
  public:
   using Scene = SceneType;
   using Scalar = ScalarType;
+  using Dense = Scalar;  ///< what kernels keep
   static constexpr bool unrolled = false;
   static constexpr int capacity = Capacity;
   using SharedColumns = Columns;
@@ -182,7 +183,10 @@ AXIAL_INLINE constexpr auto links_of() {
   if constexpr (is_stored_v<T>) {
     detail::check_fixed_scene<Scene>();
     using S1 = detail::ArithmeticOf<Scene, typename T::Word>;
-    return StaticLinks<Scene, S1, Parameters, detail::Formats<Scene, Parameters, S1, Recursion>>{};
+    if constexpr (Scene::template has<Looped>)
+      return FixedTableLinks<Scene, S1, Parameters, detail::SharedFormats<Scene, Parameters, S1, Recursion>>{};
+    else
+      return StaticLinks<Scene, S1, Parameters, detail::Formats<Scene, Parameters, S1, Recursion>>{};
   } else if constexpr (Scene::template has<Looped>) {
     using Columns = detail::ColumnsOf<Robot, Parameters>;
     return TableLinks<Scene, T, T, Robot::chain.size, Columns>(detail::robot_table<Robot, T, Parameters>.links,

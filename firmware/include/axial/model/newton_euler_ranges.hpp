@@ -1,7 +1,7 @@
 // Ranges and errors of the recursive Newton-Euler algorithm, on norms. doc/ranges.md is the proof.
 #pragma once
 
-#include <axial/model/ranges.hpp>
+#include <axial/model/shared_formats.hpp>
 #include <axial/model/split_ball.hpp>
 
 namespace axial {
@@ -13,13 +13,14 @@ struct Turning {
   const Mechanism<N>& m;
   const Rounding& r;
 
-  static constexpr bool turns(double sine, double cosine) {
-    return (sine < 0.0 || sine > 0.0) && (cosine < 0.0 || cosine > 0.0);
+  // Whether a constant turn is none by quarters; a table's turns are sines and cosines as any other.
+  constexpr bool rounds(double sine, double cosine) const {
+    return (sine < 0.0 || sine > 0.0) && (m.steps.shared || cosine < 0.0 || cosine > 0.0);
   }
   // By the joint's sine and cosine, whose own error turns what is across.
   constexpr SplitBall by_joint(int i, SplitBall v, int format) const {
-    const auto& c = m.links[i];
-    if (c.prismatic) return turns(c.sin_theta, c.cos_theta) ? rounded_across(v, constant_step(v, format)) : v;
+    if (m.links[i].prismatic)
+      return rounds(m.factors(i).sin_theta, m.factors(i).cos_theta) ? rounded_across(v, constant_step(v, format)) : v;
     const Ball tilt{0.0, root2 * r.turn_error * v.across.reach()};
     v.across = v.across + tilt, v.whole = v.whole + tilt;
     return rounded_across(v, r.products(2, format, r.bits - 2, format));
@@ -27,8 +28,9 @@ struct Turning {
   constexpr SplitBall by_twist(int i, const SplitBall& v, int format) const {
     const auto& c = m.links[i];
     SplitBall turned = turned_about_x(v, c.sin_alpha, c.cos_alpha);
-    if (turns(c.sin_alpha, c.cos_alpha)) turned = rounded(turned, constant_step(v, format));
-    if (turns(c.branch.sin_gamma, c.branch.cos_gamma)) turned = rounded_across(turned, constant_step(v, format));
+    const auto& k = m.factors(i);
+    if (rounds(k.sin_alpha, k.cos_alpha)) turned = rounded(turned, constant_step(v, format));
+    if (rounds(k.branch.sin_gamma, k.branch.cos_gamma)) turned = rounded_across(turned, constant_step(v, format));
     return turned;
   }
   constexpr SplitBall to_child(int i, const SplitBall& v, int format) const {
@@ -37,6 +39,7 @@ struct Turning {
 
  private:
   constexpr double constant_step(const SplitBall& v, int format) const {
+    if (m.steps.shared) return r.products(2, format, r.bits - 2, format) + r.ulp(r.bits - 2) * v.whole.size;
     return r.sum(format, {Factor{0.7071, format, v.whole.size}, Factor{0.7072, format, v.whole.size}});
   }
 };
@@ -83,19 +86,19 @@ class NewtonEulerAnalysis {
 
   constexpr void rotate(int i, const SpinBall& parent, int p) {
     const auto& c = m_.links[i];
-    const double rate = c.prismatic ? 0.0 : m_.joints[i].speed, pull = c.prismatic ? 0.0 : m_.joints[i].acceleration;
-    const LinkFormat none{};
+    const Ball rate = c.prismatic ? Ball{} : m_.speed(r_, i), pull = c.prismatic ? Ball{} : m_.acceleration(r_, i);
+    const LinkFormat none = m_.base_format();
     const LinkFormat& from = p < 0 ? none : all_.format[p];
     LinkFormat& to = all_.format[i];
     SpinBall& own = spin_[i];
     const SplitBall turning = brought(i, p, parent.w, from.angular_velocity);
-    own.w = turning + split({}, {rate, 0.0});
-    to.angular_velocity = r_.exponent(own.w.whole.size);
+    own.w = turning + split({}, rate);
+    to.angular_velocity = m_.format(r_, &LinkFormat::angular_velocity, own.w.whole.size);
     own.w = rounded(own.w, 2.0 * r_.store(to.angular_velocity));
 
     const SplitBall gyration = split(rate * turning.across, {});
-    own.dw = brought(i, p, parent.dw, from.angular_acceleration) + gyration + split({}, {pull, 0.0});
-    to.angular_acceleration = r_.exponent(own.strength().size);
+    own.dw = brought(i, p, parent.dw, from.angular_acceleration) + gyration + split({}, pull);
+    to.angular_acceleration = m_.format(r_, &LinkFormat::angular_acceleration, own.strength().size);
     own.entry = r_.products(1, to.angular_velocity, to.angular_velocity, to.angular_acceleration) +
                 r_.store(to.angular_acceleration);
     own.dw =
@@ -118,37 +121,41 @@ class NewtonEulerAnalysis {
   }
 
   constexpr void accelerate(int i, const SpinBall& parent, int p) {
-    const auto& c = m_.links[i];
+    const auto &c = m_.links[i], &k = m_.factors(i);
     const auto& j = m_.joints[i];
-    const LinkFormat none{};
+    const LinkFormat none = m_.base_format();
     const LinkFormat& from = p < 0 ? none : all_.format[p];
     LinkFormat& to = all_.format[i];
-    const Ball start{m_.loads.gravity_across, 0.0}, falls{m_.loads.gravity_along, 0.0};
+    const double fall = m_.steps.shared ? r_.store(none.linear_acceleration) : 0.0;
+    const Ball start{m_.loads.gravity_across, root2 * fall}, falls{m_.loads.gravity_along, fall};
     const SplitBall at_parent = p < 0 ? split(start, falls) : a_[p];
     SplitBall a = at_parent + parent.times(magnitude(c.a), magnitude(c.branch.b));
     const double along = c.prismatic ? j.travel : magnitude(c.d);
-    const Ball slip = c.prismatic ? Ball{2.0 * j.speed, 0.0} * spin_[i].w.across : Ball{};
-    const SplitBall joint = split(slip, {c.prismatic ? j.acceleration : 0.0, 0.0});
+    const Ball slip = c.prismatic ? 2.0 * m_.speed(r_, i) * spin_[i].w.across : Ball{};
+    const SplitBall joint = split(slip, c.prismatic ? m_.acceleration(r_, i) : Ball{});
     const SplitBall offset = spin_[i].times(0.0, along);
     const double widest = a.whole.size + (offset + joint).whole.size;
-    to.linear_acceleration = r_.exponent(widest);
-    to.length = r_.exponent(along > 0.0 ? along : 1.0);
+    to.linear_acceleration = m_.format(r_, &LinkFormat::linear_acceleration, widest);
+    to.length = m_.format(r_, &LinkFormat::length, along > 0.0 ? along : 1.0);
     const int format = to.linear_acceleration;
     const double strength = parent.strength().size;
-    a = rounded(a, r_.sum(format, {Factor{c.a, from.angular_acceleration, strength},
-                                   Factor{c.a, from.angular_acceleration, strength},
-                                   Factor{c.branch.b, from.angular_acceleration, strength}}) +
+    a = rounded(a, r_.sum(format, {Factor{k.a, from.angular_acceleration, strength},
+                                   Factor{k.a, from.angular_acceleration, strength},
+                                   Factor{k.branch.b, from.angular_acceleration, strength}}) +
                        r_.store(format));
     a_[i] = turn_.to_child(i, a, format) + offset + joint;
     double step = r_.store(format);
-    if (c.prismatic)
+    if (c.prismatic || m_.steps.shared)
       step += r_.products(3, to.angular_acceleration, to.length, format) +
-              r_.store(to.length) * spin_[i].strength().size +
-              r_.products(2, to.angular_velocity, r_.exponent(j.speed), format);
+              shift_rounding(to) * spin_[i].strength().size +
+              r_.products(2, to.angular_velocity, r_.exponent(m_.speed_reach(i)), format);
     else
       step += r_.sum(format, {Factor{c.d, to.angular_acceleration, spin_[i].strength().size}});
     a_[i] = rounded(a_[i], step);
   }
+
+  // Of a joint's shift; a table's d and the position that is read into its format round each.
+  constexpr double shift_rounding(const LinkFormat& f) const { return (m_.steps.shared ? 2.0 : 1.0) * r_.store(f.length); }
 
   // Sizes of what link i bears; its children have been here before.
   constexpr void load(int i) {
@@ -158,14 +165,14 @@ class NewtonEulerAnalysis {
     SplitBall force = mass * a_[i] + s.times(side, height);
     SplitBall moment = rotational(c, s) + split(side * a_[i].along + height * a_[i].across, side * a_[i].across);
     if (i + 1 == N) add_tip(i, force, moment);
-    all_.format[i].mass = r_.exponent(mass + m_.loads.payload_mass);
-    all_.format[i].first_moment = r_.exponent(2.0 * (hypotenuse(side, height) + m_.loads.payload_moment));
-    all_.format[i].rotational_inertia = r_.exponent(2.0 * (norm_of(c) + m_.loads.payload_inertia));
+    all_.format[i].mass = m_.format(r_, &LinkFormat::mass, mass + m_.loads.payload_mass);
+    all_.format[i].first_moment = m_.format(r_, &LinkFormat::first_moment, 2.0 * (hypotenuse(side, height) + m_.loads.payload_moment));
+    all_.format[i].rotational_inertia = m_.format(r_, &LinkFormat::rotational_inertia, 2.0 * (norm_of(c) + m_.loads.payload_inertia));
     force_[i] = force_[i] + force, moment_[i] = moment_[i] + moment;
     const double travel = m_.joints[i].travel;
     const SplitBall shifted = moment_[i] + cross_along_z(travel, force_[i]);
-    all_.format[i].force = r_.exponent(force_[i].whole.size);
-    all_.format[i].moment = r_.exponent(shifted.whole.size);
+    all_.format[i].force = m_.format(r_, &LinkFormat::force, force_[i].whole.size);
+    all_.format[i].moment = m_.format(r_, &LinkFormat::moment, shifted.whole.size);
     const int p = m_.parent(i);
     if (p < 0) return;
     const SplitBall arrives = turned_about_x(force_[i], c.sin_alpha, c.cos_alpha);
@@ -199,7 +206,7 @@ class NewtonEulerAnalysis {
 
   // Rounding of link i's own force and moment, of what it sends, and its joint's effort.
   constexpr void bear(int i) {
-    const auto& c = m_.links[i];
+    const auto& c = m_.factors(i);
     const LinkFormat& format = all_.format[i];
     const int au = format.angular_acceleration, al = format.linear_acceleration;
     const double u = spin_[i].strength().size, a = a_[i].whole.size;
@@ -211,6 +218,8 @@ class NewtonEulerAnalysis {
                                Factor{c.jxz, au, u}, Factor{c.jyz, au, u}, Factor{c.hx, al, a}, Factor{c.hy, al, a},
                                Factor{c.hz, al, a}, Factor{largest(c.jzz_jyy, c.jxx_jzz, c.jyy_jxx), au, u}}));
     if (i + 1 == N && m_.loads.payload_mass > 0.0) carry_payload(i, u, a);
+    if (i + 1 == N && m_.steps.shared && m_.loads.tip_force + m_.loads.tip_moment > 0.0)
+      force_[i] = rounded(force_[i], r_.store(format.force)), moment_[i] = rounded(moment_[i], r_.store(format.moment));
     all_.range[i].force = force_[i].whole, all_.range[i].moment = moment_[i].whole;
     drive(i);
     if (const int p = m_.parent(i); p >= 0) send(i, p);
@@ -233,19 +242,19 @@ class NewtonEulerAnalysis {
     return ab > magnitude(c) ? ab : magnitude(c);
   }
   constexpr void send(int i, int p) {
-    const auto& c = m_.links[i];
+    const auto &c = m_.links[i], &k = m_.factors(i);
     const LinkFormat &format = all_.format[i], &outer = all_.format[p];
     const double along = m_.joints[i].travel, f = force_[i].whole.size;
     SplitBall moment = moment_[i] + cross_along_z(along, force_[i]);
     if (along > 0.0) {
-      const double step = c.prismatic
-                              ? r_.products(1, format.force, format.length, format.moment) + r_.store(format.length) * f
+      const double step = c.prismatic || m_.steps.shared
+                              ? r_.products(1, format.force, format.length, format.moment) + shift_rounding(format) * f
                               : r_.sum(format.moment, {Factor{c.d, format.force, f}});
       moment = rounded_across(moment, step);
     }
     moment = turn_.by_joint(i, moment, format.moment);
     SplitBall force = turn_.by_joint(i, force_[i], format.force);
-    moment = rounded(moment, r_.sum(outer.moment, {Factor{c.a, format.force, f}, Factor{c.branch.b, format.force, f}}));
+    moment = rounded(moment, r_.sum(outer.moment, {Factor{k.a, format.force, f}, Factor{k.branch.b, format.force, f}}));
     moment = turn_.by_twist(i, moment, outer.moment);
     force = turn_.by_twist(i, force, format.force);
     moment = moment + cross_along_x(c.a, force) + cross_along_z(magnitude(c.branch.b), force);
@@ -261,24 +270,26 @@ class NewtonEulerAnalysis {
     const auto& c = m_.links[i];
     const auto& j = m_.joints[i];
     const Ball borne = c.prismatic ? force_[i].along : moment_[i].along;
-    const double rotor = m_.loads.rotors ? c.rotor : 0.0;
-    const Ball passive = passive_effort(m_.drives[i], j);
+    const double rotor = m_.loads.rotors ? c.rotor : 0.0, rotor_factor = m_.loads.rotors ? m_.factors(i).rotor : 0.0;
+    const Ball passive = passive_effort(i);
     Ball& effort = all_.range[i].joint_effort;
     int& format = all_.format[i].joint_effort;
-    effort = borne + Ball{rotor * j.acceleration, 0.0} + passive;
+    effort = borne + rotor * m_.acceleration(r_, i) + passive;
     format = j.effort_format == JointRange::unknown ? r_.exponent(effort.size) : j.effort_format;
-    const double viscous = m_.loads.friction ? m_.drives[i].viscous : 0.0;
+    if (m_.steps.shared) format = m_.steps.format.joint_effort;
+    const double viscous = m_.loads.friction ? m_.viscous_factor(i) : 0.0;
     effort.error += r_.store(format) +
-                    r_.sum(format, {Factor{viscous, r_.exponent(j.speed), j.speed},
-                                    Factor{rotor, r_.exponent(j.acceleration), j.acceleration}}) +
+                    r_.sum(format, {Factor{viscous, r_.exponent(m_.speed_reach(i)), j.speed},
+                                    Factor{rotor_factor, r_.exponent(m_.acceleration_reach(i)), j.acceleration}}) +
                     r_.store(format);
   }
-  constexpr Ball passive_effort(const DriveConstants<double>& d, const JointRange& j) const {
-    double most = 0.0;
-    if (m_.loads.friction)
-      most += d.viscous * j.speed + larger_of(d.coulomb_forward + magnitude(d.stribeck_forward),
-                                              magnitude(d.coulomb_backward) + magnitude(d.stribeck_backward));
-    return {most, 0.0};
+  constexpr Ball passive_effort(int i) const {
+    if (!m_.loads.friction) return {};
+    const auto& d = m_.drives[i];
+    const double dry = larger_of(d.coulomb_forward + magnitude(d.stribeck_forward),
+                                 magnitude(d.coulomb_backward) + magnitude(d.stribeck_backward));
+    const double step = m_.steps.shared ? 2.0 * r_.store(m_.steps.format.joint_effort) : 0.0;
+    return d.viscous * m_.speed(r_, i) + Ball{dry, step};
   }
   static constexpr double larger_of(double a, double b) { return a > b ? a : b; }
 };
@@ -288,7 +299,9 @@ class NewtonEulerAnalysis {
 /// Ranges, formats and errors of inverse dynamics (and of its bias and gravity parts).
 template <int N>
 constexpr Ranges<N> newton_euler_ranges(const Mechanism<N>& mechanism, const Rounding& rounding) {
-  return detail::NewtonEulerAnalysis<N>(mechanism, rounding).ranges();
+  return detail::ranges_by(mechanism, rounding, [&rounding](const Mechanism<N>& m) {
+    return detail::NewtonEulerAnalysis<N>(m, rounding).ranges();
+  });
 }
 
 }  // namespace axial

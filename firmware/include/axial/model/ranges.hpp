@@ -58,11 +58,26 @@ struct LinkFormat {
   constexpr int of(quantity::GravityAcceleration) const { return gravity; }
 };
 
+inline constexpr int LinkFormat::*all_formats[] = {
+    &LinkFormat::angular_velocity, &LinkFormat::angular_acceleration, &LinkFormat::linear_acceleration,
+    &LinkFormat::moment,           &LinkFormat::force,                &LinkFormat::rotational_inertia,
+    &LinkFormat::first_moment,     &LinkFormat::mass,                 &LinkFormat::joint_inertia,
+    &LinkFormat::angular_gain,     &LinkFormat::linear_gain,          &LinkFormat::joint_effort,
+    &LinkFormat::joint_acceleration, &LinkFormat::length,             &LinkFormat::gravity};
+
 /// One of each a link.
 template <int N>
 struct Ranges {
   LinkRange range[N] = {};
   LinkFormat format[N] = {};
+};
+
+/// What one step for all links makes of a robot: one format a quantity, constants in columns of one exponent each.
+struct SharedSteps {
+  bool shared = false;
+  LinkFormat format{};
+  TreeLinkConstants<double> columns{};  ///< the largest number that a column's exponent can hold; 0 where it is 0
+  double viscous = 0.0, speed = 0.0, acceleration = 0.0;
 };
 
 /// Everything that an analysis looks at.
@@ -72,6 +87,7 @@ struct Mechanism {
   JointRange joints[N];
   DriveConstants<double> drives[N];
   LoadRange loads;
+  SharedSteps steps{};
 
   constexpr int parent(int i) const { return links[i].parent; }
   /// Distance of a link's origin from its parent's: a and d are at right angles, whatever the joint's angle.
@@ -79,6 +95,27 @@ struct Mechanism {
     const auto& c = links[i];
     const double d = joints[i].travel;
     return magnitude(c.branch.b) + square_root(c.a * c.a + d * d);
+  }
+
+  /// Constants of a link as its products round them.
+  constexpr const TreeLinkConstants<double>& factors(int i) const { return steps.shared ? steps.columns : links[i]; }
+  constexpr double viscous_factor(int i) const { return steps.shared ? steps.viscous : drives[i].viscous; }
+  /// The exponent of a quantity that reaches `size` on one link, or of all links.
+  constexpr int format(const Rounding& r, int LinkFormat::*quantity, double size) const {
+    return steps.shared ? steps.format.*quantity : r.exponent(size);
+  }
+  constexpr LinkFormat base_format() const { return steps.shared ? steps.format : LinkFormat{}; }
+  constexpr double speed_reach(int i) const { return steps.shared ? steps.speed : joints[i].speed; }
+  constexpr double acceleration_reach(int i) const { return steps.shared ? steps.acceleration : joints[i].acceleration; }
+  /// Joint values move to an exponent of all joints where they are read.
+  constexpr Ball speed(const Rounding& r, int i) const { return read(r, joints[i].speed, speed_reach(i)); }
+  constexpr Ball acceleration(const Rounding& r, int i) const {
+    return read(r, joints[i].acceleration, acceleration_reach(i));
+  }
+
+ private:
+  constexpr Ball read(const Rounding& r, double size, double reach) const {
+    return {size, steps.shared ? r.store(r.exponent(reach)) : 0.0};
   }
 };
 

@@ -245,6 +245,17 @@ AXIAL_INLINE constexpr auto round_to(const X& x) {
     return round_to<E>(accumulate<accumulator_exponent<X, E>>(x));
 }
 
+template <int E, class S>
+struct Holding<Fx<E, S>> {
+  template <class X>
+  AXIAL_INLINE static constexpr Fx<E, S> of(const X& x) {
+    if constexpr (is_structural_v<X>)
+      return x;
+    else
+      return round_to<E>(x);
+  }
+};
+
 /// Any expression, rounded once and held within exponent E's range; sets `lost` where it would not have fitted. Sees
 /// excesses up to 2^8.
 template <int E, class X>

@@ -30,6 +30,15 @@ struct IsStructural<Int<N>> : std::true_type {};
 template <class T>
 inline constexpr bool is_structural_v = IsStructural<T>::value;
 
+/// How a result becomes a plain number of a type.
+template <class T>
+struct Holding {
+  template <class X>
+  AXIAL_INLINE static constexpr T of(const X& x) {
+    return x;
+  }
+};
+
 /// True for a type that is zero whatever happens at run time.
 template <class T>
 inline constexpr bool is_zero_v = std::is_same_v<T, Zero>;

@@ -1,6 +1,7 @@
 // Inertias about a frame's origin: of one rigid body, and of an articulated body.
 #pragma once
 
+#include <axial/scalar/rounding.hpp>
 #include <axial/spatial/mat3.hpp>
 
 namespace axial {
@@ -18,8 +19,11 @@ struct RigidInertia {
     return {mass, first_moment, inertia};
   }  // NOLINT(google-explicit-constructor)
   template <class T>
-  AXIAL_INLINE constexpr RigidInertia<T, Vec3<T>, Sym3<T>> dense() const {
-    return *this;
+  AXIAL_INLINE constexpr auto dense() const {
+    using Mass = Held<T, quantity::Mass>;
+    return axial::RigidInertia{Holding<Mass>::of(mass),
+                               first_moment.template dense<Held<T, quantity::FirstMoment>>(),
+                               inertia.template dense<Held<T, quantity::RotationalInertia>>()};
   }
 };
 template <class M, class H, class J>
@@ -43,8 +47,10 @@ struct ArticulatedInertia {
     return {angular, coupling, linear};
   }  // NOLINT(google-explicit-constructor)
   template <class T>
-  AXIAL_INLINE constexpr ArticulatedInertia<Sym3<T>, Mat3<Vec3<T>>, Sym3<T>> dense() const {
-    return *this;
+  AXIAL_INLINE constexpr auto dense() const {
+    return axial::ArticulatedInertia{angular.template dense<Held<T, quantity::RotationalInertia>>(),
+                                     coupling.template dense<Held<T, quantity::FirstMoment>>(),
+                                     linear.template dense<Held<T, quantity::Mass>>()};
   }
 };
 template <class A11, class A12, class A22>

@@ -18,7 +18,7 @@ struct Mat3 {
   }  // NOLINT(google-explicit-constructor)
   template <class T>
   AXIAL_INLINE constexpr Mat3<Vec3<T>> dense() const {
-    return *this;
+    return {x.template dense<T>(), y.template dense<T>(), z.template dense<T>()};
   }
 };
 template <class R1, class R2, class R3>
@@ -40,7 +40,8 @@ struct Sym3 {
   }  // NOLINT(google-explicit-constructor)
   template <class T>
   AXIAL_INLINE constexpr Sym3<T> dense() const {
-    return *this;
+    using N = Holding<T>;
+    return {N::of(xx), N::of(yy), N::of(zz), N::of(xy), N::of(xz), N::of(yz)};
   }
 };
 template <class A, class B, class C, class D, class E, class F>

@@ -63,8 +63,11 @@ struct AxialScrew {
   static constexpr bool is_identity = std::is_same_v<C, One> && is_zero_v<S> && is_zero_v<L>;
 
   template <class T>
-  AXIAL_INLINE constexpr AxialScrew<Axis, T, T, T> dense() const {
-    return {cos, sin, shift};
+  AXIAL_INLINE constexpr auto dense() const {
+    using Turned = Held<T, quantity::Turn>;
+    using Length = Held<T, quantity::Length>;
+    return AxialScrew<Axis, Turned, Turned, Length>{Holding<Turned>::of(cos), Holding<Turned>::of(sin),
+                                                    Holding<Length>::of(shift)};
   }
   template <class Known>
   AXIAL_INLINE constexpr AxialScrew<Axis, C, S, L, Known> with_turn(Known) const {

@@ -1,6 +1,7 @@
 // Spatial vectors, angular part first.
 #pragma once
 
+#include <axial/scalar/rounding.hpp>
 #include <axial/spatial/vec3.hpp>
 
 namespace axial {
@@ -17,9 +18,11 @@ struct MotionVector {
   AXIAL_INLINE constexpr operator MotionVector<A, B>() const {
     return {angular, linear};
   }  // NOLINT(google-explicit-constructor)
+  /// Of accelerations, where T tells quantities apart.
   template <class T>
-  AXIAL_INLINE constexpr MotionVector<Vec3<T>, Vec3<T>> dense() const {
-    return *this;
+  AXIAL_INLINE constexpr auto dense() const {
+    return axial::MotionVector{angular.template dense<Held<T, quantity::AngularAcceleration>>(),
+                               linear.template dense<Held<T, quantity::LinearAcceleration>>()};
   }
 };
 template <class W, class V>
@@ -36,8 +39,9 @@ struct ForceVector {
     return {moment, force};
   }  // NOLINT(google-explicit-constructor)
   template <class T>
-  AXIAL_INLINE constexpr ForceVector<Vec3<T>, Vec3<T>> dense() const {
-    return *this;
+  AXIAL_INLINE constexpr auto dense() const {
+    return axial::ForceVector{moment.template dense<Held<T, quantity::Moment>>(),
+                              force.template dense<Held<T, quantity::Force>>()};
   }
 };
 template <class N, class F>

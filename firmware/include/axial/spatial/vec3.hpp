@@ -19,7 +19,7 @@ struct Vec3 {
   /// The same vector as plain numbers.
   template <class T>
   AXIAL_INLINE constexpr Vec3<T, T, T> dense() const {
-    return *this;
+    return {Holding<T>::of(x), Holding<T>::of(y), Holding<T>::of(z)};
   }
 };
 template <class X, class Y, class Z>

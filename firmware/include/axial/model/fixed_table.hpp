@@ -1,0 +1,310 @@
+// Links of the looped form in fixed point: rows of integers, columns of one exponent each, one rounding for all links.
+#pragma once
+
+#include <axial/model/fixed_formats.hpp>
+#include <axial/model/link_view.hpp>
+
+namespace axial {
+namespace detail {
+
+/// The formats that all links of a scene share in a recursion.
+template <class Scene, class Parameters, class S, class Recursion>
+struct SharedFormats {
+  using Arithmetic = S;
+  static constexpr const auto& value = ranges_of<Scene, Parameters, S, Recursion>;
+  static constexpr const auto& mechanism = mechanism_of<Scene, Parameters>;
+  static constexpr const LinkFormat& format = value.format[0];
+  static constexpr ColumnExponents columns = column_exponents(mechanism, rounding_of<S>(true), format);
+  static constexpr int parent(int) { return -1; }
+};
+
+/// What kernels keep where links share formats: each quantity in its own.
+template <class Formats>
+struct InSharedFormats {};
+
+}  // namespace detail
+
+template <class Formats, class Quantity>
+struct HeldAs<detail::InSharedFormats<Formats>, Quantity> {
+  using type = Fx<Formats::format.of(Quantity{}), typename Formats::Arithmetic>;
+};
+template <class Formats>
+struct HeldAs<detail::InSharedFormats<Formats>, quantity::Turn> {
+  using type = Fx<Formats::Arithmetic::unit, typename Formats::Arithmetic>;
+};
+
+namespace detail {
+
+/// A joint's position where a table holds joints of both kinds.
+template <int Length, class S>
+struct SharedPosition {
+  Bam<S> angle{};
+  Fx<Length, S> length{};
+};
+template <int Length, class S>
+AXIAL_INLINE constexpr Bam<S> joint_angle(const SharedPosition<Length, S>& q) {
+  return q.angle;
+}
+template <int Length, class S>
+AXIAL_INLINE constexpr Fx<Length, S> joint_length(const SharedPosition<Length, S>& q) {
+  return q.length;
+}
+
+/// Numbers of a table as integers. The angle theta is in units of 2^-32 of a turn.
+using TableWord = std::int32_t;
+
+constexpr TableWord table_word(double value, int exponent) {
+  return static_cast<TableWord>(nearest_integer(value * power_of_two(exponent)));
+}
+
+template <class Formats>
+struct FixedTable {
+  static constexpr const auto& links = Formats::mechanism.links;
+  static constexpr const auto& drives = Formats::mechanism.drives;
+  static constexpr int size = static_cast<int>(sizeof(links) / sizeof(links[0]));
+
+  template <class Row>
+  static constexpr Row row(const TreeLinkConstants<double>& c) {
+    Row r{};
+    r.prismatic = c.prismatic, r.parent = c.parent;
+    for (std::size_t i = 0; i < sizeof(link_numbers<double>) / sizeof(link_numbers<double>[0]); ++i)
+      r.*link_numbers<TableWord>[i] =
+          table_word(c.*link_numbers<double>[i], Formats::columns.of(link_numbers<double>[i]));
+    r.theta = static_cast<TableWord>(static_cast<std::uint32_t>(nearest_integer(c.theta * bam_per_radian)));
+    if constexpr (std::is_same_v<Row, TreeLinkConstants<TableWord>>)
+      for (std::size_t i = 0; i < sizeof(branch_numbers<double>) / sizeof(branch_numbers<double>[0]); ++i)
+        r.branch.*branch_numbers<TableWord>[i] =
+            table_word(c.branch.*branch_numbers<double>[i], Formats::columns.of(branch_numbers<double>[i]));
+    return r;
+  }
+
+  /// Exponents of the drives' columns, by what they hold at most; unused ones hold zeros.
+  static constexpr double largest_drive(std::size_t column) {
+    double most = 0.0;
+    for (const auto& drive : drives)
+      most = larger(most, magnitude(drive.*drive_numbers<double>[column]));
+    return most;
+  }
+  static constexpr int drive_exponent(std::size_t column) {
+    const auto member = drive_numbers<double>[column];
+    if (member == &DriveConstants<double>::coulomb_forward || member == &DriveConstants<double>::coulomb_backward)
+      return Formats::format.joint_effort;
+    return fitting_exponent(largest_drive(column), Formats::Arithmetic::capacity);
+  }
+  static constexpr std::size_t drive_column(TableWord DriveConstants<TableWord>::*member) {
+    std::size_t column = 0;
+    while (drive_numbers<TableWord>[column] != member)
+      ++column;
+    return column;
+  }
+  static constexpr DriveConstants<TableWord> drive_row(const DriveConstants<double>& c) {
+    DriveConstants<TableWord> r;
+    for (std::size_t i = 0; i < sizeof(drive_numbers<double>) / sizeof(drive_numbers<double>[0]); ++i)
+      r.*drive_numbers<TableWord>[i] = table_word(c.*drive_numbers<double>[i], drive_exponent(i));
+    return r;
+  }
+};
+
+template <class Row, class Formats, int... I>
+constexpr auto fixed_rows(std::integer_sequence<int, I...>) {
+  struct Table {
+    Row links[sizeof...(I)];
+  };
+  return Table{{FixedTable<Formats>::template row<Row>(FixedTable<Formats>::links[I])...}};
+}
+template <class Row, class Formats>
+inline constexpr auto fixed_table =
+    fixed_rows<Row, Formats>(std::make_integer_sequence<int, FixedTable<Formats>::size>{});
+
+template <class Formats, int... I>
+constexpr auto fixed_drive_rows(std::integer_sequence<int, I...>) {
+  struct Table {
+    DriveConstants<TableWord> links[sizeof...(I)];
+  };
+  return Table{{FixedTable<Formats>::drive_row(FixedTable<Formats>::drives[I])...}};
+}
+template <class Formats>
+inline constexpr auto fixed_drives =
+    fixed_drive_rows<Formats>(std::make_integer_sequence<int, FixedTable<Formats>::size>{});
+
+}  // namespace detail
+
+/// Row of a table of integers.
+template <class SceneType, class S, class Columns, class Formats>
+class FixedTableLink
+    : public detail::LinkAccess<FixedTableLink<SceneType, S, Columns, Formats>, detail::TableWord>,
+      public detail::FormatRounding<S, Formats, 0> {
+  using Table = detail::FixedTable<Formats>;
+  using Word = detail::TableWord;
+  using C = LinkConstants<Word>;
+
+ public:
+  using Scene = SceneType;
+  using Scalar = S;
+  using Constants = typename Columns::template Row<Word>;
+  static constexpr bool unrolled = false;
+  static constexpr bool adds_angles = true;
+  static constexpr bool branches = Columns::any_branch;
+  const Constants& row;
+  const DriveConstants<Word>* drives;  ///< of this link; null where the scene names none
+  bool is_last;
+
+  AXIAL_INLINE constexpr FixedTableLink(const Constants& constants, const DriveConstants<Word>* own, bool last)
+      : row(constants), drives(own), is_last(last) {}
+
+  template <detail::Member<Word> M>
+  AXIAL_INLINE constexpr auto get() const {
+    constexpr double common = Columns::common(M);
+    if constexpr (common == 0.0 || common == 1.0 || common == -1.0)
+      return Int<static_cast<int>(common)>{};
+    else
+      return Fx<Formats::columns.of(M), S>{static_cast<typename S::Word>(row.*M)};
+  }
+  template <detail::BranchMember<Word> M>
+  AXIAL_INLINE constexpr auto branch() const {
+    constexpr double common = Columns::common(M);
+    if constexpr (common == 0.0 || common == 1.0 || common == -1.0)
+      return Int<static_cast<int>(common)>{};
+    else
+      return Fx<Formats::columns.of(M), S>{static_cast<typename S::Word>(row.branch.*M)};
+  }
+  template <detail::DriveMember<Word> M>
+  AXIAL_INLINE constexpr auto drive() const {
+    constexpr std::size_t column = Table::drive_column(M);
+    if constexpr (Table::largest_drive(column) > 0.0)
+      return Fx<Table::drive_exponent(column), S>{static_cast<typename S::Word>(drives->*M)};
+    else
+      return Zero{};
+  }
+  /// A joint's angle with the constant part of its turn.
+  AXIAL_INLINE constexpr Bam<S> with_offset(const Bam<S>& q) const { return q + Bam<S>{row.theta}; }
+  template <detail::Member<Word>>
+  AXIAL_INLINE static constexpr AnyTurn beyond_45_degrees() {
+    return {};
+  }
+  template <detail::BranchMember<Word>>
+  AXIAL_INLINE static constexpr AnyTurn branch_beyond_45_degrees() {
+    return {};
+  }
+  template <class F>
+  AXIAL_INLINE constexpr auto on_joint(const F& f) const {
+    if constexpr (!Columns::any_prismatic) {
+      return f(Revolute{});
+    } else if constexpr (!Columns::any_revolute) {
+      return f(Prismatic{});
+    } else {
+      if (row.prismatic) return f(Prismatic{});
+      return f(Revolute{});
+    }
+  }
+  /// Results in the formats that all links share.
+  template <class V>
+  AXIAL_INLINE static constexpr auto shape(const V& v) {
+    return v.template dense<detail::InSharedFormats<Formats>>();
+  }
+};
+
+/// The links of a scene over a constexpr table of integers.
+template <class SceneType, class S, class ParametersType, class FormatsType>
+struct FixedTableLinks {
+  using Scene = SceneType;
+  using Robot = typename Scene::Robot;
+  using Scalar = S;
+  using Formats = FormatsType;
+  using Dense = detail::InSharedFormats<Formats>;
+  using SharedColumns = detail::KnownColumns<detail::RobotConstants<Robot, ParametersType>>;
+  using Link = FixedTableLink<Scene, S, SharedColumns, Formats>;
+  static constexpr bool unrolled = false;
+  static constexpr int capacity = Robot::chain.size;
+
+  AXIAL_INLINE static constexpr int size() { return capacity; }
+  AXIAL_INLINE static constexpr auto link(int i) { return Link(rows().links[i], drives(i), i + 1 == capacity); }
+  AXIAL_INLINE static constexpr int parent_index(int i) { return rows().links[i].parent; }
+  AXIAL_INLINE static constexpr int last() { return capacity - 1; }
+  AXIAL_INLINE static constexpr auto base_acceleration() {
+    using A = Held<Dense, quantity::LinearAcceleration>;
+    using N = NumberTraits<A>;
+    constexpr auto& g = Robot::chain.gravity;
+    if constexpr (Scene::template has<Gravity>)
+      return Vec3{N::constant(-g.x), N::constant(-g.y), N::constant(-g.z)};
+    else
+      return ZeroVec3{};
+  }
+
+ private:
+  AXIAL_INLINE static constexpr const auto& rows() { return detail::fixed_table<typename Link::Constants, Formats>; }
+  AXIAL_INLINE static constexpr const DriveConstants<detail::TableWord>* drives(int i) {
+    if constexpr (Scene::template has<Friction>)
+      return detail::fixed_drives<Formats>.links + i;
+    else
+      return nullptr;
+  }
+};
+
+namespace detail {
+
+/// How far words of one role, in a format a joint, are from a common one.
+template <class Values, int Shared>
+struct Shifts {
+  static constexpr int size = Values::size;
+  unsigned char of[size] = {};
+  bool any = false;
+
+  static constexpr Shifts chosen() {
+    Shifts shifts;
+    for (int i = 0; i < size; ++i) {
+      const int shift = Values::exponent(i) - Shared;
+      shifts.of[i] = static_cast<unsigned char>(shift > 0 ? shift : 0);
+      shifts.any = shifts.any || shift > 0;
+    }
+    return shifts;
+  }
+};
+template <class Values, int Shared>
+inline constexpr auto shifts_of = Shifts<Values, Shared>::chosen();
+
+/// x 2^-shift as the arithmetic rounds, with no branch on the shift.
+template <class S>
+AXIAL_INLINE constexpr typename S::Word moved_down(std::int32_t x, unsigned char shift) {
+  const std::int32_t half = S::nearest ? static_cast<std::int32_t>((std::uint32_t{1} << shift) >> 1) : 0;
+  return static_cast<typename S::Word>((x >> shift) + static_cast<std::int32_t>((x & half) != 0));
+}
+
+/// Joint values as kernels in shared formats read them.
+template <class Links, class Values, class Role>
+struct SharedView {
+  using S = typename Links::Scalar;
+  const Values& values;
+
+  static constexpr int exponent() {
+    int least = Values::exponent(0);
+    for (int i = 1; i < Values::size; ++i)
+      least = smaller(least, Values::exponent(i));
+    return least;
+  }
+  AXIAL_INLINE constexpr auto operator[](int i) const {
+    constexpr const auto& shifts = shifts_of<Values, exponent()>;
+    if constexpr (shifts.any)
+      return Fx<exponent(), S>{moved_down<S>(values.values[i].raw, shifts.of[i])};
+    else
+      return Fx<exponent(), S>{values.values[i].raw};
+  }
+};
+template <class Links, class Values>
+struct SharedView<Links, Values, role::Position> {
+  using S = typename Links::Scalar;
+  using Columns = typename Links::SharedColumns;
+  static constexpr int length = Links::Formats::format.length;
+  const Values& values;
+
+  AXIAL_INLINE constexpr auto operator[](int i) const {
+    const std::int32_t raw = values.values[i].raw;
+    if constexpr (!Columns::any_prismatic)
+      return Bam<S>{raw};
+    else
+      return SharedPosition<length, S>{{raw}, {moved_down<S>(raw, shifts_of<Values, length>.of[i])}};
+  }
+};
+
+}  // namespace detail
+}  // namespace axial
