@@ -1,7 +1,7 @@
 // Ranges of composite bodies: what everything outboard of a link can weigh about it. doc/ranges.md is the proof.
 #pragma once
 
-#include <axial/model/ranges.hpp>
+#include <axial/model/shared_formats.hpp>
 #include <axial/model/split_ball.hpp>
 
 namespace axial {
@@ -48,14 +48,14 @@ constexpr void set_inertia_formats(const Mechanism<N>& m, const CompositeRanges<
     const CompositeRange& b = bodies.behind[i];
     all.range[i].mass.size = b.mass, all.range[i].first_moment.size = b.moment;
     all.range[i].rotational_inertia.size = b.inertia;
-    all.format[i].mass = r.exponent(b.mass);
-    all.format[i].first_moment = r.exponent(2.0 * b.moment);
-    all.format[i].rotational_inertia = r.exponent(b.inertia);
+    all.format[i].mass = m.format(r, &LinkFormat::mass, b.mass);
+    all.format[i].first_moment = m.format(r, &LinkFormat::first_moment, 2.0 * b.moment);
+    all.format[i].rotational_inertia = m.format(r, &LinkFormat::rotational_inertia, b.inertia);
     const double rotor = m.loads.rotors ? m.links[i].rotor : 0.0;
     const CompositeRange& own = bodies.own[i];
     all.range[i].joint_inertia.size = (m.links[i].prismatic ? own.mass : own.inertia) + rotor;
-    all.format[i].joint_inertia = r.exponent(all.range[i].joint_inertia.size);
-    all.format[i].length = r.exponent(m.joints[i].travel > 0.0 ? m.joints[i].travel : 1.0);
+    all.format[i].joint_inertia = m.format(r, &LinkFormat::joint_inertia, all.range[i].joint_inertia.size);
+    all.format[i].length = m.format(r, &LinkFormat::length, m.joints[i].travel > 0.0 ? m.joints[i].travel : 1.0);
   }
 }
 
@@ -70,12 +70,12 @@ class CompositeBodyAnalysis {
       : m_(mechanism), r_(rounding), bodies_(composite_ranges(mechanism)) {
     set_inertia_formats(m_, bodies_, r_, all_);
     for (int i = 0; i < N; ++i)  // of regrouped parameters two diagonal entries may have opposite signs
-      all_.format[i].rotational_inertia = r_.exponent(2.0 * bodies_.behind[i].inertia);
+      all_.format[i].rotational_inertia = m_.format(r_, &LinkFormat::rotational_inertia, 2.0 * bodies_.behind[i].inertia);
     for (int i = N; i-- > 0;)
       reach(i);
     for (int i = 0; i < N; ++i)
-      all_.format[i].force = r_.exponent(all_.range[i].force.size),
-      all_.format[i].moment = r_.exponent(all_.range[i].moment.size);
+      all_.format[i].force = m_.format(r_, &LinkFormat::force, all_.range[i].force.size),
+      all_.format[i].moment = m_.format(r_, &LinkFormat::moment, all_.range[i].moment.size);
     for (int i = N; i-- > 0;)
       gather(i);
     for (int i = 0; i < N; ++i)
@@ -110,16 +110,26 @@ class CompositeBodyAnalysis {
   }
 
   constexpr double turn_error(int i) const { return m_.links[i].prismatic ? 0.0 : r_.turn_error; }
-  // A body through one screw at the formats f: a turn by the double angle, and a shift.
-  constexpr void screw(Ball& first, Ball& inertia, double mass, double tilt, double shift, const LinkFormat& f) const {
+  // What a length at its format is off, and a sine of the model in a table.
+  constexpr double length_error(int i, const LinkFormat& f) const {
+    return m_.steps.shared ? 2.0 * r_.store(f.length) : m_.links[i].prismatic ? r_.store(f.length) : 0.0;
+  }
+  constexpr double constant_length_error(const LinkFormat& f) const {
+    return m_.steps.shared ? r_.store(f.length) : 0.0;
+  }
+  constexpr double constant_turn_error() const { return m_.steps.shared ? r_.store(r_.bits - 2) : 0.0; }
+  // A body through one screw at the formats f: a turn by the double angle, and a shift that is off by `slip`.
+  constexpr void screw(Ball& first, Ball& inertia, double mass, double tilt, double shift, double slip,
+                       const LinkFormat& f) const {
     const double step =
         root3 * (r_.products(2, r_.bits - 2, f.first_moment, f.first_moment) + 2.0 * r_.store(f.first_moment));
     const double entry = r_.products(2, r_.bits - 2, f.rotational_inertia, f.rotational_inertia) +
                          r_.products(2, f.first_moment, f.length, f.rotational_inertia) +
                          2.0 * r_.store(f.rotational_inertia);
     const double angle = 4.0 * tilt + 4.0 * r_.store(r_.bits - 2);
-    first.error += root2 * tilt * first.reach() + step;
-    inertia.error += 2.0 * angle * inertia.reach() + 2.0 * shift * first.error + 6.0 * entry;
+    first.error += root2 * tilt * first.reach() + step + slip * mass;
+    inertia.error += 2.0 * angle * inertia.reach() + 2.0 * shift * first.error + 6.0 * entry +
+                     2.0 * slip * (first.reach() + shift * mass);
     first.size += shift * mass, inertia.size += shift * (2.0 * first.size + shift * mass);
   }
   constexpr void gather(int i) {
@@ -128,14 +138,17 @@ class CompositeBodyAnalysis {
     first_[i].size = bodies_.own[i].moment, inertia_[i].size = bodies_.own[i].inertia;
     first_[i].error += root3 * r_.store(own.first_moment), inertia_[i].error += 3.0 * r_.store(own.rotational_inertia);
     turned_first_[i] = first_[i], turned_inertia_[i] = inertia_[i];
-    screw(turned_first_[i], turned_inertia_[i], bodies_.own[i].mass, turn_error(i), m_.joints[i].travel, own);
+    screw(turned_first_[i], turned_inertia_[i], bodies_.own[i].mass, turn_error(i), m_.joints[i].travel,
+          length_error(i, own), own);
     all_.range[i].rotational_inertia = inertia_[i], all_.range[i].first_moment = first_[i];
     const int p = m_.parent(i);
     if (p < 0) return;
     Ball first = turned_first_[i], inertia = turned_inertia_[i];
-    screw(first, inertia, bodies_.own[i].mass, 0.0, magnitude(c.a), all_.format[p]);
+    const LinkFormat& outer = all_.format[p];
+    const double mass = bodies_.own[i].mass, tilt = constant_turn_error(), slip = constant_length_error(outer);
+    screw(first, inertia, mass, tilt, magnitude(c.a), slip, outer);
     if (c.branch.b < 0.0 || c.branch.b > 0.0 || c.branch.sin_gamma < 0.0 || c.branch.sin_gamma > 0.0)
-      screw(first, inertia, bodies_.own[i].mass, 0.0, magnitude(c.branch.b), all_.format[p]);
+      screw(first, inertia, mass, tilt, magnitude(c.branch.b), slip, outer);
     first_[p].error += first.error, inertia_[p].error += inertia.error;
   }
   // Errors of row i of the matrix: the largest is kept with the joint.
@@ -143,20 +156,21 @@ class CompositeBodyAnalysis {
     const bool slides = m_.links[i].prismatic;
     Force f{slides ? turned_first_[i] : turned_inertia_[i], slides ? Ball{bodies_.own[i].mass, 0.0} : turned_first_[i]};
     Ball& entry = all_.range[i].joint_inertia;
+    if (m_.steps.shared) f.moment.error += r_.store(all_.format[i].moment), f.force.error += r_.store(all_.format[i].force);
     entry.error = (slides ? f.force : f.moment).error + 2.0 * r_.store(all_.format[i].joint_inertia);
     for (int k = i; m_.parent(k) >= 0; k = m_.parent(k)) {
       const int p = m_.parent(k);
-      if (k != i) carry(f, turn_error(k), m_.joints[k].travel, all_.format[k]);
-      carry(f, 0.0, arm(k), all_.format[p]);
+      if (k != i) carry(f, turn_error(k), m_.joints[k].travel, length_error(k, all_.format[k]), all_.format[k]);
+      carry(f, constant_turn_error(), arm(k), 2.0 * constant_length_error(all_.format[p]), all_.format[p]);
       const double error = (m_.links[p].prismatic ? f.force : f.moment).error;
       entry.error = larger_of(entry.error, error + r_.store(all_.format[p].moment));
     }
   }
-  constexpr void carry(Force& f, double tilt, double shift, const LinkFormat& to) const {
+  constexpr void carry(Force& f, double tilt, double shift, double slip, const LinkFormat& to) const {
     const double force = r_.products(2, r_.bits - 2, to.force, to.force) + r_.store(to.force);
     const double moment = r_.products(2, r_.bits - 2, to.moment, to.moment) +
                           r_.products(2, to.force, to.length, to.moment) + r_.store(to.moment);
-    f.moment.error += root2 * tilt * f.moment.reach() + shift * f.force.error + root3 * moment;
+    f.moment.error += root2 * tilt * f.moment.reach() + shift * f.force.error + slip * f.force.reach() + root3 * moment;
     f.force.error += root2 * tilt * f.force.reach() + root3 * force;
     f.moment.size += shift * f.force.size;
   }
@@ -168,7 +182,8 @@ class CompositeBodyAnalysis {
 /// diagonal in row i.
 template <int N>
 constexpr Ranges<N> composite_body_ranges(const Mechanism<N>& m, const Rounding& r) {
-  return detail::CompositeBodyAnalysis<N>(m, r).ranges();
+  return detail::ranges_by(
+      m, r, [&r](const Mechanism<N>& of) { return detail::CompositeBodyAnalysis<N>(of, r).ranges(); });
 }
 
 }  // namespace axial

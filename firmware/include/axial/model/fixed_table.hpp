@@ -270,6 +270,14 @@ AXIAL_INLINE constexpr typename S::Word moved_down(std::int32_t x, unsigned char
   return static_cast<typename S::Word>((x >> shift) + static_cast<std::int32_t>((x & half) != 0));
 }
 
+/// x 2^(up - down), one of them 0, where the result fits.
+template <class S>
+AXIAL_INLINE constexpr typename S::Word moved_either_way(typename S::Word x, unsigned char down, unsigned char up) {
+  using Bits = typename S::Bits;
+  const typename S::Wide lower = moved_down<S>(x, down);
+  return narrowed<S>(static_cast<Bits>(static_cast<Bits>(lower) << up));
+}
+
 /// Joint values as kernels in shared formats read them.
 template <class Links, class Values, class Role>
 struct SharedView {

@@ -32,9 +32,7 @@ namespace detail {
 /// From the format that all joints share into joint i's own, which is as fine or finer: nothing is lost.
 template <class Values, int E, class S>
 AXIAL_INLINE constexpr void write_shared(Values& values, int i, const Fx<E, S>& x) {
-  constexpr const auto& shifts = shifts_of<Values, E>;
-  using Bits = typename S::Bits;
-  values.values[i] = {narrowed<S>(static_cast<Bits>(static_cast<Bits>(typename S::Wide{x.raw}) << shifts.of[i]))};
+  values.values[i] = {moved_either_way<S>(x.raw, 0, shifts_of<Values, E>.of[i])};
 }
 }  // namespace detail
 

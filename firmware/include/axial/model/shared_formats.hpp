@@ -76,7 +76,7 @@ constexpr Mechanism<N> sharing(Mechanism<N> m, const Rounding& r, const Ranges<N
   SharedSteps& s = m.steps;
   s.shared = true;
   s.format = coarsest(apart.format);
-  s.format.length = r.exponent(longest(m));
+  s.format.length = smaller(s.format.length, r.exponent(longest(m)));
   const ColumnExponents columns = column_exponents(m, r, s.format);
   const auto most = [&](auto member, auto link, double& to) {
     bool used = false;
