@@ -70,7 +70,8 @@ class CompositeBodyAnalysis {
       : m_(mechanism), r_(rounding), bodies_(composite_ranges(mechanism)) {
     set_inertia_formats(m_, bodies_, r_, all_);
     for (int i = 0; i < N; ++i)  // of regrouped parameters two diagonal entries may have opposite signs
-      all_.format[i].rotational_inertia = m_.format(r_, &LinkFormat::rotational_inertia, 2.0 * bodies_.behind[i].inertia);
+      all_.format[i].rotational_inertia =
+          m_.format(r_, &LinkFormat::rotational_inertia, 2.0 * bodies_.behind[i].inertia);
     for (int i = N; i-- > 0;)
       reach(i);
     for (int i = 0; i < N; ++i)
@@ -156,7 +157,8 @@ class CompositeBodyAnalysis {
     const bool slides = m_.links[i].prismatic;
     Force f{slides ? turned_first_[i] : turned_inertia_[i], slides ? Ball{bodies_.own[i].mass, 0.0} : turned_first_[i]};
     Ball& entry = all_.range[i].joint_inertia;
-    if (m_.steps.shared) f.moment.error += r_.store(all_.format[i].moment), f.force.error += r_.store(all_.format[i].force);
+    if (m_.steps.shared)
+      f.moment.error += r_.store(all_.format[i].moment), f.force.error += r_.store(all_.format[i].force);
     entry.error = (slides ? f.force : f.moment).error + 2.0 * r_.store(all_.format[i].joint_inertia);
     for (int k = i; m_.parent(k) >= 0; k = m_.parent(k)) {
       const int p = m_.parent(k);
@@ -182,8 +184,8 @@ class CompositeBodyAnalysis {
 /// diagonal in row i.
 template <int N>
 constexpr Ranges<N> composite_body_ranges(const Mechanism<N>& m, const Rounding& r) {
-  return detail::ranges_by(
-      m, r, [&r](const Mechanism<N>& of) { return detail::CompositeBodyAnalysis<N>(of, r).ranges(); });
+  return detail::ranges_by(m, r,
+                           [&r](const Mechanism<N>& of) { return detail::CompositeBodyAnalysis<N>(of, r).ranges(); });
 }
 
 }  // namespace axial

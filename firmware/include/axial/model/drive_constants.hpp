@@ -34,12 +34,15 @@ constexpr DriveConstants<double> drive_constants(const LinkParameters& p) {
 
 /// The constants in an order that is the same for every T.
 template <class T>
-inline constexpr T DriveConstants<T>::*drive_numbers[] = {
-    &DriveConstants<T>::viscous,           &DriveConstants<T>::coulomb_forward,
-    &DriveConstants<T>::coulomb_backward,  &DriveConstants<T>::stribeck_forward,
-    &DriveConstants<T>::stribeck_backward, &DriveConstants<T>::inverse_stribeck_speed2,
-    &DriveConstants<T>::inverse_smooth_speed, &DriveConstants<T>::spring_stiffness,
-    &DriveConstants<T>::spring_rest};
+inline constexpr T DriveConstants<T>::*drive_numbers[] = {&DriveConstants<T>::viscous,
+                                                          &DriveConstants<T>::coulomb_forward,
+                                                          &DriveConstants<T>::coulomb_backward,
+                                                          &DriveConstants<T>::stribeck_forward,
+                                                          &DriveConstants<T>::stribeck_backward,
+                                                          &DriveConstants<T>::inverse_stribeck_speed2,
+                                                          &DriveConstants<T>::inverse_smooth_speed,
+                                                          &DriveConstants<T>::spring_stiffness,
+                                                          &DriveConstants<T>::spring_rest};
 
 /// The same constants in another number format.
 template <class T>

@@ -1,6 +1,7 @@
 // Links of the looped form in fixed point: rows of integers, columns of one exponent each, one rounding for all links.
 #pragma once
 
+#include <axial/model/constant_pose.hpp>
 #include <axial/model/fixed_formats.hpp>
 #include <axial/model/link_view.hpp>
 
@@ -131,9 +132,8 @@ inline constexpr auto fixed_drives =
 
 /// Row of a table of integers.
 template <class SceneType, class S, class Columns, class Formats>
-class FixedTableLink
-    : public detail::LinkAccess<FixedTableLink<SceneType, S, Columns, Formats>, detail::TableWord>,
-      public detail::FormatRounding<S, Formats, 0> {
+class FixedTableLink : public detail::LinkAccess<FixedTableLink<SceneType, S, Columns, Formats>, detail::TableWord>,
+                       public detail::FormatRounding<S, Formats, 0> {
   using Table = detail::FixedTable<Formats>;
   using Word = detail::TableWord;
   using C = LinkConstants<Word>;
@@ -230,6 +230,12 @@ struct FixedTableLinks {
     else
       return ZeroVec3{};
   }
+  AXIAL_INLINE static constexpr auto base_pose() {
+    return detail::constant_pose<Scalar>([] { return Robot::chain.base.pose; });
+  }
+  AXIAL_INLINE static constexpr auto tool_pose() {
+    return detail::constant_pose<Scalar>([] { return Robot::chain.tool.pose; });
+  }
 
  private:
   AXIAL_INLINE static constexpr const auto& rows() { return detail::fixed_table<typename Link::Constants, Formats>; }
@@ -242,6 +248,16 @@ struct FixedTableLinks {
 };
 
 namespace detail {
+
+/// The recursions whose quantities have room for one format all along an arm.
+template <class Scene, class Recursion>
+constexpr void check_fixed_form() {
+  static_assert(
+      !Scene::template has<Looped> || std::is_same_v<Recursion, recursion::NewtonEuler> ||
+          std::is_same_v<Recursion, recursion::CompositeBodies> || std::is_same_v<Recursion, recursion::Kinematics>,
+      "axial: forward dynamics and separation in fixed point need a format a link, which the looped form has not; take "
+      "Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)");
+}
 
 /// How far words of one role, in a format a joint, are from a common one.
 template <class Values, int Shared>

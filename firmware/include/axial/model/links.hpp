@@ -1,6 +1,7 @@
 // The links of a robot as the algorithms walk over them, unrolled or looped.
 #pragma once
 
+#include <axial/model/constant_pose.hpp>
 #include <axial/model/joint_access.hpp>
 #include <axial/model/link_view.hpp>
 #include <axial/spatial/pose.hpp>
@@ -47,27 +48,12 @@ struct StaticLinks {
   }
   /// Pose of frame 0 in the world, and of the tool in the last link's frame.
   AXIAL_INLINE static constexpr auto base_pose() {
-    return constant_pose([] { return Scene::Robot::chain.base.pose; });
+    return detail::constant_pose<Scalar>([] { return Scene::Robot::chain.base.pose; });
   }
   AXIAL_INLINE static constexpr auto tool_pose() {
-    return constant_pose([] { return Scene::Robot::chain.tool.pose; });
+    return detail::constant_pose<Scalar>([] { return Scene::Robot::chain.tool.pose; });
   }
   AXIAL_INLINE static constexpr auto last() { return Index<capacity - 1>{}; }
-
- private:
-  template <class Get>
-  AXIAL_INLINE static constexpr auto constant_pose(Get get) {
-    return Pose{
-        Mat3{row<0>(get), row<1>(get), row<2>(get)},
-        Vec3{literal<Scalar>([get] { return get().position[0]; }), literal<Scalar>([get] { return get().position[1]; }),
-             literal<Scalar>([get] { return get().position[2]; })}};
-  }
-  template <int K, class Get>
-  AXIAL_INLINE static constexpr auto row(Get get) {
-    return Vec3{literal<Scalar>([get] { return get().rotation[3 * K]; }),
-                literal<Scalar>([get] { return get().rotation[3 * K + 1]; }),
-                literal<Scalar>([get] { return get().rotation[3 * K + 2]; })};
-  }
 };
 
 /// What a table of links stands on and carries: gravity, base and tool, as written by the robot's author.
@@ -183,6 +169,7 @@ AXIAL_INLINE constexpr auto links_of() {
   if constexpr (is_stored_v<T>) {
     detail::check_fixed_scene<Scene>();
     using S1 = detail::ArithmeticOf<Scene, typename T::Word>;
+    detail::check_fixed_form<Scene, Recursion>();
     if constexpr (Scene::template has<Looped>)
       return FixedTableLinks<Scene, S1, Parameters, detail::SharedFormats<Scene, Parameters, S1, Recursion>>{};
     else

@@ -155,7 +155,9 @@ class NewtonEulerAnalysis {
   }
 
   // Of a joint's shift; a table's d and the position that is read into its format round each.
-  constexpr double shift_rounding(const LinkFormat& f) const { return (m_.steps.shared ? 2.0 : 1.0) * r_.store(f.length); }
+  constexpr double shift_rounding(const LinkFormat& f) const {
+    return (m_.steps.shared ? 2.0 : 1.0) * r_.store(f.length);
+  }
 
   // Sizes of what link i bears; its children have been here before.
   constexpr void load(int i) {
@@ -166,8 +168,10 @@ class NewtonEulerAnalysis {
     SplitBall moment = rotational(c, s) + split(side * a_[i].along + height * a_[i].across, side * a_[i].across);
     if (i + 1 == N) add_tip(i, force, moment);
     all_.format[i].mass = m_.format(r_, &LinkFormat::mass, mass + m_.loads.payload_mass);
-    all_.format[i].first_moment = m_.format(r_, &LinkFormat::first_moment, 2.0 * (hypotenuse(side, height) + m_.loads.payload_moment));
-    all_.format[i].rotational_inertia = m_.format(r_, &LinkFormat::rotational_inertia, 2.0 * (norm_of(c) + m_.loads.payload_inertia));
+    all_.format[i].first_moment =
+        m_.format(r_, &LinkFormat::first_moment, 2.0 * (hypotenuse(side, height) + m_.loads.payload_moment));
+    all_.format[i].rotational_inertia =
+        m_.format(r_, &LinkFormat::rotational_inertia, 2.0 * (norm_of(c) + m_.loads.payload_inertia));
     force_[i] = force_[i] + force, moment_[i] = moment_[i] + moment;
     const double travel = m_.joints[i].travel;
     const SplitBall shifted = moment_[i] + cross_along_z(travel, force_[i]);

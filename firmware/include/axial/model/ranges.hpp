@@ -58,12 +58,21 @@ struct LinkFormat {
   constexpr int of(quantity::GravityAcceleration) const { return gravity; }
 };
 
-inline constexpr int LinkFormat::*all_formats[] = {
-    &LinkFormat::angular_velocity, &LinkFormat::angular_acceleration, &LinkFormat::linear_acceleration,
-    &LinkFormat::moment,           &LinkFormat::force,                &LinkFormat::rotational_inertia,
-    &LinkFormat::first_moment,     &LinkFormat::mass,                 &LinkFormat::joint_inertia,
-    &LinkFormat::angular_gain,     &LinkFormat::linear_gain,          &LinkFormat::joint_effort,
-    &LinkFormat::joint_acceleration, &LinkFormat::length,             &LinkFormat::gravity};
+inline constexpr int LinkFormat::*all_formats[] = {&LinkFormat::angular_velocity,
+                                                   &LinkFormat::angular_acceleration,
+                                                   &LinkFormat::linear_acceleration,
+                                                   &LinkFormat::moment,
+                                                   &LinkFormat::force,
+                                                   &LinkFormat::rotational_inertia,
+                                                   &LinkFormat::first_moment,
+                                                   &LinkFormat::mass,
+                                                   &LinkFormat::joint_inertia,
+                                                   &LinkFormat::angular_gain,
+                                                   &LinkFormat::linear_gain,
+                                                   &LinkFormat::joint_effort,
+                                                   &LinkFormat::joint_acceleration,
+                                                   &LinkFormat::length,
+                                                   &LinkFormat::gravity};
 
 /// One of each a link.
 template <int N>
@@ -106,7 +115,9 @@ struct Mechanism {
   }
   constexpr LinkFormat base_format() const { return steps.shared ? steps.format : LinkFormat{}; }
   constexpr double speed_reach(int i) const { return steps.shared ? steps.speed : joints[i].speed; }
-  constexpr double acceleration_reach(int i) const { return steps.shared ? steps.acceleration : joints[i].acceleration; }
+  constexpr double acceleration_reach(int i) const {
+    return steps.shared ? steps.acceleration : joints[i].acceleration;
+  }
   /// Joint values move to an exponent of all joints where they are read.
   constexpr Ball speed(const Rounding& r, int i) const { return read(r, joints[i].speed, speed_reach(i)); }
   constexpr Ball acceleration(const Rounding& r, int i) const {

@@ -85,9 +85,11 @@ constexpr Mechanism<N> sharing(Mechanism<N> m, const Rounding& r, const Ranges<N
     to = used ? r.capacity() * power_of_two(-columns.of(member)) : 0.0;
   };
   for (const auto member : link_numbers<double>)
-    most(member, [member](const auto& c) { return c.*member; }, s.columns.*member);
+    most(
+        member, [member](const auto& c) { return c.*member; }, s.columns.*member);
   for (const auto member : branch_numbers<double>)
-    most(member, [member](const auto& c) { return c.branch.*member; }, s.columns.branch.*member);
+    most(
+        member, [member](const auto& c) { return c.branch.*member; }, s.columns.branch.*member);
   for (const JointRange& joint : m.joints)
     s.speed = larger(s.speed, joint.speed), s.acceleration = larger(s.acceleration, joint.acceleration);
   s.viscous = largest_viscous(m);

@@ -21,8 +21,7 @@ struct RigidInertia {
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     using Mass = Held<T, quantity::Mass>;
-    return axial::RigidInertia{Holding<Mass>::of(mass),
-                               first_moment.template dense<Held<T, quantity::FirstMoment>>(),
+    return axial::RigidInertia{Holding<Mass>::of(mass), first_moment.template dense<Held<T, quantity::FirstMoment>>(),
                                inertia.template dense<Held<T, quantity::RotationalInertia>>()};
   }
 };

@@ -1,6 +1,7 @@
 // Poses of frames.
 #pragma once
 
+#include <axial/scalar/rounding.hpp>
 #include <axial/spatial/mat3.hpp>
 
 namespace axial {
@@ -17,8 +18,9 @@ struct Pose {
     return {rotation, position};
   }  // NOLINT(google-explicit-constructor)
   template <class T>
-  AXIAL_INLINE constexpr Pose<Mat3<Vec3<T>>, Vec3<T>> dense() const {
-    return *this;
+  AXIAL_INLINE constexpr auto dense() const {
+    return axial::Pose{rotation.template dense<Held<T, quantity::Turn>>(),
+                       position.template dense<Held<T, quantity::Length>>()};
   }
 };
 template <class R, class P>
