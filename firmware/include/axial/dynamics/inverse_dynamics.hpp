@@ -24,10 +24,10 @@ struct Motion {
   U u{};
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
-    using Rate = Held<T, quantity::AngularVelocity>;
-    using Turning = Held<T, quantity::AngularAcceleration>;
+    using Rate = Kept<T, quantity::AngularVelocity>;
+    using Turning = Kept<T, quantity::AngularAcceleration>;
     return rnea::Motion{w.template dense<Rate>(), dw.template dense<Turning>(),
-                        a.template dense<Held<T, quantity::LinearAcceleration>>(), p.template dense<Turning>(),
+                        a.template dense<Kept<T, quantity::LinearAcceleration>>(), p.template dense<Turning>(),
                         u.template dense<Turning>()};
   }
 };

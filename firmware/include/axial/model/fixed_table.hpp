@@ -26,11 +26,11 @@ struct InSharedFormats {};
 }  // namespace detail
 
 template <class Formats, class Quantity>
-struct HeldAs<detail::InSharedFormats<Formats>, Quantity> {
+struct KeptAs<detail::InSharedFormats<Formats>, Quantity> {
   using type = Fx<Formats::format.of(Quantity{}), typename Formats::Arithmetic>;
 };
 template <class Formats>
-struct HeldAs<detail::InSharedFormats<Formats>, quantity::Turn> {
+struct KeptAs<detail::InSharedFormats<Formats>, quantity::Turn> {
   using type = Fx<Formats::Arithmetic::unit, typename Formats::Arithmetic>;
 };
 
@@ -222,7 +222,7 @@ struct FixedTableLinks {
   AXIAL_INLINE static constexpr int parent_index(int i) { return rows().links[i].parent; }
   AXIAL_INLINE static constexpr int last() { return capacity - 1; }
   AXIAL_INLINE static constexpr auto base_acceleration() {
-    using A = Held<Dense, quantity::LinearAcceleration>;
+    using A = Kept<Dense, quantity::LinearAcceleration>;
     using N = NumberTraits<A>;
     constexpr auto& g = Robot::chain.gravity;
     if constexpr (Scene::template has<Gravity>)
@@ -248,6 +248,12 @@ struct FixedTableLinks {
 };
 
 namespace detail {
+
+/// Whether all links of a form round into the same formats.
+template <class Links>
+inline constexpr bool shares_formats = false;
+template <class Scene, class S, class Parameters, class Formats>
+inline constexpr bool shares_formats<FixedTableLinks<Scene, S, Parameters, Formats>> = true;
 
 /// The recursions whose quantities have room for one format all along an arm.
 template <class Scene, class Recursion>

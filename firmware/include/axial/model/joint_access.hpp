@@ -15,10 +15,10 @@ AXIAL_INLINE constexpr const Values& read(const Links&, const Values& values) {
 template <class Links, class S, class Word, class Role>
 AXIAL_INLINE constexpr auto read(const Links&, const Joints<S, Stored<Word>, Role>& values) {
   using Values = Joints<S, Stored<Word>, Role>;
-  if constexpr (Links::unrolled)
-    return detail::FixedView<robot_of<S>, typename Links::Scalar, Values, Role>{values};
-  else
+  if constexpr (detail::shares_formats<Links>)
     return detail::SharedView<Links, Values, Role>{values};
+  else
+    return detail::FixedView<robot_of<S>, typename Links::Scalar, Values, Role>{values};
 }
 
 /// Efforts to fill, in the format of the scene.
@@ -42,7 +42,7 @@ AXIAL_INLINE constexpr void write(const Links&, Values& values, I i, const X& x)
   using Scalar = typename Links::Scalar;
   if constexpr (is_number_v<Scalar>) {
     values[i] = static_cast<Scalar>(x);
-  } else if constexpr (!Links::unrolled) {
+  } else if constexpr (detail::shares_formats<Links>) {
     detail::write_shared(values, i, x);
   } else {
     using Result = Fx<Values::exponent(I::value), Scalar>;

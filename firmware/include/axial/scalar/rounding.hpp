@@ -25,13 +25,13 @@ struct GravityAcceleration {};  // m/s^2
 struct Turn {};                 // sine or cosine
 }  // namespace quantity
 
-/// What a result of a quantity is held as, where kernels keep plain numbers: T, unless T gives each quantity its own.
+/// What a result of a quantity is kept as, where kernels keep plain numbers: T, unless T gives each quantity its own.
 template <class T, class Quantity>
-struct HeldAs {
+struct KeptAs {
   using type = T;
 };
 template <class T, class Quantity>
-using Held = typename HeldAs<T, Quantity>::type;
+using Kept = typename KeptAs<T, Quantity>::type;
 
 /// Rounding of float, double and the counting scalar: none beyond the operations themselves.
 /// `sum(quantity, terms...)` is the sum of products and stored values, rounded once into the format of the quantity.

@@ -20,9 +20,9 @@ struct RigidInertia {
   }  // NOLINT(google-explicit-constructor)
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
-    using Mass = Held<T, quantity::Mass>;
-    return axial::RigidInertia{Holding<Mass>::of(mass), first_moment.template dense<Held<T, quantity::FirstMoment>>(),
-                               inertia.template dense<Held<T, quantity::RotationalInertia>>()};
+    using Mass = Kept<T, quantity::Mass>;
+    return axial::RigidInertia{Holding<Mass>::of(mass), first_moment.template dense<Kept<T, quantity::FirstMoment>>(),
+                               inertia.template dense<Kept<T, quantity::RotationalInertia>>()};
   }
 };
 template <class M, class H, class J>
@@ -47,9 +47,9 @@ struct ArticulatedInertia {
   }  // NOLINT(google-explicit-constructor)
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
-    return axial::ArticulatedInertia{angular.template dense<Held<T, quantity::RotationalInertia>>(),
-                                     coupling.template dense<Held<T, quantity::FirstMoment>>(),
-                                     linear.template dense<Held<T, quantity::Mass>>()};
+    return axial::ArticulatedInertia{angular.template dense<Kept<T, quantity::RotationalInertia>>(),
+                                     coupling.template dense<Kept<T, quantity::FirstMoment>>(),
+                                     linear.template dense<Kept<T, quantity::Mass>>()};
   }
 };
 template <class A11, class A12, class A22>

@@ -19,8 +19,8 @@ struct Pose {
   }  // NOLINT(google-explicit-constructor)
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
-    return axial::Pose{rotation.template dense<Held<T, quantity::Turn>>(),
-                       position.template dense<Held<T, quantity::Length>>()};
+    return axial::Pose{rotation.template dense<Kept<T, quantity::Turn>>(),
+                       position.template dense<Kept<T, quantity::Length>>()};
   }
 };
 template <class R, class P>

@@ -64,8 +64,8 @@ struct AxialScrew {
 
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
-    using Turned = Held<T, quantity::Turn>;
-    using Length = Held<T, quantity::Length>;
+    using Turned = Kept<T, quantity::Turn>;
+    using Length = Kept<T, quantity::Length>;
     return AxialScrew<Axis, Turned, Turned, Length>{Holding<Turned>::of(cos), Holding<Turned>::of(sin),
                                                     Holding<Length>::of(shift)};
   }

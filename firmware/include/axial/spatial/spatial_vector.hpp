@@ -21,8 +21,8 @@ struct MotionVector {
   /// Of accelerations, where T tells quantities apart.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
-    return axial::MotionVector{angular.template dense<Held<T, quantity::AngularAcceleration>>(),
-                               linear.template dense<Held<T, quantity::LinearAcceleration>>()};
+    return axial::MotionVector{angular.template dense<Kept<T, quantity::AngularAcceleration>>(),
+                               linear.template dense<Kept<T, quantity::LinearAcceleration>>()};
   }
 };
 template <class W, class V>
@@ -40,8 +40,8 @@ struct ForceVector {
   }  // NOLINT(google-explicit-constructor)
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
-    return axial::ForceVector{moment.template dense<Held<T, quantity::Moment>>(),
-                              force.template dense<Held<T, quantity::Force>>()};
+    return axial::ForceVector{moment.template dense<Kept<T, quantity::Moment>>(),
+                              force.template dense<Kept<T, quantity::Force>>()};
   }
 };
 template <class N, class F>
