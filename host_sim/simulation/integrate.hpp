@@ -1,0 +1,50 @@
+// Motions by the library's integrators, by name.
+#pragma once
+
+#include <host_sim/simulation/plant.hpp>
+
+#include <cstdint>
+
+namespace host_sim::simulation {
+
+enum class Method { semi_implicit, rk4, linearly_implicit };
+constexpr Method methods[] = {Method::semi_implicit, Method::rk4, Method::linearly_implicit};
+/// As it stands in data: semi_implicit_euler, rk4, linearly_implicit_euler.
+const char* name(Method method);
+/// Evaluations of forward dynamics a step.
+int evaluations(Method method);
+
+template <class T>
+using Motion = axial::Motion<Model, T>;
+template <class T>
+using CompensatedMotion = axial::CompensatedMotion<Model, T>;
+
+/// What acts on a motion in T: as axial::advance asks it, with the stiffness.
+template <class T>
+using Drive = std::function<void(const Instant<T>&, Values<T>&, axial::Inputs<Model, T>&, Stiffness<T>&)>;
+
+/// One step; X is Motion or CompensatedMotion of float or double.
+template <class X>
+axial::Status step(Method method, const Model& model, X& x, typename X::Scalar h,
+                   const Drive<typename X::Scalar>& drive);
+
+/// `steps` steps; `watch` sees every state.
+template <class X, class Watch>
+void run(Method method, const Model& model, X& x, typename X::Scalar h, long steps,
+         const Drive<typename X::Scalar>& drive, const Watch& watch) {
+  for (long k = 0; k < steps; ++k) {
+    step(method, model, x, h, drive);
+    watch(x);
+  }
+}
+
+/// Positions and velocities in double, with what rounding left of the sums.
+template <class T>
+Motion<double> exact_state(const Motion<T>& x);
+template <class T>
+Motion<double> exact_state(const CompensatedMotion<T>& x);
+
+/// The step limit for the springs and dampers of a model and, where given, of what drives it: axial::step_limit.
+double step_limit(Method method, const Model& model, const Values<double>& q, const Stiffness<double>& drive = {});
+
+}  // namespace host_sim::simulation

@@ -1,0 +1,45 @@
+// Robots as a plant integrates them: run-time models, one type for all, so that a method is compiled once.
+#pragma once
+
+#include <axial/axial.hpp>
+#include <axial/simulation/step_limit.hpp>
+
+#include <string>
+#include <vector>
+
+namespace host_sim::simulation {
+
+/// Everything that a plant can have: gravity, rotors, friction, springs, a force at the tip.
+using Model =
+    axial::Model<12, axial::Gravity, axial::RotorInertia, axial::Friction, axial::JointSprings, axial::TipWrench>;
+template <class T>
+using Values = axial::Joints<Model, T>;
+
+/// A robot of robots/ as it is declared. Throws std::runtime_error that names the robots there are.
+Model robot_model(const std::string& robot);
+/// Its links, for plants that are not quite what the firmware believes.
+std::vector<axial::LinkParameters> robot_links(const std::string& robot);
+/// A model of such links, standing as the robot does.
+Model model_of(const std::string& robot, const std::vector<axial::LinkParameters>& links);
+std::vector<std::string> robot_names();
+
+/// IFToMM benchmark A01: a point mass of 1 kg on a rod of 1 m, horizontal at q = 0, g = 9.81 m/s^2.
+Model pendulum();
+/// n <= 12 uniform rods of 1 m and 1 kg, planar, horizontal at q = 0; as slim as stability scenario S01 has them, or
+/// with no inertia about their axis.
+Model rods(int n);
+/// Kane's babyboot with the figures of MotionGenesis: a rod of 7.5 cm that swings, and a plate 20 cm below that turns
+/// about the rod.
+Model babyboot();
+/// The nominal arm of the stability scenarios with springs of stiffness K (N m/rad) about `rest`.
+Model sprung_arm(double stiffness, const Values<double>& rest);
+/// A leg on a vertical slide: hip and knee.
+Model leg();
+
+/// The pose that the scenarios of the nominal arm start from.
+Values<double> nominal_pose();
+
+/// Kinetic and potential energy, J: of links, rotors and springs.
+double energy(const Model& model, const Values<double>& q, const Values<double>& qd);
+
+}  // namespace host_sim::simulation

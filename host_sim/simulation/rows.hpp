@@ -1,0 +1,40 @@
+// Stability scenarios of motions: integrators on stiff, chaotic and long ones, each with its gate.
+#pragma once
+
+#include <host_sim/simulation/integrate.hpp>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace host_sim::simulation {
+
+struct Row {
+  std::string scenario, scalar, route;  ///< route: the integrator, "compensated" where its sums are
+  double step = 0.0, seconds = 0.0;
+  std::string quantity;  ///< what `error` is, with its unit
+  double error = 0.0;
+  double gate = 0.0;  ///< infinity: none
+  bool pass = false;
+  std::string status;  ///< ok, diverged (as it must), or what went wrong
+};
+
+/// What is measured, and how it is called.
+struct MotionScenario {
+  std::string name;
+  std::function<std::vector<Row>()> measure;
+  bool slow = false;  ///< takes more than a few seconds
+};
+
+/// ST18 to ST22: A01, double pendulum, ten rods, babyboot, joint springs, contact leg, float at rest, float's clock.
+std::vector<MotionScenario> motion_scenarios();
+
+/// With the fields that every machine-readable `stability` has; what is not finite is null.
+nlohmann::json to_json(const std::vector<Row>& rows);
+
+/// A row that passes where its error is finite and at most the gate.
+Row gated(Row row);
+
+}  // namespace host_sim::simulation
