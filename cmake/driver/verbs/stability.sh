@@ -1,0 +1,83 @@
+# shellcheck shell=bash
+# summary: forward dynamics on stiff and extreme chains: errors, gates, what each improvement is worth, other engines
+
+readonly PEER_PACKAGES=(libdart-dev libsimbody-dev libbullet-dev)
+
+usage() {
+  cat <<'END_OF_USAGE'
+usage: ./axial stability [options]
+Installs and builds what is missing. Solves the scenarios ST1 to ST17 (long chains, size and mass ratios, massless links near
+gimbal lock, rotors, speeds, scales, ...) by every route in double, float and, where they fit declared limits, fixed point; forward
+and backward error against quadruple precision beside the gates (doc/stability.md). Prints tables, writes JSON and pictures.
+  --scenario NAME     only scenarios whose names hold NAME
+  --compare           also KDL, DART, Simbody and Bullet on 50 perturbed instances of each (2 minutes; DART brings some 150
+                      packages, the first time)
+  --output FOLDER     where the files go; default output/stability
+  --json FILE         the rows once more, as an array of objects
+  --documents         alone: everything, into doc/data/stability*, doc/pictures/stability* and the tables of doc/stability.md
+Exits non-zero when an error is outside its gate, or an engine is more than ten times more exact than ours.
+END_OF_USAGE
+}
+
+run() {
+  local output=$AXIAL_ROOT/output/stability json='' scenario='' compare=false documents=false
+  while (($#)); do
+    case $1 in
+      --compare) compare=true ;;
+      --documents)
+        [[ $# == 1 && -z $scenario$json && $compare == false ]] ||
+          fail_usage "--documents stands alone; see ./axial stability --help"
+        documents=true compare=true output=$AXIAL_ROOT/doc/data
+        ;;
+      --scenario | --output | --json)
+        (($# > 1)) || fail_usage "$1 needs a value; see ./axial stability --help"
+        case $1 in
+          --scenario) scenario=$2 ;;
+          --output) output=$2 ;;
+          --json) json=$2 ;;
+        esac
+        shift
+        ;;
+      *) fail_usage "unknown option '$1'; see ./axial stability --help" ;;
+    esac
+    shift
+  done
+  if $compare; then ensure_packages "${PEER_PACKAGES[@]}"; else ensure_packages; fi
+  measure_stability
+}
+
+# With the variables of run. Each program writes rows with the fields of all; a gate that is missed does not stop the others.
+measure_stability() {
+  local status=0 files=()
+  mkdir -p "$output"
+  # Scenarios of integrators would stand here: stability_rows PRESET FOLDER TARGET [OPTION...]
+  if [[ -n $scenario ]]; then
+    stability_rows host-release tests/stability stability --scenario "$scenario" || status=$?
+  else
+    stability_rows host-release tests/stability stability --ablation || status=$?
+  fi
+  if $compare; then
+    stability_rows host-peers tests/stability/peers stability_peers ${scenario:+--scenario "$scenario"} || status=$?
+  fi
+  if $documents; then
+    plot_stability stability.py "$AXIAL_ROOT/doc/pictures" "${files[@]}" --data "$output"
+    plot_stability stability_tables.py "$output" "$AXIAL_ROOT/doc/stability.md"
+  else
+    plot_stability stability.py "$output" "${files[@]}" --data "$output" ${json:+--json "$json"}
+  fi
+  rm -r "$output/rows"
+  return "$status"
+}
+
+# stability_rows PRESET FOLDER PROGRAM [OPTION...]: builds it, runs it, notes its rows in `files`.
+stability_rows() {
+  local preset=$1 program=$AXIAL_ROOT/build/$1/$2/$3 file=$output/rows/$3.json status=0
+  mkdir -p "$output/rows"
+  build "$preset" "$3" || exit
+  "$program" "${@:4}" --json "$file" || status=$?
+  [[ -f $file ]] || exit "$status"
+  files+=("$file")
+  return "$status"
+}
+
+plot_stability() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/$1" "${@:2}"; }
