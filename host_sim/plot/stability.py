@@ -43,9 +43,9 @@ def of(rows, **wanted):
     return [row for row in rows if all(row[name] == value for name, value in wanted.items())]
 
 
-def shown(error, scalar):
-    """Exact answers stand on the lower edge."""
-    return max(error, EPSILON[scalar] / 32)
+def shown(error, scalar, largest=1e2):
+    """Exact answers stand near the lower edge, worthless ones at the upper."""
+    return min(max(error, EPSILON[scalar] / 32), largest)
 
 
 def draw_scenarios(rows, stem):
@@ -68,8 +68,8 @@ def draw_scenarios(rows, stem):
             panel.semilogy([place[row["scenario"]] for row in fixed], [row["forward_error"] for row in fixed], "D",
                            color=style.COLOURS[3], markersize=4, label="32-bit fixed point")
         panel.axhline(EPSILON[scalar], color=style.FAINT, linewidth=1.2)
-        panel.set_ylim(EPSILON[scalar] / 50, 10)
-        panel.set_title(f"forward error, {scalar} (line: eps; on the lower edge: exact)")
+        panel.set_ylim(EPSILON[scalar] / 50, 1e5)
+        panel.set_title(f"forward error, {scalar} (line: eps; lowest: exact; 1e2: that or more)")
         panel.legend(ncols=5, loc="upper left", fontsize=8)
     panels[1].set_xticks(range(len(names)), names, rotation=90, fontsize=6.5)
     panels[1].set_xlim(-1, len(names))
@@ -89,7 +89,7 @@ def draw_condition(rows, stem):
                          color=colour, markersize=4, label=label)
         limits = [1.0, 1e30]
         panel.loglog(limits, [2 * EPSILON[scalar] * x for x in limits], color=style.INK, linewidth=0.8, label="2 cond eps")
-        panel.set_ylim(EPSILON[scalar] / 50, 10)
+        panel.set_ylim(EPSILON[scalar] / 50, 1e3)
         panel.set_xlim(0.5, 1e30)
         panel.set_title(scalar)
         panel.set_xlabel("cond(M)")
@@ -114,13 +114,13 @@ def draw_engines(rows, stem):
     figure, panel = plt.subplots(figsize=(13.0, 5.2))
     for colour, (engine, label) in zip(style.COLOURS[1:], ENGINES.items()):
         own = of(chosen, route=engine)
-        errors = [100.0 if row["median_error"] is None else min(shown(row["median_error"], "double"), 100.0) for row in own]
+        errors = [1e2 if row["median_error"] is None else shown(row["median_error"], "double") for row in own]
         panel.semilogy([place[row["scenario"]] for row in own], errors, "o", color=colour, markersize=3.5, label=label)
     ours = {row["scenario"]: shown(row["our_median_error"], "double") for row in chosen}
     panel.semilogy([place[name] for name in ours], list(ours.values()), "s", color=style.COLOURS[0], markersize=4.5,
                    label="axial, ABA", zorder=3)
     panel.set_ylim(EPSILON["double"] / 50, 1e4)
-    panel.set_title("median forward error of perturbed instances, double (upper edge: NaN or process ended)")
+    panel.set_title("median forward error of perturbed instances, double (1e2: that, NaN or an end of the process)")
     panel.legend(ncols=6, loc="upper left", fontsize=8)
     panel.set_xticks(range(len(names)), names, rotation=90, fontsize=6.5)
     panel.set_xlim(-1, len(names))

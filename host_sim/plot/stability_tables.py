@@ -152,7 +152,14 @@ def singular(data):
     return markdown(["scenario", "who", "what it says"], sorted(table))
 
 
-TABLES = {"stability_provenance": provenance, "stability_verdict": verdict, "stability_gates": gates, "stability_backward": backward,
+def motions(data):
+    rows = data.kind("integrator")
+    table = [[row["scenario"], row["scalar"], row["route"].replace("_", " "), f"{row['step']:.3g}", f"{row['seconds']:.3g}", row["quantity"],
+              number(row["forward_error"]) or "not finite", number(row["gate"]), row["status"] if row["pass"] else "**missed**"] for row in rows]
+    return markdown(["scenario", "numbers", "integrator", "step, s", "time, s", "error of", "error", "gate", "verdict"], table)
+
+
+TABLES = {"stability_motions": motions, "stability_provenance": provenance, "stability_verdict": verdict, "stability_gates": gates, "stability_backward": backward,
           "stability_fixed": fixed, "stability_ablation": ablation, "stability_engines": engines, "stability_nominal": nominal,
           "stability_singular": singular}
 

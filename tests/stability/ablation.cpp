@@ -10,10 +10,11 @@
 namespace stability {
 namespace {
 
-constexpr const char* shown[] = {
-    "S01_moving_N100",           "S01_moving_N300",           "S02_3d_alternating_N100",  "S03_taper_N20",
-    "S06_zyx_massless_eps2^-14", "S06_zyx_eps2^-11_rot2^-10", "S11_farcom_2^10",          "S12_scale_L2^-20_m2^-60",
-    "S16_heavylight_N10",        "S17_zyx_eps2^-8_rot2^-20",  "S17_zyx_eps2^-14_rot2^-20"};
+constexpr const char* shown[] = {"S01_zigzag_N100",           "S01_curled_N100",           "S01_moving_N100",
+                                 "S01_moving_N300",           "S02_3d_alternating_N100",   "S03_taper_N20",
+                                 "S06_zyx_massless_eps2^-14", "S06_zyx_eps2^-11_rot2^-10", "S11_farcom_2^10",
+                                 "S12_scale_L2^-20_m2^-60",   "S16_heavylight_N10",        "S17_zyx_eps2^-8_rot2^-20",
+                                 "S17_zyx_eps2^-14_rot2^-20"};
 
 struct Named {
   const char* name;

@@ -34,6 +34,7 @@ write_documents() {
   "$AXIAL_ROOT/axial" compare --documents
   "$AXIAL_ROOT/axial" numbers --documents
   "$AXIAL_ROOT/axial" exhaustive --documents
+  "$AXIAL_ROOT/axial" stability --documents
   local doc=$AXIAL_ROOT/doc board robot
   host_sim report --output "$doc/data"
   for board in "${BOARDS[@]}"; do

@@ -5,6 +5,7 @@
 
 namespace stability {
 
+/// Without a gate. Throws std::logic_error if R is not the chain of the scenario.
 template <class R>
 Row fixed_row(const Scenario& scenario);
 
