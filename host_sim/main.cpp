@@ -1,6 +1,6 @@
-// The host's side of ./axial demo and ./axial report.
+// The host's side of ./axial demo and ./axial report --on-board.
 #include <host_sim/demo/demo.hpp>
-#include <host_sim/report/report.hpp>
+#include <host_sim/on_board/on_board.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -32,23 +32,23 @@ void add_demo(CLI::App& app, host_sim::DemoOptions& options, int& status) {
   verb->add_option("--json", options.json, "one more copy of the figures");
 }
 
-void add_report(CLI::App& app, host_sim::ReportOptions& options, int& status) {
-  CLI::App* verb =
-      add_verb(app, "report", "error against instructions of every kernel", options, status, host_sim::run_report);
+void add_on_board(CLI::App& app, host_sim::OnBoardOptions& options, int& status) {
+  CLI::App* verb = add_verb(app, "on-board", "every kernel on the boards, against the oracle", options, status,
+                            host_sim::run_on_board);
   verb->add_option("--robot", options.robot, "only this one");
   verb->add_option("--board", options.board, "only this one");
-  verb->add_option("--output", options.output, "folder of CSV, JSON and picture")->capture_default_str();
+  verb->add_option("--output", options.output, "folder of CSV and JSON")->capture_default_str();
   verb->add_option("--json", options.json, "one more copy of the figures");
 }
 
 int run(int count, char** arguments) {
   int status = 0;
   host_sim::DemoOptions demo;
-  host_sim::ReportOptions report;
+  host_sim::OnBoardOptions on_board;
   CLI::App app("axial's host side: emulated boards, checked against the oracle", "host_sim");
   app.require_subcommand(1);
   add_demo(app, demo, status);
-  add_report(app, report, status);
+  add_on_board(app, on_board, status);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {

@@ -26,3 +26,12 @@ build_boards() {
 build_host_sim() { build host-release host_sim; }
 
 host_sim() { "$AXIAL_ROOT/build/host-release/host_sim/host_sim" "$@"; }
+
+# measure_errors FOLDER: the errors of every kernel (host_sim/errors), a file a robot.
+measure_errors() {
+  build host-release errors
+  mkdir -p "$1"
+  say "errors of every kernel against 113-bit arithmetic"
+  printf '%s\n' scara scara_rrpr puma560 panda planar2r |
+    xargs -P "$(nproc)" -I ROBOT "$DRIVER/errors_of.sh" "$AXIAL_ROOT" ROBOT "$1/errors-ROBOT.json"
+}

@@ -67,11 +67,16 @@ def method_row(costs, errors, robot, method):
 
 
 def two_rate_row(costs, error):
-    """With the load of the M4F: its fast torque, and a refresh shared out over the ticks."""
-    once, each = (costs.of(error["robot"], part, BOARDS[0]) for part in METHODS["separation"])
-    load_of_tick = None if None in (once, each) else round(each + once / error["ticks"])
-    return {**error, f"{BOARDS[0]}_per_tick": load_of_tick,
-            f"{BOARDS[0]}_full_rate": costs.of(error["robot"], ("inverse_dynamics",), BOARDS[0])}
+    """With the load of a tick: its fast torque and the refresh shared out over the ticks, the tick that refreshes, and what the full
+    rate costs."""
+    row = dict(error)
+    for board in BOARDS:
+        once, each = (costs.of(error["robot"], part, board) for part in METHODS["separation"])
+        known = None not in (once, each)
+        row[f"{board}_per_tick"] = round(each + once / error["ticks"]) if known else None
+        row[f"{board}_worst_tick"] = each + once if known else None
+        row[f"{board}_full_rate"] = costs.of(error["robot"], ("inverse_dynamics",), board)
+    return row
 
 
 def compared(errors, counts, sizes):

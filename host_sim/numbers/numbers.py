@@ -2,8 +2,9 @@
 
 usage: numbers.py ERRORS SIZES [--output FOLDER] [--json FILE] [--provenance FILE --cache FILE]
 
-ERRORS: JSON of the program `numbers`. SIZES: a folder of JSON files of ./axial size. Writes number_systems.json, .csv and
-a picture; with --provenance the commit, and the compilers and flags of the boards and of the host, whose are in CACHE.
+ERRORS, SIZES: folders of JSON files of the program `errors` and of ./axial size. Writes number_systems.json, .csv and a picture of
+the kernels that have every number system; with --provenance the commit, and the compilers and flags of the boards and of the
+host, whose are in CACHE.
 """
 
 import argparse
@@ -18,6 +19,8 @@ sys.path.insert(0, str(ROOT / "host_sim/size"))
 import size  # noqa: E402
 
 KEY = ("robot", "algorithm", "scalar")
+SYSTEMS = ("fixed16", "fixed32_down", "fixed32", "fixed32_high", "float", "double")
+BOARDS = ("nrf51", "rv32_virt", "stm32f100", "stm32f405")
 ERRORS = ("error", "error_rms", "error_certified")
 COSTS = ("instructions", "instructions_min", "cycles_estimated", "flash_bytes", "ram_bytes", "stack_bytes")
 FIELDS = (*KEY, "board", "states", *ERRORS, *COSTS)
@@ -31,16 +34,30 @@ def key(row):
     return tuple(row[name] for name in KEY)
 
 
+def plain(row):
+    return (row["scene"], row["variant"], row.get("contract", "off")) == ("bare", "unrolled", "off")
+
+
+def in_every_system(errors):
+    """The bare, unrolled kernels that have all, one after another."""
+    found = {}
+    for row in filter(plain, errors):
+        found.setdefault((row["algorithm"], row["robot"]), {})[row["scalar"]] = row
+    robots = list(dict.fromkeys(row["robot"] for row in errors))
+    order = sorted(found, key=lambda kernel: (robots.index(kernel[1]), kernel[0] != "inverse_dynamics"))
+    return [found[kernel][system] for kernel in order if set(SYSTEMS) <= set(found[kernel]) for system in SYSTEMS]
+
+
 def joined(errors, sizes):
     """A row a robot, algorithm, number system and board."""
     rows = []
-    for error in errors:
-        costs = [row for row in sizes if key(row) == key(error) and
-                 (row["scene"], row["variant"], row["contract"]) == ("bare", "unrolled", "off")]
-        if not costs:
-            raise ValueError(f"no board was measured for {' '.join(key(error))}")
-        for cost in costs:
-            both = {**error, **cost}
+    for error in in_every_system(errors):
+        costs = {row["board"]: row for row in sizes if key(row) == key(error) and plain(row)}
+        missing = [board for board in BOARDS if board not in costs]
+        if missing:
+            raise ValueError(f"{' '.join(key(error))} was not measured on {', '.join(missing)}")
+        for board in BOARDS:
+            both = {**error, **costs[board]}
             rows.append({name: both[name] for name in FIELDS if name in both})
     return rows
 
@@ -76,8 +93,8 @@ def parse():
 
 def main():
     options = parse()
-    sizes = [row for file in sorted(pathlib.Path(options.sizes).glob("*.json")) for row in load(file)]
-    rows = joined(load(options.errors), sizes)
+    rows = joined(*([row for file in sorted(pathlib.Path(folder).glob("*.json")) for row in load(file)]
+                    for folder in (options.errors, options.sizes)))
     shown = [name for name in FIELDS if name not in ("states", "instructions_min", "ram_bytes")]
     size.print_columns([shown] + [[cell(row.get(name, "")) for name in shown] for row in rows], len(KEY) + 1)
     folder = pathlib.Path(options.output)

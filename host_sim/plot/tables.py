@@ -2,7 +2,7 @@
 
 usage: tables.py DATA_FOLDER DOCUMENT.md...
 
-DATA_FOLDER holds report.json, provenance.json, demo-<robot>-<board>.json, size.json, size_provenance.json, flags.csv and
+DATA_FOLDER holds on_board.json, provenance.json, demo-<robot>-<board>.json, size.json, size_provenance.json, flags.csv and
 flags_provenance.json. In each document whatever stands between <!-- table NAME --> and <!-- end --> is replaced by the
 table of that name (a key of TABLES).
 """
@@ -20,7 +20,7 @@ MARKED = re.compile(r"(<!-- table (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 class Data:
     def __init__(self, folder):
-        self.report = load(folder / "report.json")
+        self.on_board = load(folder / "on_board.json")
         self.provenance = load(folder / "provenance.json")
         self.size, self.size_provenance = load(folder / "size.json"), load(folder / "size_provenance.json")
         self.flags, self.flags_provenance = load_csv(folder / "flags.csv"), load(folder / "flags_provenance.json")
@@ -83,7 +83,7 @@ def errors(data):
 
 
 def robots_by_kernels(data, cell):
-    chosen = {(row["robot"], row["subject"]): row for row in data.report
+    chosen = {(row["robot"], row["subject"]): row for row in data.on_board
               if row["board"] == "stm32f405" and row["scalar"] == "float"}
     robots = unique(robot for robot, _ in chosen)
     rows = [[robot] + [cell(chosen[robot, kernel]) if (robot, kernel) in chosen else "" for kernel in KERNELS]
@@ -92,10 +92,10 @@ def robots_by_kernels(data, cell):
 
 
 def everything(data):
-    header = ["kernel, robot, scalar, board", "largest error", "RMS error", "instructions", "Pareto front"]
-    order = sorted(data.report, key=lambda row: (KERNELS.index(row["subject"]), row["robot"], row["board"], row["scalar"]))
+    header = ["kernel, robot, scalar, board", "largest error", "RMS error", "instructions"]
+    order = sorted(data.on_board, key=lambda row: (KERNELS.index(row["subject"]), row["robot"], row["board"], row["scalar"]))
     rows = [[f"{row['subject']}, {row['robot']}, {row['scalar']}, {row['board']}", f"{row['error']:.2g}",
-             f"{row['error_rms']:.2g}", span(row["work_min"], row["work"]), "yes" if row["pareto"] else ""]
+             f"{row['error_rms']:.2g}", span(row["work_min"], row["work"])]
             for row in order]
     return markdown(header, rows)
 

@@ -6,7 +6,7 @@ usage: size.py boards [choice]      prints the chosen boards
        size.py budgets FILE         writes budgets from measurements, a little above them
        size.py provenance FILE      writes compiler, flags and commit
 choice: [--quick] [--robot NAME] [--board NAME] [--scene NAME] [--algorithm NAME] [--scalar NAME]
-        [--variant NAME] [--contract NAME]
+        [--variant NAME] [--contract NAME]; but for the board each may be a list, separated by commas
 """
 
 import argparse
@@ -35,7 +35,7 @@ FIELDS = ("board", "robot", "scene", "algorithm", "scalar", "variant", "contract
 def chosen(board, options):
     return [probe for probe in measure.probes(board)
             if (probe.set == "main" or not options.quick)
-            and all(getattr(options, name) in (None, getattr(probe, name)) for name in CHOICES)]
+            and all(getattr(options, name) is None or getattr(probe, name) in getattr(options, name).split(",") for name in CHOICES)]
 
 
 def figures(work):

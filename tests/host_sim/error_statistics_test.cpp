@@ -1,6 +1,5 @@
 #include <host_sim/analysis/error_statistics.hpp>
 #include <host_sim/analysis/joint_scales.hpp>
-#include <host_sim/analysis/pareto.hpp>
 
 #include <gtest/gtest.h>
 
@@ -48,16 +47,6 @@ TEST(JointScales, EveryLoadedJointHasItsOwn) {
 
 TEST(JointScales, AnIdleJointTakesTheMostLoadedOnes) {
   EXPECT_EQ(host_sim::joint_scales({0.0, 40.0, 1e-20}), (std::vector<double>{40.0, 40.0, 40.0}));
-}
-
-TEST(Pareto, KeepsWhatNothingElseBeats) {
-  const std::vector<host_sim::ErrorAndWork> choices = {
-      {1e-7, 300}, {1e-16, 9000}, {2e-7, 301}, {1e-7, 299}, {5e-8, 800}};
-  EXPECT_EQ(host_sim::pareto_front(choices), (std::vector<bool>{false, true, false, true, true}));
-}
-
-TEST(Pareto, KeepsEquals) {
-  EXPECT_EQ(host_sim::pareto_front({{1.0, 1.0}, {1.0, 1.0}}), (std::vector<bool>{true, true}));
 }
 
 }  // namespace

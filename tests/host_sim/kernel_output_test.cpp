@@ -1,6 +1,6 @@
-// Console output of a kernels image, made up for the two-link arm, through to the report's rows.
-#include <host_sim/report/kernel_output.hpp>
-#include <host_sim/report/rows.hpp>
+// Console output of a kernels image, made up for the two-link arm, through to the rows of on_board.
+#include <host_sim/on_board/kernel_output.hpp>
+#include <host_sim/on_board/rows.hpp>
 
 #include <gtest/gtest.h>
 
@@ -41,26 +41,23 @@ TEST(KernelOutput, RefusesLinesOfAnotherFormat) {
 }
 
 /// Rows as the image would print them if it were exact: the oracle's own torque, once off by a millionth.
-TEST(ReportRows, ErrorIsRelativeToTheJointsLargestTorque) {
+TEST(OnBoardRows, ErrorIsRelativeToTheJointsLargestTorque) {
   const host_sim::Robot robot = host_sim::find_robot("planar2r");
   KernelOutput output = parse_kernel_output(head + rows + "end\n");
   const auto exact = host_sim::exact_torque(robot, output.states[0]);
   for (auto& e : output.evaluations)
     e.result = exact;
   output.evaluations[0].result[1] *= 1.0 + 1e-6;
-  auto report = host_sim::rows_of(output, robot, "stm32f405");
-  host_sim::mark_pareto_front(report);
+  const auto report = host_sim::rows_of(output, robot, "stm32f405");
   ASSERT_EQ(report.size(), 2u);  // by kernel and scalar: double comes first
   EXPECT_EQ(report[0].error, 0.0);
   EXPECT_NEAR(report[1].error, 1e-6, 1e-15);
-  EXPECT_TRUE(report[0].pareto && report[1].pareto);
 }
 
-TEST(ReportRows, JsonHasTheDocumentedFields) {
+TEST(OnBoardRows, JsonHasTheDocumentedFields) {
   const KernelOutput output = parse_kernel_output(head + rows + "end\n");
   const auto json = to_json(rows_of(output, host_sim::find_robot("planar2r"), "stm32f405"));
-  for (const char* field :
-       {"subject", "robot", "scalar", "variant", "board", "error", "work", "unit_of_work", "pareto"})
+  for (const char* field : {"subject", "robot", "scalar", "variant", "board", "error", "work", "unit_of_work"})
     EXPECT_TRUE(json.at(0).contains(field)) << field;
 }
 

@@ -26,17 +26,19 @@ run() {
 # Errors, counts and sizes go to a folder of their own, which is what the table is made from.
 compare_py() {
   build host-release compare counts
-  local program=$AXIAL_ROOT/build/host-release/host_sim folder algorithm board
+  local program=$AXIAL_ROOT/build/host-release/host_sim folder board
   folder=$(mktemp -d)
   mkdir "$folder/sizes"
   "$program/compare/compare" "$AXIAL_ROOT/host_sim/trajectories" >"$folder/errors.json"
   "$program/counts/counts" --without-errors >"$folder/counts.json"
-  for algorithm in inverse_dynamics separation separated_torque closed_form; do
+  if [[ -n ${AXIAL_SIZES:-} ]]; then # measured already
+    cp "$AXIAL_SIZES" "$folder/sizes/"
+  else
     for board in stm32f405 nrf51; do
-      "$AXIAL_ROOT/axial" size --board "$board" --scene bare --algorithm "$algorithm" --scalar float --output "$folder/size" \
-        --json "$folder/sizes/$board-$algorithm.json" >/dev/null
+      "$AXIAL_ROOT/axial" size --board "$board" --scene bare --algorithm inverse_dynamics,separation,separated_torque,closed_form --scalar float \
+        --output "$folder/size" --json "$folder/sizes/$board.json" >/dev/null
     done
-  done
+  fi
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/compare/compare.py" "$folder"/{errors,counts}.json "$folder/sizes" "$@"
   rm -r "$folder"
 }

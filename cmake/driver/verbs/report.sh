@@ -1,50 +1,111 @@
 # shellcheck shell=bash
-# summary: error against instructions of every kernel, robot, scalar and board; tables and a picture
+# summary: error against work of every kernel, robot, number system and board: data, pictures, one HTML page, all documents
 
 usage() {
-  cat <<'END'
+  cat <<'END_OF_USAGE'
 usage: ./axial report [options]
-Installs and builds what is missing, runs the kernels image of every robot on every board in QEMU, compares each result
-with the oracle, prints a table and writes CSV, JSON and a picture of error against instructions.
+Installs and builds what is missing. Sets the error of every kernel that firmware/apps/size/matrix.txt lists (on the host, over
+seeded states, against 113-bit arithmetic) beside the instructions that it executes in QEMU, estimated cycles, and its bytes; marks
+what no other beats in either; adds feed-forward at two rates, simulations and stability (doc/work_precision.md). Prints a table,
+writes CSV, JSON, pictures and one self-contained HTML page.
   --robot NAME        only this robot
   --board NAME        only this board
   --output FOLDER     where the files go; default output/report
   --json FILE         the rows once more, as an array of objects
-  --documents         alone: runs all reports, demos, sizes, counts and comparisons anew and writes the tables and pictures of README.md and doc/
-Exits non-zero when an error is above its bound.
-END
+  --on-board          the boards' own results instead: runs the kernels image of every robot on every board in QEMU and compares
+                      each result with the oracle; may be followed by the options above; default output/on_board. Exits non-zero
+                      when an error is above its bound
+  --documents         alone: runs all reports, demos, sizes, counts and comparisons anew and writes the tables and pictures of
+                      README.md and doc/; with --work-precision behind it: those of doc/work_precision.md alone, from the sizes
+                      and simulations that are in doc/data
+END_OF_USAGE
 }
 
 run() {
   ensure_packages
-  build_host_sim
-  build_boards
-  if [[ ${1:-} == --documents ]]; then
-    (($# == 1)) || fail_usage "--documents stands alone; see ./axial report --help"
-    write_documents
-  else
-    host_sim report "$@"
-  fi
+  case ${1:-} in
+    --documents)
+      shift
+      case $# in
+        0) write_documents ;;
+        *)
+          [[ $* == --work-precision ]] || fail_usage "--documents stands alone, or before --work-precision; see ./axial report --help"
+          write_work_precision
+          ;;
+      esac
+      ;;
+    --on-board)
+      shift
+      build_host_sim
+      build_boards
+      host_sim on-board "$@"
+      ;;
+    *) report_work_precision "$@" ;;
+  esac
 }
 
-# Raw data goes beside the documents; the tables and pictures are made from it.
+report_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/report/report.py" "$@"; }
+
+# What the report has an error of: size alone measures more.
+report_work_precision() {
+  local folder choice=() status=0 i
+  for ((i = 1; i < $#; i++)); do
+    case ${!i} in --robot | --board) choice+=("${@:i:2}") ;; esac
+  done
+  folder=$(mktemp -d)
+  "$AXIAL_ROOT/axial" size "${choice[@]}" --contract off --scene bare,sine_cosines,full_parameters,base_parameters \
+    --output "$folder/size" >"$folder/size.log" || { rm -r "$folder"; return 1; }
+  "$AXIAL_ROOT/axial" compare --output "$folder/separation" >"$folder/separation.log" || { rm -r "$folder"; return 1; }
+  measure_errors "$folder/errors"
+  report_py --errors "$folder/errors" --sizes "$folder/size/size.json" --separation "$folder/separation/separation.json" \
+    --more "$AXIAL_ROOT/doc/data" "$@" || status=$?
+  rm -r "$folder"
+  return "$status"
+}
+
+# Raw data goes beside the documents; the tables and pictures are made from it. Every probe is measured once and every error
+# computed once: what follows takes them from AXIAL_SIZES and AXIAL_ERRORS.
 write_documents() {
+  local doc=$AXIAL_ROOT/doc folder
+  folder=$(mktemp -d)
+  build_boards
   "$AXIAL_ROOT/axial" size --documents
+  measure_errors "$folder"
+  export AXIAL_SIZES=$doc/data/size.json AXIAL_ERRORS=$folder
   "$AXIAL_ROOT/axial" counts --documents
   "$AXIAL_ROOT/axial" compare --documents
   "$AXIAL_ROOT/axial" numbers --documents
   "$AXIAL_ROOT/axial" exhaustive --documents
-  "$AXIAL_ROOT/axial" stability --documents
-  local doc=$AXIAL_ROOT/doc board robot
-  host_sim report --output "$doc/data"
-  for board in "${BOARDS[@]}"; do
-    for robot in "$AXIAL_ROOT"/host_sim/trajectories/*.json; do
-      robot=$(basename "$robot" .json)
-      host_sim demo --robot "$robot" --board "$board" --output "$AXIAL_ROOT/output/demo" \
-        --json "$doc/data/demo-$robot-$board.json"
-    done
-  done
+  write_work_precision
+  rm -r "$folder"
+  build_host_sim
+  host_sim on-board --output "$doc/data"
+  run_demos
   cp "$AXIAL_ROOT"/output/demo/scara-stm32f405.{csv,json,png,svg} "$doc/pictures/"
-  mv "$doc"/data/report.{png,svg} "$doc/pictures/"
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$doc/data" "$AXIAL_ROOT/README.md" "$doc/accuracy.md"
+}
+
+write_work_precision() {
+  local doc=$AXIAL_ROOT/doc errors=${AXIAL_ERRORS:-}
+  if [[ -z $errors ]]; then
+    errors=$(mktemp -d)
+    measure_errors "$errors"
+  fi
+  report_py --errors "$errors" --sizes "$doc/data/size.json" --separation "$doc/data/separation.json" --more "$doc/data" \
+    --provenance "$doc/data/size_provenance.json" --output "$doc/data" >/dev/null
+  [[ -n ${AXIAL_ERRORS:-} ]] || rm -r "$errors"
+  mv "$doc"/data/work_precision*.{png,svg} "$doc/pictures/"
+  mv "$doc/data/work_precision.html" "$doc/"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/work_precision_tables.py" "$doc/data" "$doc/work_precision.md"
+}
+
+# The main job of every robot and board, as many at once as there are processors.
+run_demos() {
+  local robots board robot
+  robots=("$AXIAL_ROOT"/host_sim/trajectories/*.json)
+  for board in "${BOARDS[@]}"; do
+    for robot in "${robots[@]}"; do
+      printf '%s %s\n' "$(basename "$robot" .json)" "$board"
+    done
+  done | xargs -P "$(nproc)" -L 1 "$DRIVER/demo_of.sh" "$AXIAL_ROOT"
 }

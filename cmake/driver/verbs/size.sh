@@ -8,7 +8,8 @@ Installs and builds what is missing: a small image for each combination of firmw
 its flash and static RAM (beside an image without a kernel), its worst-case stack, the instructions that a call executes
 in QEMU, and an estimate of cycles from them (doc/size.md). Prints a table, writes CSV, JSON and a picture.
   --robot NAME        only this robot; likewise --board NAME, --scene NAME, --algorithm NAME, --scalar NAME (float, double, fixed32
-                      to nearest, fixed32_down, fixed32_high (upper words of products), fixed16), --variant NAME, --contract NAME
+                      to nearest, fixed32_down, fixed32_high (upper words of products), fixed16), --variant NAME, --contract NAME;
+                      but for the board a list too: --scalar float,double
   --quick             only the combinations that tests use
   --output FOLDER     where the files go; default output/size
   --json FILE         the rows once more, as an array of objects

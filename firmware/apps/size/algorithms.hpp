@@ -1,7 +1,10 @@
 #pragma once
-/// What can be probed, by the names of matrix.txt: scenes, and algorithms on a scene.
+/// What can be probed, by the names of matrix.txt: scenes, and algorithms on a scene. An algorithm takes any struct
+/// with the members that it reads (argument.hpp has them all), so that a host can judge the very same calls.
 
-#include "argument.hpp"
+#include <cstddef>
+
+#include <axial/axial.hpp>
 
 namespace axial::apps::size {
 
@@ -26,12 +29,16 @@ template <class Robot, class... Tags>
 using base_motion = Scene<Robot, Gravity, RotorInertia, BaseMotion, Tags...>;
 template <class Robot, class... Tags>
 using sine_cosines = Scene<Robot, Gravity, RotorInertia, SineCosines, Tags...>;
+template <class Robot, class... Tags>
+using full_parameters = Scene<Robot, Gravity, RotorInertia, FullParameters, Tags...>;
+template <class Robot, class... Tags>
+using base_parameters = Scene<Robot, Gravity, RotorInertia, BaseParameters, Tags...>;
 }  // namespace scenes
 
 /// The scene's run-time inputs, taken from the argument.
-template <class S, class T>
-constexpr Inputs<S, T> inputs_of(const Argument<robot_of<S>, T>& a) {
-  Inputs<S, T> in{};
+template <class S, class A>
+constexpr auto inputs_of(const A& a) {
+  Inputs<S, typename A::Number> in{};
   if constexpr (S::template has<Payload>) in.payload = a.payload;
   if constexpr (S::template has<TipWrench>) in.tip_wrench = a.tip_wrench;
   if constexpr (S::template has<ExternalWrenches>) in.wrenches = a.wrenches;
@@ -142,6 +149,14 @@ struct separated_torque {
     using Terms = Separated<S, typename A::Number>;
     static_assert(sizeof(Terms) <= sizeof a.terms);
     return *reinterpret_cast<const Terms*>(a.terms);
+  }
+};
+
+/// Separated and summed at once.
+struct torque_by_separation {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return torque(separate<S>(a.q, inputs_of<S>(a)), a.qd, a.qdd);
   }
 };
 

@@ -6,6 +6,7 @@
 
 #include "../number_systems.hpp"
 #include "algorithms.hpp"
+#include "argument.hpp"
 
 namespace axial::apps::size {
 namespace {

@@ -1,4 +1,4 @@
-#include <host_sim/report/provenance.hpp>
+#include <host_sim/on_board/provenance.hpp>
 
 #include <host_sim/emulator/board.hpp>
 #include <host_sim/system/process.hpp>

@@ -1,4 +1,4 @@
-#include <host_sim/report/kernel_output.hpp>
+#include <host_sim/on_board/kernel_output.hpp>
 
 #include <cstdint>
 #include <cstring>

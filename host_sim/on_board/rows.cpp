@@ -1,7 +1,6 @@
-#include <host_sim/report/rows.hpp>
+#include <host_sim/on_board/rows.hpp>
 
-#include <host_sim/analysis/pareto.hpp>
-#include <host_sim/report/exact_kernels.hpp>
+#include <host_sim/on_board/exact_kernels.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -47,10 +46,10 @@ void add_errors(ErrorStatistics& errors, const Values& result, const Values& exa
     }
 }
 
-ReportRow row_of(const Key& key, const Group& group, const std::vector<Values>& exact) {
+OnBoardRow row_of(const Key& key, const Group& group, const std::vector<Values>& exact) {
   const Values scales = error_scales(key.first, exact);
   ErrorStatistics errors;
-  ReportRow row;
+  OnBoardRow row;
   row.subject = key.first, row.scalar = key.second, row.variant = "unrolled", row.bound = bound_of(key);
   for (std::size_t i = 0; i < group.size(); ++i) {
     add_errors(errors, group[i]->result, exact[i], scales);
@@ -60,46 +59,25 @@ ReportRow row_of(const Key& key, const Group& group, const std::vector<Values>& 
   return row;
 }
 
-/// What is interchangeable: the closed form and separation compute what inverse dynamics computes.
-std::string job_of(const ReportRow& row) {
-  const bool torque = row.subject == "closed_form" || row.subject == "separation";
-  const std::string kernel = torque ? "inverse_dynamics" : row.subject;
-  return kernel + "/" + row.robot + "/" + row.board;
-}
-
 }  // namespace
 
-std::vector<ReportRow> rows_of(const KernelOutput& output, const Robot& robot, const std::string& board) {
+std::vector<OnBoardRow> rows_of(const KernelOutput& output, const Robot& robot, const std::string& board) {
   const auto groups = grouped(output);
-  std::vector<ReportRow> rows;
+  std::vector<OnBoardRow> rows;
   for (const auto& [key, group] : groups) {
     std::vector<Values> exact;
     for (const Evaluation* e : group)
       exact.push_back(exact_result(key.first, robot, output.states[e->state], torque_of(groups, *e)));
-    ReportRow row = row_of(key, group, exact);
+    OnBoardRow row = row_of(key, group, exact);
     row.robot = robot.name, row.board = board, row.unit_of_work = output.counter;
     rows.push_back(row);
   }
   return rows;
 }
 
-void mark_pareto_front(std::vector<ReportRow>& rows) {
-  std::map<std::string, std::vector<ReportRow*>> jobs;
-  for (ReportRow& row : rows)
-    jobs[job_of(row)].push_back(&row);
-  for (const auto& [job, members] : jobs) {
-    std::vector<ErrorAndWork> choices;
-    for (const ReportRow* row : members)
-      choices.push_back({row->error, static_cast<double>(row->work.max)});
-    const std::vector<bool> front = pareto_front(choices);
-    for (std::size_t i = 0; i < members.size(); ++i)
-      members[i]->pareto = front[i];
-  }
-}
-
-nlohmann::json to_json(const std::vector<ReportRow>& rows) {
+nlohmann::json to_json(const std::vector<OnBoardRow>& rows) {
   nlohmann::json json = nlohmann::json::array();
-  for (const ReportRow& row : rows)
+  for (const OnBoardRow& row : rows)
     json.push_back({{"subject", row.subject},
                     {"robot", row.robot},
                     {"scalar", row.scalar},
@@ -110,8 +88,7 @@ nlohmann::json to_json(const std::vector<ReportRow>& rows) {
                     {"error_bound", row.bound},
                     {"work", row.work.max},
                     {"work_min", row.work.min},
-                    {"unit_of_work", row.unit_of_work},
-                    {"pareto", row.pareto}});
+                    {"unit_of_work", row.unit_of_work}});
   return json;
 }
 

@@ -1,0 +1,53 @@
+#include <host_sim/analysis/error_scales.hpp>
+
+#include <host_sim/analysis/joint_scales.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace host_sim {
+
+namespace {
+
+/// Largest magnitude of each number over all states.
+Values largest_of(const std::vector<Values>& exact) {
+  Values largest(exact.front().size(), 0.0);
+  for (const Values& values : exact)
+    for (std::size_t i = 0; i < largest.size(); ++i)
+      largest[i] = std::max(largest[i], std::abs(values[i]));
+  return largest;
+}
+
+/// Rows of the lower triangle: entry (i, j) is number i (i + 1) / 2 + j.
+Values mass_matrix_scales(const Values& largest) {
+  const auto diagonal = [&](std::size_t i) { return largest[i * (i + 1) / 2 + i]; };
+  Values scales;
+  for (std::size_t i = 0; scales.size() < largest.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j)
+      scales.push_back(std::sqrt(diagonal(i) * diagonal(j)));
+  return scales;
+}
+
+/// Numbers that `is_length` picks share the largest of them; the rest are parts of unit vectors.
+template <class Predicate>
+Values geometry_scales(const Values& largest, Predicate is_length) {
+  double longest = 0.0;
+  for (std::size_t i = 0; i < largest.size(); ++i)
+    if (is_length(i)) longest = std::max(longest, largest[i]);
+  Values scales;
+  for (std::size_t i = 0; i < largest.size(); ++i)
+    scales.push_back(is_length(i) ? longest : 1.0);
+  return scales;
+}
+
+}  // namespace
+
+Values error_scales(const std::string& kernel, const std::vector<Values>& exact) {
+  const Values largest = largest_of(exact);
+  if (kernel == "mass_matrix") return mass_matrix_scales(largest);
+  if (kernel == "jacobian") return geometry_scales(largest, [](std::size_t i) { return i % 6 >= 3; });
+  if (kernel == "forward_kinematics") return geometry_scales(largest, [](std::size_t i) { return i >= 9; });
+  return joint_scales(largest);
+}
+
+}  // namespace host_sim

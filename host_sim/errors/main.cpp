@@ -1,0 +1,47 @@
+// Writes the errors of the kernels as JSON on standard output.
+#include <host_sim/errors/errors.hpp>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+nlohmann::ordered_json to_json(const std::vector<errors::Row>& rows) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const errors::Row& row : rows) {
+    const errors::Kernel& kernel = row.kernel;
+    nlohmann::ordered_json object{
+        {"robot", kernel.robot},     {"scene", kernel.scene},     {"algorithm", kernel.algorithm},
+        {"variant", kernel.variant}, {"scalar", kernel.scalar},   {"states", row.states},
+        {"error", row.error},        {"error_rms", row.error_rms}};
+    if (row.error_torque) object["error_torque"] = *row.error_torque;
+    if (row.certified) object["error_certified"] = *row.certified;
+    all.push_back(object);
+  }
+  return all;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("errors of every algorithm in every number system");
+  errors::Choice choice;
+  app.add_option("--robot", choice.robot, "only this robot");
+  app.add_option("--algorithm", choice.algorithm, "only this algorithm, by its name in firmware/apps/size/matrix.txt");
+  app.add_option("--scalar", choice.scalar, "only this number system");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    std::printf("%s\n", to_json(errors::rows(choice)).dump(1).c_str());
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "errors: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,45 @@
+// Exact results of every job at given inputs, in 113-bit arithmetic.
+#pragma once
+
+#include <host_sim/errors/job.hpp>
+#include <oracle/chain.hpp>
+#include <oracle/scalar.hpp>
+
+#include <map>
+#include <vector>
+
+namespace errors {
+
+using oracle::quad;
+using Vector = oracle::Vector<quad>;
+
+/// What a kernel was given, exactly.
+struct Inputs {
+  Vector q, qd, qdd, tau;
+};
+
+class Reference {
+ public:
+  Reference(oracle::Chain<quad> chain, std::vector<Inputs> states)
+      : chain_(std::move(chain)), states_(std::move(states)) {}
+
+  std::size_t size() const { return states_.size(); }
+  const Inputs& inputs(std::size_t state) const { return states_[state]; }
+  /// Results in the order of host_sim/on_board; of accelerations those of the states' efforts.
+  const std::vector<Vector>& results(Job job);
+  /// What errors of each number are relative to.
+  const std::vector<double>& scales(Job job);
+  /// M(q) times a difference of accelerations.
+  Vector torque_of(std::size_t state, const Vector& difference);
+
+ private:
+  Vector result(Job job, const Inputs& in) const;
+  Vector mass_matrix(const Vector& q) const;
+
+  oracle::Chain<quad> chain_;
+  std::vector<Inputs> states_;
+  std::map<Job, std::vector<Vector>> results_;
+  std::map<Job, std::vector<double>> scales_;
+};
+
+}  // namespace errors

@@ -1,0 +1,105 @@
+"""Error against work: joins what was measured, writes work_precision.json, .csv, pictures and one HTML page.
+
+usage: report.py --errors FOLDER --sizes FILE [--separation FILE] [--more FOLDER] [--robot NAME] [--board NAME]
+                 [--output FOLDER] [--json FILE] [--provenance FILE]
+
+--errors: a folder of JSON files of the program `errors`. --sizes: JSON of ./axial size. --separation: of ./axial compare. --more: a
+folder that may hold simulation.json and stability.json. --provenance: of ./axial size; the page shows it.
+"""
+
+import argparse
+import csv
+import json
+import pathlib
+import subprocess
+import sys
+
+import kernels
+import other_rows
+import page
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PLOTS = ROOT / "host_sim/plot"
+
+
+def load(path):
+    return json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
+
+
+def all_rows(options):
+    chosen = lambda row: all(getattr(options, name) in (None, row[name]) for name in ("robot", "board"))
+    rows = kernels.joined([row for file in sorted(pathlib.Path(options.errors).glob("*.json")) for row in load(file)], load(options.sizes))
+    if options.separation:
+        rows += other_rows.two_rate(load(options.separation))
+    rows = [row for row in rows if chosen(row)]
+    if options.more:
+        rows += other_rows.found(options.more, "simulation.json")
+    if not rows:
+        raise ValueError("nothing was measured of this robot and board; firmware/apps/size/matrix.txt lists what there is")
+    return rows
+
+
+def write_json(path, rows):
+    """A line a row."""
+    lines = ",\n".join(json.dumps(row) for row in rows)
+    pathlib.Path(path).write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+
+
+def write_csv(path, rows):
+    fields = list(dict.fromkeys([*kernels.FIELDS, *(name for row in rows for name in row)]))
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, fields, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def print_table(rows):
+    """Instructions and bytes beside each other; * is on the front of either."""
+    bytes_of = {page.identity(row): row for row in rows if row["unit_of_work"] == "bytes"}
+    header = ["board", "robot", "kernel", "numbers", "variant", "error", "RMS", "instructions", "cycles (estimate)", "bytes", "front"]
+    cells = [header]
+    for row in (row for row in rows if "job" in row and row["unit_of_work"] == "instructions"):
+        small = bytes_of[page.identity(row)]
+        cells.append([row["board"], row["robot"], row["subject"], row["scalar"], row["variant"], f"{row['error']:.1e}", f"{row['error_rms']:.1e}",
+                      str(row["work"]), str(row["cycles_estimated"]), str(small["work"]),
+                      ("i" if row["pareto"] else "") + ("b" if small["pareto"] else "")])
+    widths = [max(len(line[i]) for line in cells) for i in range(len(header))]
+    for line in cells:
+        print("  ".join(cell.ljust(width) if i < 5 else cell.rjust(width) for i, (cell, width) in enumerate(zip(line, widths))).rstrip())
+    print("errors relative to the joint's largest over seeded states; instructions counted by QEMU, cycles estimated from them;\n"
+          "bytes: flash, static RAM and stack; front: nothing that does the same job there is as exact and takes as few\n"
+          "i: instructions, b: bytes")
+
+
+def parse():
+    parser = argparse.ArgumentParser(usage=__doc__)
+    for name in ("errors", "sizes"):
+        parser.add_argument("--" + name, required=True)
+    for name in ("separation", "more", "robot", "board", "json", "provenance"):
+        parser.add_argument("--" + name)
+    parser.add_argument("--output", default=ROOT / "output/report", type=pathlib.Path)
+    return parser.parse_args()
+
+
+def main():
+    options = parse()
+    rows = all_rows(options)
+    print_table(rows)
+    options.output.mkdir(parents=True, exist_ok=True)
+    stem = options.output / "work_precision"
+    write_json(f"{stem}.json", rows)
+    write_csv(f"{stem}.csv", rows)
+    if options.json:
+        write_json(options.json, rows)
+    subprocess.run([sys.executable, "-E", PLOTS / "work_precision.py", f"{stem}.json"], check=True)
+    stability = other_rows.stability(options.more) if options.more else []
+    page.write(f"{stem}.html", rows, stability, sorted(options.output.glob("work_precision*.png")),
+               load(options.provenance) if options.provenance else None)
+    print(f"written: {stem}.json, .csv, .html and pictures")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except (ValueError, FileNotFoundError) as error:
+        sys.exit(f"report: {error}")

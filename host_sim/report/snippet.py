@@ -1,0 +1,74 @@
+"""The lines of code that select a kernel. Its scene is the very type that the probe of the same names measures."""
+
+NUMBERS = {"float": ("float", ()), "double": ("double", ()), "fixed32": ("axial::Fixed32", ()),
+           "fixed32_down": ("axial::Fixed32", ("RoundDown",)), "fixed32_high": ("axial::Fixed32", ("HighWord",)),
+           "fixed16": ("axial::Fixed16", ())}
+SCENES = {"bare": (), "sine_cosines": ("SineCosines",), "full_parameters": ("FullParameters",), "base_parameters": ("BaseParameters",)}
+ROUTES = {"articulated_body": "ArticulatedBody", "split_articulated_body": "SplitArticulatedBody", "composite_body": "CompositeBody"}
+CALLS = {"inverse_dynamics": "auto tau = axial::inverse_dynamics<Scene>(q, qd, qdd{in})",
+         "closed_form": "auto tau = axial::closed_form::scara_torque<Scene>(q, qd, qdd)",
+         "torque_by_separation": "auto tau = axial::torque(axial::separate<Scene>(q{in}), qd, qdd)",
+         "gravity": "auto tau = axial::gravity_torque<Scene>(q{in})",
+         "bias": "auto tau = axial::bias_torque<Scene>(q, qd{in})",
+         "mass_matrix": "auto M = axial::mass_matrix<Scene>(q{in})",
+         "forward_dynamics": "auto qdd = axial::forward_dynamics<Scene>(q, qd, tau{in})",
+         "forward_kinematics": "auto poses = axial::forward_kinematics<Scene>(q)",
+         "jacobian": "auto J = axial::jacobian<Scene>(q)"}
+
+
+def robot_type(robot):
+    return "robots::" + "".join(part.capitalize() for part in robot.split("_"))
+
+
+def route_of(algorithm):
+    return ROUTES.get(algorithm.removeprefix("forward_dynamics_"))
+
+
+def scene(row):
+    """`row`: robot, scene, algorithm, form, scalar, as matrix.txt names them."""
+    tags = ["Gravity", "RotorInertia", *SCENES[row["scene"]], *NUMBERS[row["scalar"]][1]]
+    tags += ["Looped"] if row["form"] == "compact" else []
+    tags += [route_of(row["algorithm"])] if route_of(row["algorithm"]) else []
+    return f"axial::Scene<{robot_type(row['robot'])}, {', '.join('axial::' + tag for tag in tags)}>"
+
+
+def call(row):
+    name = "forward_dynamics" if row["algorithm"].startswith("forward_dynamics") else row["algorithm"]
+    return "const " + CALLS[name].format(**{"in": ", in" if row["scene"] == "sine_cosines" else ""}) + ";"
+
+
+def lines(row):
+    """What a user pastes."""
+    return [f"using Scene = {scene(row)};", call(row) + f"  // in {NUMBERS[row['scalar']][0]}"]
+
+
+def program(row):
+    """A program around the lines: it compiles when they do, and when Scene is what the probe measures."""
+    number = NUMBERS[row["scalar"]][0]
+    using, calling = lines(row)
+    tags = ", axial::Looped" if row["form"] == "compact" else ""
+    measured = f"Numbers::scene<axial::apps::size::scenes::{row['scene']}, {robot_type(row['robot'])}{tags}>"
+    if route_of(row["algorithm"]):
+        measured = f"axial::apps::size::Tagged<{measured}, axial::{route_of(row['algorithm'])}>::type"
+    return f"""#include <axial/axial.hpp>
+#include <robots/{row['robot']}.hpp>
+
+{using}
+
+int main() {{
+  using T = {number};
+  using Robot = axial::robot_of<Scene>;
+  [[maybe_unused]] axial::Positions<Robot, T> q{{}};
+  [[maybe_unused]] axial::Velocities<Robot, T> qd{{}};
+  [[maybe_unused]] {"axial::EffortsOf<Scene, T> tau" if calling.startswith("const auto qdd") else "axial::Accelerations<Robot, T> qdd"}{{}};
+  [[maybe_unused]] axial::Inputs<Scene, T> in{{}};
+  {calling}
+  static_cast<void>({calling.split()[2]});
+}}
+
+#include <firmware/apps/number_systems.hpp>
+#include <firmware/apps/size/algorithms.hpp>
+using Numbers = axial::apps::number_systems::as_{row['scalar']};
+static_assert(std::is_same_v<Numbers::Number, {number}>);
+static_assert(std::is_same_v<Scene, {measured}>);
+"""

@@ -1,0 +1,100 @@
+// Errors of the kernels in every number system, on the same states.
+#include <gtest/gtest.h>
+
+#include <host_sim/errors/errors.hpp>
+
+#include <map>
+#include <set>
+#include <stdexcept>
+
+namespace {
+
+using errors::Row;
+
+constexpr double last_bit_of_double = 2.3e-16;
+
+// The reference and the states are those of every system, or double would be far from them.
+void expect_exact(const Row& in_double) {
+  EXPECT_LT(in_double.error, 4 * last_bit_of_double);
+  EXPECT_GT(in_double.error, 0.0);
+}
+
+void expect_better(const Row& in_fixed, const Row& in_float) {
+  const double times = in_fixed.kernel.algorithm == "closed_form" ? 50.0 : 5.0;
+  EXPECT_LT(times * in_fixed.error, in_float.error);
+}
+
+using Systems = std::map<std::string, Row>;
+
+void check(const Systems& systems) {
+  expect_exact(systems.at("double"));
+  expect_better(systems.at("fixed32"), systems.at("float"));
+  for (const char* name : {"fixed16", "fixed32", "fixed32_down", "fixed32_high"}) {
+    SCOPED_TRACE(name);
+    const Row& row = systems.at(name);
+    ASSERT_TRUE(row.certified.has_value());
+    EXPECT_LE(row.error, *row.certified);
+    EXPECT_LT(row.error_rms, row.error);
+  }
+}
+
+/// Bare and unrolled, by robot and number system.
+std::map<std::string, Systems> of(const char* algorithm) {
+  std::map<std::string, Systems> robots;
+  for (const Row& row : errors::rows({"", algorithm, ""}))
+    if (row.kernel.scene == "bare" && row.kernel.variant == "unrolled")
+      robots[row.kernel.robot].emplace(row.kernel.scalar, row);
+  return robots;
+}
+
+TEST(Errors, FixedPointIsWithinItsCertifiedErrorAndBetterThanFloat) {
+  int checked = 0;
+  for (const char* algorithm : {"inverse_dynamics", "closed_form"})
+    for (const auto& [robot, systems] : of(algorithm)) {
+      SCOPED_TRACE(robot + ", " + algorithm);
+      check(systems), ++checked;
+    }
+  EXPECT_EQ(checked, 4);
+}
+
+// An acceleration's error is the torque's times what the mass matrix amplifies, which double shows to be no more than
+// that.
+TEST(Errors, AccelerationsAreExactInTheTorqueThatTheyStandFor) {
+  std::set<std::string> algorithms;
+  for (const Row& row : errors::rows({"scara", "", ""})) {
+    if (!row.error_torque) continue;
+    SCOPED_TRACE(row.kernel.algorithm + " in " + row.kernel.scalar);
+    algorithms.insert(row.kernel.algorithm);
+    const double unit = row.kernel.scalar == "double" ? last_bit_of_double : 1.2e-7;
+    EXPECT_GT(*row.error_torque, 0.0);
+    EXPECT_LT(*row.error_torque, 8 * unit);
+    EXPECT_LT(*row.error_torque, row.error);
+  }
+  EXPECT_EQ(algorithms.size(), 4U);  // the compiler's choice and each route
+}
+
+TEST(Errors, OfEveryJobAreThoseOfTheNumberSystem) {
+  std::set<std::string> algorithms;
+  for (const Row& row : errors::rows({"scara", "", "double"})) {
+    SCOPED_TRACE(row.kernel.algorithm);
+    algorithms.insert(row.kernel.algorithm);
+    EXPECT_LT(row.error, (row.error_torque ? 64 : 4) * last_bit_of_double);
+  }
+  EXPECT_GE(algorithms.size(), 6U);
+}
+
+TEST(Errors, UnknownNamesAreListed) {
+  const auto error_of = [](const errors::Choice& choice) -> std::string {
+    try {
+      errors::rows(choice);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(error_of({"puma", "", ""}), "unknown robot 'puma'; there are: panda, puma560, scara");
+  EXPECT_NE(error_of({"", "dynamics", ""}).find("unknown algorithm 'dynamics'; there are: bias,"), std::string::npos);
+  EXPECT_NE(error_of({"", "", "fixed8"}).find("unknown number system 'fixed8'"), std::string::npos);
+}
+
+}  // namespace
