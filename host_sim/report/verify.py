@@ -57,12 +57,12 @@ def differences(row, measured, names, tolerance):
             if name in row and abs(measured[name] - row[name]) > tolerance * abs(row[name])]
 
 
-def check(row, host):
+def check(row, host, cost_tolerance=0.0, error_tolerance=LAST_BITS):
     """Lines that say what was checked. Raises Broken where something differs."""
     compile_lines(row)
     cost = measure.Figures(row["board"], probe_of(row)).row()
     error = errors_of(row, host)
-    wrong = differences(row, cost, COSTS, 0.0) + differences(row, error, ERRORS, LAST_BITS)
+    wrong = differences(row, cost, COSTS, cost_tolerance) + differences(row, error, ERRORS, error_tolerance)
     if wrong:
         raise Broken(f"{probe_of(row).name} on {row['board']}: " + "; ".join(wrong))
     return [f"verified {probe_of(row).name} on {row['board']}: the lines compile to the scene that was measured,",

@@ -51,9 +51,9 @@ class Compilation(NamedTuple):
     source: str
 
     def compile(self, flags, folder):
-        """An image of the kernel alone. It is linked only to have addresses."""
+        """An image of the kernel alone. It is linked only to have addresses; debug data would only take time."""
         made, image = folder / "kernel.o", folder / "kernel.elf"
-        subprocess.run([*self.compiler, *flags, *self.inputs, "-c", self.source, "-o", made], check=True)
+        subprocess.run([*self.compiler, *flags, "-g0", *self.inputs, "-c", self.source, "-o", made], check=True)
         subprocess.run([self.compiler[-1], *flags, *LINK, made, "-o", image], check=True)
         return Image(image)
 
