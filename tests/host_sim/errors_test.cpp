@@ -57,8 +57,7 @@ TEST(Errors, FixedPointIsWithinItsCertifiedErrorAndBetterThanFloat) {
   EXPECT_EQ(checked, 4);
 }
 
-// An acceleration's error is the torque's times what the mass matrix amplifies, which double shows to be no more than
-// that.
+// What the mass matrix amplifies in an acceleration's error is not the kernel's: as torque, a few last bits on any route.
 TEST(Errors, AccelerationsAreExactInTheTorqueThatTheyStandFor) {
   std::set<std::string> algorithms;
   for (const Row& row : errors::rows({"scara", "", ""})) {

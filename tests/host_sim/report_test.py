@@ -204,7 +204,7 @@ class Verified(unittest.TestCase):
             self.skipTest("no build was named (--host)")
         self.assertIn("as promised", "".join(verify.check(self.chosen(), self.host, self.COST, self.ERROR)))
         for name in ("instructions", "flash_bytes", "error"):
-            with self.assertRaisesRegex(verify.Broken, name), self.subTest(name):
+            with self.subTest(name), self.assertRaisesRegex(verify.Broken, name):
                 verify.check({**self.chosen(), name: self.chosen()[name] * 1.1}, self.host, self.COST, self.ERROR)
 
 
