@@ -57,13 +57,22 @@ def differences(row, measured, names, tolerance):
             if name in row and abs(measured[name] - row[name]) > tolerance * abs(row[name])]
 
 
-def check(row, host, cost_tolerance=0.0, error_tolerance=LAST_BITS):
-    """Lines that say what was checked. Raises Broken where something differs."""
-    compile_lines(row)
-    cost = measure.Figures(row["board"], probe_of(row)).row()
-    error = errors_of(row, host)
+def measured(row, host):
+    """The figures of the kernel as it is built: its costs and its errors."""
+    return measure.Figures(row["board"], probe_of(row)).row(), errors_of(row, host)
+
+
+def compare(row, cost, error, cost_tolerance=0.0, error_tolerance=LAST_BITS):
+    """Raises Broken where a figure differs from what the row promises."""
     wrong = differences(row, cost, COSTS, cost_tolerance) + differences(row, error, ERRORS, error_tolerance)
     if wrong:
         raise Broken(f"{probe_of(row).name} on {row['board']}: " + "; ".join(wrong))
+
+
+def check(row, host):
+    """Lines that say what was checked. Raises Broken where something differs."""
+    compile_lines(row)
+    cost, error = measured(row, host)
+    compare(row, cost, error)
     return [f"verified {probe_of(row).name} on {row['board']}: the lines compile to the scene that was measured,",
             f"  {cost['instructions']} instructions in QEMU, error {error['error']:.3g} over {error['states']} states, as promised"]

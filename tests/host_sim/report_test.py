@@ -144,7 +144,7 @@ class Choose(unittest.TestCase):
 
     def test_unknown_names_are_listed(self):
         for arguments, message in ((("--robot", "puma", "--board", "nrf51"), "unknown robot 'puma'; there are: panda, planar2r, puma560"),
-                                   (("--robot", "puma560", "--board", "nrf52"), "unknown board 'nrf52'; there are: mps2_an500,"),
+                                   (("--robot", "puma560", "--board", "nrf52"), "unknown board 'nrf52'; there are: "),
                                    (("--robot", "puma560", "--board", "nrf51", "--algorithm", "dynamics"), "unknown algorithm 'dynamics'"),
                                    (("--robot", "puma560", "--board", "nrf51", "--error", "-1"), "-1 is not above 0"),
                                    (("--robot", "puma560", "--board", "nrf51", "--torque"), "--torque is of forward_dynamics")):
@@ -202,10 +202,12 @@ class Verified(unittest.TestCase):
     def test_promises_hold(self):
         if self.host is None:
             self.skipTest("no build was named (--host)")
-        self.assertIn("as promised", "".join(verify.check(self.chosen(), self.host, self.COST, self.ERROR)))
+        row = self.chosen()
+        cost, error = verify.measured(row, self.host)
+        verify.compare(row, cost, error, self.COST, self.ERROR)
         for name in ("instructions", "flash_bytes", "error"):
             with self.subTest(name), self.assertRaisesRegex(verify.Broken, name):
-                verify.check({**self.chosen(), name: self.chosen()[name] * 1.1}, self.host, self.COST, self.ERROR)
+                verify.compare({**row, name: row[name] * 1.1}, cost, error, self.COST, self.ERROR)
 
 
 if __name__ == "__main__":
