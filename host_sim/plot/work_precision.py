@@ -18,6 +18,7 @@ JOBS = {"inverse_dynamics": "Inverse dynamics", "forward_dynamics": "Forward dyn
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "h"]  # robots
 FLOOR = 1e-17  # of the error axis; exact results are drawn there
 CLOSED = ("closed_form",)
+BOARDS = ("stm32f405", "stm32f100", "nrf51", "rv32_virt")  # others repeat one of them
 
 
 def unique(values):
@@ -30,9 +31,10 @@ def draw_kernels(rows, unit, stem):
     if not rows:
         return
     jobs = [job for job in JOBS if any(row["job"] == job for row in rows)]
-    boards, robots = sorted({row["board"] for row in rows}), unique(row["robot"] for row in rows)
-    figure, grid = plt.subplots(len(jobs), len(boards), figsize=(2.6 * len(boards) + 1, 2.1 * len(jobs) + 1), sharex="col", sharey=True,
-                                squeeze=False)
+    there, robots = {row["board"] for row in rows}, unique(row["robot"] for row in rows)
+    boards = [board for board in BOARDS if board in there] or sorted(there)
+    figure, grid = plt.subplots(len(jobs), len(boards), figsize=(max(2.5 * len(boards) + 0.6, 7), 1.9 * len(jobs) + 1.2), sharex="col",
+                                sharey=True, squeeze=False)
     for job, line in zip(jobs, grid):
         for board, panel in zip(boards, line):
             draw_panel(panel, [row for row in rows if (row["job"], row["board"]) == (job, board)], robots)
@@ -69,8 +71,9 @@ def explain(figure, robots):
                 for i, robot in enumerate(robots)]
     entries += [Line2D([], [], color=style.INK, marker="*", linestyle="", markersize=9, label="closed form"),
                 Line2D([], [], color=style.INK, marker="o", linewidth=0.7, label="filled, joined: the robot's Pareto front")]
-    figure.legend(handles=entries, loc="lower center", ncols=5)
-    bottom = 0.85 / figure.get_size_inches()[1]
+    columns = int(figure.get_size_inches()[0] / 2.1)
+    figure.legend(handles=entries, loc="lower center", ncols=columns)
+    bottom = (0.15 + 0.2 * -(-len(entries) // columns)) / figure.get_size_inches()[1]
     figure.tight_layout(rect=(0, bottom, 1, 1))
 
 

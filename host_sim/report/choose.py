@@ -139,7 +139,7 @@ def positive(text):
 
 
 def parse(arguments):
-    parser = argparse.ArgumentParser(prog="axial choose", usage=__doc__.split("usage: ")[1], add_help=False)
+    parser = argparse.ArgumentParser(prog="axial choose", usage="./axial choose --robot NAME --board NAME [options]; see ./axial choose --help", add_help=False)
     parser.add_argument("--robot", required=True)
     parser.add_argument("--board", required=True)
     parser.add_argument("--algorithm", default="inverse_dynamics")

@@ -143,11 +143,11 @@ class Choose(unittest.TestCase):
                 self.assertIn("using Scene = axial::Scene<robots::", out)
 
     def test_unknown_names_are_listed(self):
-        for arguments, message in ((("--robot", "puma", "--board", "nrf51"), "unknown robot 'puma'; there are: panda, planar2r, puma560"),
+        for arguments, message in ((("--robot", "puma", "--board", "stm32f100"), "unknown robot 'puma'; there are: panda, planar2r, puma560"),
                                    (("--robot", "puma560", "--board", "nrf52"), "unknown board 'nrf52'; there are: "),
-                                   (("--robot", "puma560", "--board", "nrf51", "--algorithm", "dynamics"), "unknown algorithm 'dynamics'"),
-                                   (("--robot", "puma560", "--board", "nrf51", "--error", "-1"), "-1 is not above 0"),
-                                   (("--robot", "puma560", "--board", "nrf51", "--torque"), "--torque is of forward_dynamics")):
+                                   (("--robot", "puma560", "--board", "stm32f100", "--algorithm", "dynamics"), "unknown algorithm 'dynamics'"),
+                                   (("--robot", "puma560", "--board", "stm32f100", "--error", "-1"), "-1 is not above 0"),
+                                   (("--robot", "puma560", "--board", "stm32f100", "--torque"), "--torque is of forward_dynamics")):
             status, out, err = run(*arguments)
             self.assertEqual((status, out), (2, ""))
             self.assertIn(message, err)

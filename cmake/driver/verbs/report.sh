@@ -48,19 +48,29 @@ report_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/report/report.py" "$@"; 
 
 # What the report has an error of: size alone measures more.
 report_work_precision() {
-  local folder choice=() status=0 i
-  for ((i = 1; i < $#; i++)); do
-    case ${!i} in --robot | --board) choice+=("${@:i:2}") ;; esac
+  local folder choice=() files=() status=0
+  while (($# > 0)); do
+    case $1 in
+      --robot | --board) (($# > 1)) && choice+=("$1" "$2") ;;
+      --output | --json) (($# > 1)) && files+=("$1" "$2") ;;
+      *) fail_usage "unknown option '$1'; see ./axial report --help" ;;
+    esac || fail_usage "$1 wants a value"
+    shift 2
   done
   folder=$(mktemp -d)
-  "$AXIAL_ROOT/axial" size "${choice[@]}" --contract off --scene bare,sine_cosines,full_parameters,base_parameters \
-    --output "$folder/size" >"$folder/size.log" || { rm -r "$folder"; return 1; }
-  "$AXIAL_ROOT/axial" compare --output "$folder/separation" >"$folder/separation.log" || { rm -r "$folder"; return 1; }
-  measure_errors "$folder/errors"
-  report_py --errors "$folder/errors" --sizes "$folder/size/size.json" --separation "$folder/separation/separation.json" \
-    --more "$AXIAL_ROOT/doc/data" "$@" || status=$?
+  measure_and_report "$folder" || status=$?
   rm -r "$folder"
   return "$status"
+}
+
+# measure_and_report FOLDER: of choice, into files.
+measure_and_report() {
+  "$AXIAL_ROOT/axial" size "${choice[@]}" --contract off --scene bare,sine_cosines,full_parameters,base_parameters \
+    --output "$1/size" >"$1/size.log" || return
+  "$AXIAL_ROOT/axial" compare --output "$1/separation" >"$1/separation.log" || return
+  measure_errors "$1/errors" || return
+  report_py --errors "$1/errors" --sizes "$1/size/size.json" --separation "$1/separation/separation.json" \
+    --more "$AXIAL_ROOT/doc/data" "${choice[@]}" "${files[@]}"
 }
 
 # Raw data goes beside the documents; the tables and pictures are made from it. Every probe is measured once and every error
