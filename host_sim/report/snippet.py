@@ -42,20 +42,17 @@ def lines(row):
     return [f"using Scene = {scene(row)};", call(row) + f"  // in {NUMBERS[row['scalar']][0]}"]
 
 
-def program(row):
-    """A program around the lines: it compiles when they do, and when Scene is what the probe measures."""
+def check(row):
+    """Code around the lines: it compiles when they do, and when Scene is what the probe measures."""
     number = NUMBERS[row["scalar"]][0]
     using, calling = lines(row)
     tags = ", axial::Looped" if row["form"] == "compact" else ""
     measured = f"Numbers::scene<axial::apps::size::scenes::{row['scene']}, {robot_type(row['robot'])}{tags}>"
     if route_of(row["algorithm"]):
         measured = f"axial::apps::size::Tagged<{measured}, axial::{route_of(row['algorithm'])}>::type"
-    return f"""#include <axial/axial.hpp>
-#include <robots/{row['robot']}.hpp>
+    return f"""{using}
 
-{using}
-
-int main() {{
+void chosen() {{
   using T = {number};
   using Robot = axial::robot_of<Scene>;
   [[maybe_unused]] axial::Positions<Robot, T> q{{}};
@@ -66,9 +63,15 @@ int main() {{
   static_cast<void>({calling.split()[2]});
 }}
 
-#include <firmware/apps/number_systems.hpp>
-#include <firmware/apps/size/algorithms.hpp>
 using Numbers = axial::apps::number_systems::as_{row['scalar']};
 static_assert(std::is_same_v<Numbers::Number, {number}>);
 static_assert(std::is_same_v<Scene, {measured}>);
 """
+
+
+def program(rows):
+    """A source with the checks of several rows."""
+    robots = "".join(f"#include <robots/{robot}.hpp>\n" for robot in sorted({row["robot"] for row in rows}))
+    checks = "".join(f"namespace row_{i} {{\n{check(row)}}}\n\n" for i, row in enumerate(rows))
+    return (f"#include <axial/axial.hpp>\n#include <firmware/apps/number_systems.hpp>\n#include <firmware/apps/size/algorithms.hpp>\n"
+            f"{robots}\n{checks}")

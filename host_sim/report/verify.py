@@ -31,10 +31,11 @@ def targets(row):
     return [f"size-{probe.name}", f"size-{probe.empty}"], f"errors-{row['robot']}-{row['scalar']}"
 
 
-def compile_lines(row, compiler="g++"):
+def compile_lines(rows, compiler="g++"):
+    """The lines of every row."""
     with tempfile.TemporaryDirectory(prefix="axial-") as folder:
         source = pathlib.Path(folder) / "chosen.cpp"
-        source.write_text(snippet.program(row), encoding="utf-8")
+        source.write_text(snippet.program(rows), encoding="utf-8")
         done = subprocess.run([compiler, "-std=c++17", "-fsyntax-only", f"-I{ROOT}/firmware/include", f"-I{ROOT}", source],
                               capture_output=True, text=True, check=False)
     if done.returncode != 0:
@@ -71,7 +72,7 @@ def compare(row, cost, error, cost_tolerance=0.0, error_tolerance=LAST_BITS):
 
 def check(row, host):
     """Lines that say what was checked. Raises Broken where something differs."""
-    compile_lines(row)
+    compile_lines([row])
     cost, error = measured(row, host)
     compare(row, cost, error)
     return [f"verified {probe_of(row).name} on {row['board']}: the lines compile to the scene that was measured,",

@@ -11,6 +11,7 @@ import pathlib
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "host_sim/report"))
@@ -170,23 +171,17 @@ class Choose(unittest.TestCase):
             if "job" in row and row["robot"] == "scara":
                 for kind in (row["algorithm"], row["scene"], row["form"], row["scalar"]):
                     kinds.setdefault(kind, row)
-        rows = {snippet.program(row): row for row in kinds.values()}
+        rows = {snippet.check(row): row for row in kinds.values()}
         self.assertGreaterEqual(len(rows), 8)
-        for row in rows.values():
-            with self.subTest(snippet.lines(row)[1]):
-                verify.compile_lines(row)
+        verify.compile_lines(list(rows.values()))
 
     def test_lines_of_another_scene_do_not_pass(self):
         row = next(row for row in COMMITTED if row.get("scalar") == "fixed32_high" and row["robot"] == "scara")
-        wrong = snippet.program(row).replace("axial::HighWord", "axial::RoundDown", 1)
-        self.assertNotEqual(wrong, snippet.program(row))
-        kept = snippet.program
-        snippet.program = lambda _: wrong
-        try:
-            with self.assertRaises(verify.Broken):
-                verify.compile_lines(row)
-        finally:
-            snippet.program = kept
+        for printed, other in (("axial::HighWord", "axial::RoundDown"), ("<Scene>(q", "<Scene>(qq")):
+            wrong = snippet.check(row).replace(printed, other, 1)
+            self.assertNotEqual(wrong, snippet.check(row))
+            with unittest.mock.patch.object(snippet, "check", lambda _, wrong=wrong: wrong), self.assertRaises(verify.Broken):
+                verify.compile_lines([row])
 
 
 class Verified(unittest.TestCase):
