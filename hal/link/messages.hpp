@@ -23,7 +23,8 @@ enum class MessageType : std::uint8_t {
   stats_request = 5,  ///< host
   stats = 6,          ///< firmware
   shutdown = 7,       ///< host: end the emulator
-  start = 8           ///< host: choose a mode, restart the sequence numbers
+  start = 8,          ///< host: choose a mode, restart the sequence numbers
+  measurement = 9     ///< host: what the encoders say, for images that close a loop; before the tick's set-point
 };
 
 enum class Mode : std::uint8_t {
@@ -109,6 +110,14 @@ struct Start {
   std::uint8_t mode;
 };
 
+/// Encoders: 2^-32 turns, or 0.1 um on a slide. No answer: the set-point that follows has one.
+struct Measurement {
+  static constexpr MessageType type = MessageType::measurement;
+  std::size_t joints;  ///< not sent: the payload's length tells
+  std::array<std::int32_t, max_joints> position;
+  std::uint8_t feeds_forward;  ///< 0: the feedback alone
+};
+
 template <class Archive, class Array>
 void each(Archive& archive, Array& values, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i)
@@ -167,8 +176,19 @@ void layout(Archive& a, Start& m) {
   a(m.mode);
 }
 
+template <class Archive>
+void layout(Archive& a, Measurement& m) {
+  for (std::size_t i = 0; i < m.joints; ++i) {
+    auto word = static_cast<std::uint32_t>(m.position[i]);
+    a(word);
+    m.position[i] = static_cast<std::int32_t>(word);
+  }
+  a(m.feeds_forward);
+}
+
 constexpr std::size_t set_point_size(std::size_t joints) { return 12 * joints; }
 constexpr std::size_t torque_size(std::size_t joints) { return 4 * joints + 6; }
+constexpr std::size_t measurement_size(std::size_t joints) { return 4 * joints + 1; }
 static_assert(set_point_size(max_joints) <= max_payload && torque_size(max_joints) <= max_payload);
 
 /// Bytes of a message with a frame around it.
@@ -204,6 +224,10 @@ inline bool set_joints(Torque& m, std::size_t length) {
   m.joints = length < 6 ? 0 : (length - 6) / 4;
   return length == torque_size(m.joints) && m.joints <= max_joints;
 }
+inline bool set_joints(Measurement& m, std::size_t length) {
+  m.joints = length / 4;
+  return length == measurement_size(m.joints) && m.joints <= max_joints;
+}
 
 /// Reads `frame` as a `Message`; false when the type or the payload's length does not fit.
 template <class Message>
@@ -221,9 +245,11 @@ constexpr Name make_name(const char* text) {
   return name;
 }
 
-/// Whether a set-point and its answer, one after the other, fit one tick on a line of 10 bits a byte.
-constexpr bool fits_tick(std::size_t joints, std::uint32_t baud, std::uint32_t tick_Hz) {
-  const std::size_t bytes = wire_size(set_point_size(joints)) + wire_size(torque_size(joints));
+/// Whether a set-point and its answer, one after the other, fit one tick on a line of 10 bits a byte; with a
+/// measurement before them where the loop is closed.
+constexpr bool fits_tick(std::size_t joints, std::uint32_t baud, std::uint32_t tick_Hz, bool closes_loop = false) {
+  const std::size_t bytes = wire_size(set_point_size(joints)) + wire_size(torque_size(joints)) +
+                            (closes_loop ? wire_size(measurement_size(joints)) : 0);
   return bytes * 10 * tick_Hz <= baud;
 }
 

@@ -43,6 +43,11 @@ link::Torque Firmware::torque(const link::SetPoint& set_point) {
   return answer;
 }
 
+link::Torque Firmware::torque(const link::Measurement& measurement, const link::SetPoint& set_point) {
+  send(measurement, sequence_);
+  return torque(set_point);
+}
+
 link::Stats Firmware::stats() {
   send(link::StatsRequest{}, ++sequence_);
   return wait_for<link::Stats>(answer_limit, "statistics");

@@ -24,6 +24,8 @@ class Firmware {
 
   /// The torque for a set-point, which is sent as float.
   link::Torque torque(const link::SetPoint& set_point);
+  /// The same from an image that closes a loop, which is told first what the encoders say.
+  link::Torque torque(const link::Measurement& measurement, const link::SetPoint& set_point);
   link::Stats stats();
   /// Ends the emulator; nothing answers.
   void shut_down();

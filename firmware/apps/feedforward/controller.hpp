@@ -26,6 +26,7 @@ constexpr hal::link::TorqueStatus link_status(Status::Code code) {
 /// convert.
 template <class Scene, class Number = float>
 class Controller {
+ protected:
   using Robot = robot_of<Scene>;
   using Real = Joints<Robot, float>;
 
@@ -59,7 +60,7 @@ class Controller {
   /// The torque to hold while nothing is requested.
   void store_last_safe(hal::link::Torque& answer) const { store_efforts(state_.last_safe, answer); }
 
- private:
+ protected:
   static Real real(const std::array<float, hal::link::max_joints>& from) {
     Real to{};
     for (std::size_t i = 0; i < joints; ++i)

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <hal/link/messages.hpp>
 
@@ -20,11 +21,17 @@ namespace link = hal::link;
 
 constexpr std::uint32_t watchdog_ticks = 20;
 
+/// Whether a controller closes a loop: it has measure(measurement).
+template <class Controller, class = void>
+inline constexpr bool closes_loop = false;
+template <class Controller>
+inline constexpr bool closes_loop<Controller, std::void_t<decltype(&Controller::measure)>> = true;
+
 /// `Board`: see hal/README.md. `Controller`: see controller.hpp; `joints`, `name`, load(set-point), compute(), which is
-/// measured, store(torque) and store_last_safe(torque).
+/// measured, store(torque) and store_last_safe(torque); where it closes a loop, measure(measurement).
 template <class Board, class Controller>
 class Feedforward {
-  static_assert(link::fits_tick(Controller::joints, Board::baud, Board::tick_Hz),
+  static_assert(link::fits_tick(Controller::joints, Board::baud, Board::tick_Hz, closes_loop<Controller>),
                 "A set-point and its answer do not fit a tick: raise the board's baud rate or lower its tick_Hz.");
 
  public:
@@ -66,8 +73,19 @@ class Feedforward {
         return with<link::Start>(frame, [&](auto& m) { restart(m.mode); });
       case link::MessageType::shutdown:
         return with<link::Shutdown>(frame, [&](auto& m) { Board::exit(m.exit_code); });
+      case link::MessageType::measurement:
+        return take_measurement(frame);
       default:
         return tally_.refuse(link::Fault::unknown_type);
+    }
+  }
+
+  void take_measurement(const link::FrameView& frame) {
+    if constexpr (!closes_loop<Controller>) {
+      tally_.refuse(link::Fault::unknown_type);
+    } else {
+      if (frame.length != link::measurement_size(Controller::joints)) return tally_.refuse(link::Fault::bad_payload);
+      with<link::Measurement>(frame, [&](auto& m) { controller_.measure(m); });
     }
   }
 

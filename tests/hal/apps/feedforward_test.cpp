@@ -141,6 +141,38 @@ TEST_F(FeedforwardApp, RefusesAnotherRobotsSetPointAndUnknownTypes) {
   EXPECT_EQ(answer<link::ErrorReply>()->fault, index_of(link::Fault::bad_payload));
   send(wire(link::Hello{}, 1));
   EXPECT_EQ(answer<link::ErrorReply>()->fault, index_of(link::Fault::unknown_type));
+  link::Measurement measurement{};
+  measurement.joints = SumController::joints;
+  send(wire(measurement, 1));
+  EXPECT_EQ(answer<link::ErrorReply>()->fault, index_of(link::Fault::unknown_type)) << "it closes no loop";
+}
+
+TEST(ClosedLoopApp, PassesMeasurementsOnAndRefusesAnotherRobots) {
+  struct Measuring : SumController {
+    void measure(const link::Measurement& m) { seen() = m.position[1] + 100 * m.feeds_forward; }
+    static int& seen() {
+      static int value = 0;
+      return value;
+    }
+  };
+  HostBoard::reset();
+  Feedforward<HostBoard, Measuring> app;
+  app.start();
+  const auto send = [&](const Bytes& bytes) {
+    HostBoard::state.to_board.insert(HostBoard::state.to_board.end(), bytes.begin(), bytes.end());
+    app.step();
+  };
+  link::Measurement measurement{};
+  measurement.joints = SumController::joints;
+  measurement.position = {1, 7, 3}, measurement.feeds_forward = 1;
+  HostBoard::state.from_board.clear();
+  send(wire(measurement, 1));
+  EXPECT_EQ(Measuring::seen(), 107);
+  EXPECT_TRUE(HostBoard::state.from_board.empty()) << "the set-point has the answer";
+  measurement.joints = 2, measurement.position[1] = 9;
+  send(wire(measurement, 1));
+  EXPECT_EQ(Measuring::seen(), 107);
+  EXPECT_FALSE(HostBoard::state.from_board.empty());
 }
 
 TEST_F(FeedforwardApp, ABurstOfGarbageGetsOneAnswerWithEveryCounter) {

@@ -64,6 +64,17 @@ TEST(Messages, TorqueAndHelloRoundTrip) {
   EXPECT_STREQ(hello_back.robot.data(), "a_name_longer_t");
 }
 
+TEST(Messages, MeasurementsKeepTheirSign) {
+  Measurement sent{}, back{};
+  sent.joints = 3;
+  sent.position = {-1, std::numeric_limits<std::int32_t>::min(), 7};
+  sent.feeds_forward = 1;
+  ASSERT_TRUE(round_trip(sent, back));
+  EXPECT_EQ(back.joints, 3u);
+  EXPECT_TRUE(back.position == sent.position);
+  EXPECT_EQ(back.feeds_forward, 1);
+}
+
 TEST(Messages, EveryMessageFitsAFrame) {
   std::uint8_t out[max_payload];
   const auto size = [&](auto message) {
@@ -94,11 +105,17 @@ TEST(Messages, AWrongLengthIsRefused) {
   EXPECT_TRUE(decode_message({8, 0, bytes, 1}, start));
   EXPECT_FALSE(decode_message({8, 0, bytes, 0}, start));
   EXPECT_FALSE(decode_message({8, 0, bytes, 2}, start));
+  Measurement measurement{};
+  EXPECT_TRUE(decode_message({9, 0, bytes, 13}, measurement));
+  EXPECT_FALSE(decode_message({9, 0, bytes, 12}, measurement));
+  EXPECT_FALSE(decode_message({9, 0, bytes, 37}, measurement));
 }
 
 // 7 joints: 84 + 34 bytes of payload, 11 of header and CRC, 1 of stuffing and 2 delimiters each: 146 bytes, 1 460 bits.
 static_assert(wire_size(set_point_size(7)) == 98 && wire_size(torque_size(7)) == 48);
 static_assert(fits_tick(7, 1'460'000, 1000) && !fits_tick(7, 1'459'999, 1000));
+// A measurement adds 29 + 14 bytes.
+static_assert(fits_tick(7, 1'890'000, 1000, true) && !fits_tick(7, 1'889'999, 1000, true));
 
 }  // namespace
 }  // namespace axial::hal::link

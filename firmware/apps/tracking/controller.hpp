@@ -1,0 +1,149 @@
+#pragma once
+/// A loop closed around the feed-forward: its torque, and a proportional-derivative one of the tracking error.
+
+#include <firmware/apps/feedforward/controller.hpp>
+
+namespace axial::apps {
+
+/// Set-points and measurements come at this rate.
+constexpr int control_Hz = 1000;
+/// Of the feedback on each joint by itself: critically damped.
+constexpr double bandwidth_Hz = 4.0;
+/// What a slide's encoder counts a metre.
+constexpr std::uint32_t slide_counts = 10'000'000;
+
+template <int N>
+struct Gains {
+  double stiffness[N], damping[N];  ///< N m/rad and N m s/rad, N/m and N s/m
+};
+
+/// w^2 M_ii and 2 w M_ii in the middle of the joints' travel.
+template <class Scene>
+constexpr auto tracking_gains() {
+  using Robot = robot_of<Scene>;
+  constexpr double w = 2.0 * 3.14159265358979323846 * bandwidth_Hz;
+  Joints<Robot, double> middle{};
+  for (int i = 0; i < Robot::chain.size; ++i)
+    middle[i] = 0.5 * (Robot::chain.links[i].position_min + Robot::chain.links[i].position_max);
+  const auto mass = mass_matrix<Scene>(middle);
+  Gains<Robot::chain.size> gains{};
+  for (int i = 0; i < Robot::chain.size; ++i)
+    gains.stiffness[i] = w * w * mass(i, i), gains.damping[i] = 2.0 * w * mass(i, i);
+  return gains;
+}
+
+/// Feed-forward and feedback: tau + Kp e + Kd (e - e_last) 1/s, cut to the declared efforts. The derivative is that of
+/// the error, so wanted and measured motion lag alike. In float or, by integers alone, in fixed point. A set-point that
+/// the feed-forward refuses is answered by its last safe torque alone.
+template <class Scene, class Number = float>
+class TrackingController : public Controller<Scene, Number> {
+  using Base = Controller<Scene, Number>;
+  using typename Base::Real;
+  using typename Base::Robot;
+  static constexpr int n = Robot::chain.size;
+  static constexpr Gains<n> gains = tracking_gains<Scene>();
+  static constexpr bool slides(int i) { return Robot::chain.links[i].type == JointType::prismatic; }
+  using Error = std::conditional_t<is_stored_v<Number>, std::int32_t, float>;
+
+ public:
+  void measure(const hal::link::Measurement& measurement) {
+    position_ = measurement.position;
+    feeds_forward_ = measurement.feeds_forward != 0;
+  }
+
+  void compute() {
+    Base::compute();
+    sum_ = this->result_.tau;
+    const auto code = this->result_.status.code;
+    if (code == Status::Code::ok || code == Status::Code::effort_limit) add_all(std::make_integer_sequence<int, n>{});
+  }
+
+  void store(hal::link::Torque& answer) const {
+    Base::store(answer);
+    this->store_efforts(sum_, answer);
+  }
+
+ private:
+  template <int... I>
+  void add_all(std::integer_sequence<int, I...>) {
+    (add<I>(), ...);
+    started_ = true;
+  }
+
+  template <int I>
+  void add() {
+    const Error error = tracking_error<I>();
+    const Error change = started_ ? difference(error, last_[I]) : Error{};
+    last_[I] = error;
+    if constexpr (is_stored_v<Number>)
+      sum_[I] = {feedback<I>(error, change)};
+    else
+      sum_[I] = held<I>((feeds_forward_ ? sum_[I] : 0.0F) + static_cast<float>(gains.stiffness[I]) * error +
+                        static_cast<float>(gains.damping[I] * control_Hz) * change);
+  }
+
+  // --- float
+
+  template <int I>
+  static float held(float tau) {
+    constexpr auto most = static_cast<float>(Robot::chain.links[I].effort_limit);
+    return tau > most ? most : tau < -most ? -most : tau;
+  }
+  static float difference(float a, float b) { return a - b; }
+
+  // --- fixed point
+
+  static std::int32_t difference(std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
+  }
+  // Units of the effort's format a unit of the error, of either term.
+  template <int I>
+  struct StiffnessFactor {
+    static constexpr double unit = slides(I) ? detail::power_of_two(-Positions<Robot, Fixed32>::exponent(I))
+                                             : 2.0 * 3.14159265358979323846 / 4294967296.0;
+    static constexpr double value =
+        gains.stiffness[I] * unit * detail::power_of_two(EffortsOf<Scene, Fixed32>::exponent(I));
+  };
+  template <int I>
+  struct DampingFactor {
+    static constexpr double value = StiffnessFactor<I>::value * gains.damping[I] / gains.stiffness[I] * control_Hz;
+  };
+  template <int I>
+  std::int32_t feedback(std::int32_t error, std::int32_t change) const {
+    constexpr std::int32_t whole = std::numeric_limits<std::int32_t>::max();
+    constexpr double limit = Robot::chain.links[I].effort_limit;
+    constexpr double exact = limit * detail::power_of_two(EffortsOf<Scene, Fixed32>::exponent(I));
+    constexpr std::int32_t most = exact < whole ? static_cast<std::int32_t>(exact) : whole;
+    bool ignored = false;
+    const std::int64_t ff = feeds_forward_ ? std::int64_t{sum_[I].raw} : 0;
+    const std::int64_t tau = ff + detail::scaled<StiffnessFactor<I>>(error, whole, ignored) +
+                             detail::scaled<DampingFactor<I>>(change, whole, ignored);
+    return static_cast<std::int32_t>(tau > most ? most : tau < -most ? -std::int64_t{most} : tau);
+  }
+
+  // --- wanted less measured: rad or m, or units of the position's format
+
+  template <int I>
+  Error tracking_error() const {
+    const std::int32_t counts = position_[static_cast<std::size_t>(I)];
+    if constexpr (!is_stored_v<Number>) {
+      constexpr float turn = 6.28318530717958647692F;
+      if constexpr (slides(I)) return this->request_.q[I] - static_cast<float>(counts) * (1.0F / slide_counts);
+      const float e = this->request_.q[I] - static_cast<float>(counts) * (turn / 4294967296.0F);
+      return e > 0.5F * turn ? e - turn : e < -0.5F * turn ? e + turn : e;
+    } else if constexpr (slides(I)) {
+      using Encoder = LinearEncoder<slide_counts>;
+      return difference(this->request_.q[I].raw,
+                        Encoder::template position<Positions<Robot, Number>, I>(counts).value.raw);
+    } else {
+      return difference(this->request_.q[I].raw, counts);
+    }
+  }
+
+  std::array<std::int32_t, hal::link::max_joints> position_{};
+  Error last_[n] = {};
+  EffortsOf<Scene, Number> sum_{};
+  bool feeds_forward_ = true, started_ = false;
+};
+
+}  // namespace axial::apps
