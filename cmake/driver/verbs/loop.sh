@@ -1,0 +1,63 @@
+# shellcheck shell=bash
+# summary: closes the loop with the firmware in QEMU: tracking errors with and without feed-forward, and what spoils them
+
+usage() {
+  cat <<'END_OF_USAGE'
+usage: ./axial loop [options]
+Installs and builds what is missing, starts the tracking firmware of a board in QEMU and lets it drive a plant in double, in lock-step
+at 1 kHz over the serial line: feed-forward and a proportional-derivative torque, then the feedback alone (at most 10 s of it). Prints
+tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a picture (doc/simulation.md).
+  --robot NAME        scara (default), puma560
+  --board NAME        stm32f405 (default), stm32f100, nrf51, rv32_virt
+  --number NAME       what the firmware computes in: float (default), fixed32
+  --seconds NUMBER    of motion; default 10 (a few hundred ticks a second run in QEMU: 60 s take some minutes)
+  --sweep             besides, the same sources on the host: wrong parameters, friction, coarse encoders, late torques
+  --check             only: image and host, told the same, give the same torques (fixed32: bits; float: within 4 last places)
+  --output FOLDER     where the files go; default output/loop
+  --json FILE         the rows once more, as an array of objects
+  --documents         alone: 60 s of each robot with sweeps, to doc/data, doc/pictures and the tables of doc/simulation.md
+Exits non-zero when feed-forward cuts the error less than 20-fold with exact parameters, or an answer is refused.
+END_OF_USAGE
+}
+
+run() {
+  ensure_packages
+  build host-release loop
+  if [[ ${1:-} == --documents ]]; then
+    (($# == 1)) || fail_usage "--documents stands alone; see ./axial loop --help"
+    write_loop_documents
+  else
+    build_board_of_loop "$@"
+    loop_program "$@"
+  fi
+}
+
+loop_program() { "$AXIAL_ROOT/build/host-release/host_sim/loop/loop" "$@"; }
+
+# Builds the images of the board that the options name; an unknown one is left to the program, which says what there is.
+build_board_of_loop() {
+  local board=${BOARDS[0]} known
+  while (($#)); do
+    case $1 in
+      --board) board=${2:-} ;;
+      --board=*) board=${1#*=} ;;
+    esac
+    shift
+  done
+  for known in "${BOARDS[@]}"; do
+    if [[ $board == "$known" ]]; then
+      build "$board" tracking-scara tracking-fixed-scara tracking-puma560 tracking-fixed-puma560
+    fi
+  done
+}
+
+write_loop_documents() {
+  local doc=$AXIAL_ROOT/doc robot
+  build_board_of_loop
+  for robot in scara puma560; do
+    loop_program --robot "$robot" --seconds 60 --sweep --output "$AXIAL_ROOT/output/loop" \
+      --json "$doc/data/loop-$robot.json" --provenance "$doc/data/loop_provenance.json"
+    cp "$AXIAL_ROOT"/output/loop/loop-"$robot".{png,svg} "$doc/pictures/"
+  done
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/simulation_tables.py" "$doc/data" "$doc/simulation.md"
+}

@@ -1,0 +1,106 @@
+#include <host_sim/loop/controllers.hpp>
+
+#include <host_sim/emulator/qemu.hpp>
+#include <host_sim/link/firmware.hpp>
+
+#include <firmware/apps/tracking/controller.hpp>
+#include <robots/puma560.hpp>
+#include <robots/scara.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+namespace host_sim::loop {
+
+namespace {
+
+template <class Robot, class Number>
+class Host : public Controller {
+ public:
+  link::Torque answer(const link::Measurement& measurement, const link::SetPoint& wanted) override {
+    link::Torque torque{};
+    controller_.measure(measurement);
+    controller_.load(wanted);
+    controller_.compute();
+    controller_.store(torque);
+    return torque;
+  }
+
+ private:
+  axial::apps::TrackingController<Robot, Number> controller_;
+};
+
+class Emulated : public Controller {
+ public:
+  Emulated(const Board& board, const std::string& image) : emulator_(board, image), firmware_(emulator_.serial()) {}
+  ~Emulated() override {
+    try {
+      firmware_.shut_down();
+    } catch (const std::runtime_error&) {  // it has ended by itself, which the last answer said
+    }
+  }
+  Emulated(const Emulated&) = delete;
+  Emulated& operator=(const Emulated&) = delete;
+
+  link::Torque answer(const link::Measurement& measurement, const link::SetPoint& wanted) override {
+    try {
+      return firmware_.torque(measurement, wanted);
+    } catch (const std::runtime_error& error) {
+      const std::string words = emulator_.console();
+      throw std::runtime_error(error.what() + (words.empty() ? "" : "\nthe emulator printed: " + words));
+    }
+  }
+
+ private:
+  Emulator emulator_;
+  Firmware firmware_;
+};
+
+bool is_fixed(const std::string& number) {
+  if (number == "float") return false;
+  if (number == "fixed32") return true;
+  throw std::runtime_error("unknown number '" + number + "'; there are: float, fixed32");
+}
+
+template <class Robot>
+std::unique_ptr<Controller> host(bool fixed) {
+  if (fixed) return std::make_unique<Host<Robot, axial::Fixed32>>();
+  return std::make_unique<Host<Robot, float>>();
+}
+
+[[noreturn]] void refuse(const std::string& robot) {
+  throw std::runtime_error("no loop is closed around '" + robot + "'; there are: scara, puma560");
+}
+
+}  // namespace
+
+std::vector<std::string> robots() { return {"scara", "puma560"}; }
+
+std::unique_ptr<Controller> on_host(const std::string& robot, const std::string& number) {
+  const bool fixed = is_fixed(number);
+  if (robot == "scara") return host<::robots::Scara>(fixed);
+  if (robot == "puma560") return host<::robots::Puma560>(fixed);
+  refuse(robot);
+}
+
+std::unique_ptr<Controller> in_firmware(const std::string& board, const std::string& robot, const std::string& number) {
+  if (robot != "scara" && robot != "puma560") refuse(robot);
+  const Board chosen = read_board(board);
+  return std::make_unique<Emulated>(chosen,
+                                    image_path(chosen, is_fixed(number) ? "tracking-fixed" : "tracking", robot));
+}
+
+std::uint32_t last_places(float a, float b) {
+  if (!std::isfinite(a) || !std::isfinite(b)) return std::numeric_limits<std::uint32_t>::max();
+  const auto ordered = [](float x) {
+    std::int32_t bits = 0;
+    std::memcpy(&bits, &x, sizeof bits);
+    return bits < 0 ? std::int64_t{std::numeric_limits<std::int32_t>::min()} - bits : std::int64_t{bits};
+  };
+  const std::int64_t apart = ordered(a) - ordered(b);
+  return static_cast<std::uint32_t>(apart < 0 ? -apart : apart);
+}
+
+}  // namespace host_sim::loop

@@ -1,0 +1,31 @@
+// Who computes the torques: an image in QEMU, or the same source on the host.
+#pragma once
+
+#include <hal/link/messages.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace host_sim::loop {
+
+namespace link = axial::hal::link;
+
+class Controller {
+ public:
+  virtual ~Controller() = default;
+  /// What the encoders say and what is wanted, to the torque that answers. Throws std::runtime_error when none comes.
+  virtual link::Torque answer(const link::Measurement& measurement, const link::SetPoint& wanted) = 0;
+};
+
+/// Robots that have a tracking image.
+std::vector<std::string> robots();
+
+/// `number`: float or fixed32. Throw std::runtime_error that names what there is.
+std::unique_ptr<Controller> on_host(const std::string& robot, const std::string& number);
+std::unique_ptr<Controller> in_firmware(const std::string& board, const std::string& robot, const std::string& number);
+
+/// Units in the last place between two floats; the largest number where one is not finite.
+std::uint32_t last_places(float a, float b);
+
+}  // namespace host_sim::loop

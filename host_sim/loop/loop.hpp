@@ -1,0 +1,54 @@
+// A robot that follows its cycle in a closed loop, and how well.
+#pragma once
+
+#include <host_sim/loop/controllers.hpp>
+#include <host_sim/trajectory/set_point.hpp>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace host_sim::loop {
+
+/// What differs between the robot and its model, and between the robot and what is seen of it.
+struct Case {
+  std::string robot = "scara";
+  bool feeds_forward = true;
+  double parameter_error = 0.0;  ///< every mass, centre of mass, inertia and rotor times 1 +- this
+  unsigned seed = 0;             ///< of the signs
+  bool friction = false;         ///< the plant has the robot's declared friction, of which the model knows nothing
+  int encoder_bits = 32;         ///< a turn; on slides the nearest step of 0.1 um to a metre over 2^bits
+  int delay = 0;                 ///< ticks between a measurement and the torque that answers it
+  double seconds = 10.0;
+};
+
+/// Tracking errors over a motion.
+struct Tracking {
+  std::vector<double> rms, largest;           ///< of each joint, rad or m
+  double tool_rms = 0.0, tool_largest = 0.0;  ///< of the tool point, m
+  long ticks = 0;
+  long refused = 0;  ///< answers without a fresh torque
+};
+
+/// Told after every tick: wanted motion, joint positions, the answer.
+using Watch = std::function<void(const SetPoint&, const std::vector<double>&, const link::Torque&)>;
+
+/// The cycle of host_sim/trajectories, again and again. The plant is in double, by four Runge-Kutta steps a tick under
+/// a torque that is held.
+Tracking follow(const Case& situation, Controller& controller, const Watch& watch = {});
+
+/// Whether a plant of this robot can have friction.
+bool declares_friction(const std::string& robot);
+
+/// One line of results.
+struct Row {
+  Case situation;
+  std::string board, number, name;  ///< board "host" where the sources ran there
+  Tracking tracking;
+  double ratio = 0.0;  ///< tool error of the feedback alone in the same situation over this; 0: not asked
+};
+nlohmann::json to_json(const std::vector<Row>& rows);
+
+}  // namespace host_sim::loop
