@@ -110,7 +110,7 @@ Model babyboot() {
 
 Values<double> nominal_pose() { return {0.25, -0.75, 1.25, 0.5, -1.0, 0.375}; }
 
-Model sprung_arm(double stiffness, const Values<double>& rest) {
+Model sprung_arm(double stiffness, const Values<double>& rest, double damping) {
   constexpr double masses[] = {8.0, 6.0, 4.0, 2.0, 1.0, 0.5};
   constexpr double a[] = {0.0, 0.0625, 0.4375, 0.0625, 0.0, 0.0}, d[] = {0.5, 0.0, 0.125, 0.4375, 0.0, 0.125};
   constexpr int quarters[] = {0, 1, 0, 1, -1, 1};
@@ -125,7 +125,8 @@ Model sprung_arm(double stiffness, const Values<double>& rest) {
                    .mass(masses[i])
                    .com(0.0625, -0.03125, 0.125)
                    .inertia_com(as_float(masses[i] * slim), as_float(masses[i] * wide), as_float(masses[i] * wide))
-                   .spring(stiffness, rest[i]));
+                   .spring(stiffness, rest[i])
+                   .viscous(damping));
   return model;
 }
 

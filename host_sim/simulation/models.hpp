@@ -31,8 +31,9 @@ Model rods(int n);
 /// Kane's babyboot with the figures of MotionGenesis: a rod of 7.5 cm that swings, and a plate 20 cm below that turns
 /// about the rod.
 Model babyboot();
-/// The nominal arm of the stability scenarios with springs of stiffness K (N m/rad) about `rest`.
-Model sprung_arm(double stiffness, const Values<double>& rest);
+/// The nominal arm of the stability scenarios with springs of stiffness K (N m/rad) about `rest`, and dampers (N m
+/// s/rad).
+Model sprung_arm(double stiffness, const Values<double>& rest, double damping = 0.0);
 /// A leg on a vertical slide: hip and knee.
 Model leg();
 

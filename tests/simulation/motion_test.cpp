@@ -96,7 +96,7 @@ TEST(Plant, StandsOnTheGroundWithItsWeight) {
 }
 
 TEST(References, AgreeWithEachOtherAndTheLibrary) {
-  if (!has_references()) GTEST_SKIP() << "no SUNDIALS here: ./axial loop installs it";
+  if (!has_references()) GTEST_SKIP() << "no SUNDIALS here: ./axial motion installs it";
   for (const std::string& robot : robot_names()) {
     SCOPED_TRACE(robot);
     Motion<double> start, ours;

@@ -100,7 +100,7 @@ write_documents() {
 # One that fails does not stop the others.
 write_computed_documents() {
   local verb status=0
-  for verb in stability exhaustive counts compare numbers; do
+  for verb in motion loop stability exhaustive counts compare numbers; do
     "$AXIAL_ROOT/axial" "$verb" --documents || status=1
   done
   return "$status"

@@ -1,0 +1,58 @@
+"""Writes the tables of doc/simulation.md, as tables.py does with the others.
+
+usage: simulation_tables.py DATA_FOLDER DOCUMENT.md
+"""
+
+import pathlib
+import sys
+
+from tables import MARKED, grouped, load, markdown
+
+
+def number(value):
+    return f"{value:.2g}"
+
+
+def work(folder):
+    """The front of each motion."""
+    data = load(folder / "simulation.json")
+    rows = [[row["subject"].removeprefix("simulation, ").replace("_", " "), row["robot"], row["variant"].replace("_", " "),
+             row["scalar"], f"{row['step']:.2g}", grouped(row["work"]), f"{row['time_ratio']:.3g}", number(row["error"])]
+            for row in data if row["pareto"]]
+    return markdown(["motion", "robot", "integrator", "scalar", "step, s", "kernel calls", "time over one kernel", "error"], rows)
+
+
+def loops(folder):
+    rows = []
+    for robot in ("scara", "puma560"):
+        for row in load(folder / f"loop-{robot}.json"):
+            rows.append([robot, row["name"], "host" if row["board"] == "host" else f"{row['board']} in QEMU",
+                         "feed-forward" if row["feeds_forward"] else "feedback alone", f"{row['seconds']:g}",
+                         f"{row['tool_error_rms'] * 1e3:.3g}", f"{row['tool_error_max'] * 1e3:.3g}",
+                         f"{row['ratio']:.3g}" if "ratio" in row else ""])
+    return markdown(["robot", "situation", "torques by", "loop", "motion, s", "tool error, RMS, mm", "largest, mm",
+                     "feedback alone over this"], rows)
+
+
+def provenance(folder):
+    made = load(folder / "motion_provenance.json")
+    loop = load(folder / "loop_provenance.json")
+    text = f"Motions: commit `{made['commit']}`, {made['compiler']}, `{made['flags']}`.\n"
+    board = loop["boards"].get("stm32f405")
+    return text + (f"Loops: commit `{loop['commit']}`; `stm32f405`: {board['compiler']}; `{board['flags']}`.\n" if board else "")
+
+
+TABLES = {"simulation": work, "loops": loops, "simulation_provenance": provenance}
+
+
+def main(folder, document):
+    folder, document = pathlib.Path(folder), pathlib.Path(document)
+    text = document.read_text(encoding="utf-8")
+    fresh = MARKED.sub(lambda match: match[1] + TABLES[match[2]](folder) + match[3], text)
+    document.write_text(fresh, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2])
