@@ -1,9 +1,9 @@
 // loop: the closed loop with the firmware in it, and sweeps of the same sources on the host.
 #include <host_sim/loop/loop.hpp>
+#include <host_sim/on_board/provenance.hpp>
 #include <host_sim/output/files.hpp>
 #include <host_sim/output/progress.hpp>
 #include <host_sim/output/table.hpp>
-#include <host_sim/report/provenance.hpp>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
