@@ -37,7 +37,7 @@ class Image:
         self.machine = machine_of(path)
         self._sections = run("objdump", "-h", path).splitlines()
         self.flash, self.ram = self._memory()
-        self._constants = dict(self._read_constants()) if self.machine == RISCV else {}
+        self._constants = dict(self._read_constants())
         listing = run("objdump", "-d", path).splitlines()
         self._words = {int(found[1], 16): int(found[2], 16) for found in map(WORD.match, listing) if found}
         self.instructions = dict(self._disassembly(listing))
@@ -52,8 +52,13 @@ class Image:
         return self._names[self._starts[at - 1]] if at else hex(address)
 
     def word(self, address):
-        """A word of the constants in flash (of a RISC-V image)."""
+        """A word of the constants in flash."""
         return int.from_bytes(bytes(self._constants[address + i] for i in range(4)), "little")
+
+    def literal(self, address):
+        """What `ldr register, [pc, #offset]` at an address loads."""
+        operands = self.instructions[address].operands
+        return self._words.get((address + 4 & ~3) + int(operands[operands.index("#") + 1:-1])) if LITERAL.match(operands) else None
 
     def _read_constants(self):
         if not any(" .rodata " in line for line in self._sections):

@@ -112,12 +112,28 @@ class StackDepth:
         if BRANCH.match(name) or COMPARE_AND_BRANCH.match(name):
             taken = [(int(target[1], 16), depth)]
             return after, 0, taken + ([(following, depth)] if name not in ("b", "b.n", "b.w") else [])
+        if name == "mov" and re.match(r"pc, r\d", operands):
+            return depth, 0, [(destination, depth) for destination in self._switch(address, operands.split()[1])]
         if self._leaves(name, operands, address):
             if after != 0 and not self._is_inner_return(name, address, after):
                 self._fail(address, f"a return with {after} bytes still on the stack")
             return depth, 0, [(following, depth)] if CONDITIONAL.match(name) else []
         untaken = [(following, depth)] if grown and CONDITIONAL.match(name) else []
         return after, 0, [(following, after)] + untaken
+
+    def _switch(self, address, register):
+        """Where a table of a library's switch on ARMv6-M leads: cmp R, #last; ...; ldr T, [pc]; lsls R, R, #2; ldr R, [T, R];
+        mov pc, R."""
+        at = lambda back: self.image.instructions.get(address - 2 * back)
+        load, shift, base = at(1), at(2), at(3)
+        bounds = [each for each in map(at, range(4, 10)) if each and re.match(rf"^{register}, #\d+$", each.operands) and each.name == "cmp"]
+        expected = load and shift and base and bounds and shift.name == "lsls" and shift.operands == f"{register}, {register}, #2" and \
+            re.match(rf"^{register}, \[(r\d+), {register}\]$", load.operands)
+        table = self.image.literal(address - 6) if expected and base.operands.startswith(expected[1] + ", [pc") else None
+        if table is None:
+            self._fail(address, f"an indirect branch: mov pc, {register}")
+        last = int(bounds[0].operands.split("#")[1])
+        return [self.image.word(table + 4 * i) & ~1 for i in range(last + 1)]
 
     def _is_inside(self, address, target):
         """Whether a call leads into the middle of its own function."""

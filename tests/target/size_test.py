@@ -218,6 +218,19 @@ class Stack(unittest.TestCase):
             with self.subTest(why), self.assertRaisesRegex(stack.Unbounded, why):
                 self.depth(source)
 
+    def test_a_switch_of_a_library_on_armv6_m(self):
+        """libgcc's division of floats jumps by a table: every way is walked, and one without a bound is refused."""
+        cpu = ("arm-none-eabi-gcc", "-mcpu=cortex-m0", "-mthumb")
+        program = compiled("float APART f(float a, float b) { return a / b; }", cpu)
+        depth = stack.StackDepth(program)
+        self.assertGreater(depth.of(program.functions["f"]), depth.own[program.functions["f"]])
+        switches = [address for address, (name, operands, _) in program.instructions.items() if name == "mov" and operands.startswith("pc, r")]
+        self.assertGreater(len(switches), 0)
+        self.assertLessEqual(set(switches), depth.reached)
+        with self.assertRaises(stack.Unbounded):
+            unbounded = compiled('void APART f(void) { asm volatile("mov pc, r3"); }', cpu)
+            stack.StackDepth(unbounded).of(unbounded.functions["f"])
+
 
 class RiscvStack(unittest.TestCase):
     """Likewise for RV32IMAC, whose frames are multiples of 16 bytes."""
