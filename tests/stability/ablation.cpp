@@ -30,7 +30,8 @@ constexpr Named variants[] = {{"textbook", {}},
                               {"2+3", {false, Update::gain, true}},
                               {"1+2p+3", {true, Update::prescaled, true}},
                               {"1+2+3", {true, Update::gain, true}},
-                              {"1+2+3, dense", {true, Update::gain, true, true}}};
+                              {"1+2+3'", {true, Update::gain, true, false}},
+                              {"1+2+3, dense", {true, Update::gain, true, true, true}}};
 
 oracle::Vector<double> in_world_axes(const Scenario& s) {
   return oracle::recursive_forward_dynamics(s.chain, s.q, s.qd, s.tau);

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
+#include <oracle/random_chain.hpp>
 #include <stability/ablation.hpp>
 #include <stability/rows.hpp>
+#include <stability/textbook.hpp>
 
 namespace {
 
@@ -66,6 +68,26 @@ TEST(Stability, ASingularJointIsNamed) {
   for (const char* name : {"S07_PP_mA0_mB1(singular)", "S07_3R_m001_straight(sing)"})
     for (const Scalar scalar : stability::scalars)
       EXPECT_EQ(stability::solve(named(name), Route::articulated_body, scalar).status.joint, 0) << name;
+}
+
+/// A joint between two massless links leaves nothing across it, exactly. What is left instead is nothing or a last
+/// place of the mass, which 0.1 degrees magnify by 3e5; which of the two is luck, and both heaps are large. So the
+/// median that ST7 asks for is met by a few instances in a hundred, and the textbook's is not.
+TEST(Stability, AlmostHalfOfTheNearlyStraightMasslessElbowsKeepNoDigitsInFloat) {
+  oracle::RandomChains random(7);
+  constexpr int instances = 2000;
+  int lost = 0, lost_by_textbook = 0;
+  for (int k = 0; k < instances; ++k) {
+    const Scenario elbow = cases::massless_elbow(random.uniform(0.1, 0.4), oracle::right_angle<double>() / 900.0);
+    const auto reference = stability::reference_of(elbow, false);
+    const auto answer = stability::solve(elbow, Route::articulated_body, Scalar::in_float);
+    EXPECT_EQ(answer.status.code, axial::Status::Code::near_singular);
+    lost += forward_error(elbow, reference, answer.qdd) > 1e-6;
+    lost_by_textbook += forward_error(elbow, reference, stability::textbook<float>(elbow, {})) > 1e-6;
+  }
+  EXPECT_LT(lost, instances / 2);
+  EXPECT_GT(lost, instances * 2 / 5);
+  EXPECT_GT(lost_by_textbook, instances / 2);
 }
 
 double error_of(const std::vector<stability::AblationRow>& rows, const char* scenario, const char* scalar,

@@ -214,7 +214,10 @@ oracle::Vector<double> textbook(const cases::Scenario& scenario, const Variant& 
     if (variant.exact_row) {
       for (std::size_t k = 0; k < 6; ++k)
         seen[s][k] = seen[k][s] = U[i][k] / D[i] * b.rotor;
-      passed[s] = b.rotor > T(0) ? p[s] * (b.rotor / D[i]) + U[i][s] / D[i] * tau : tau;
+      if (!(b.rotor > T(0)))
+        passed[s] = tau;
+      else if (variant.rotor_force)
+        passed[s] = p[s] * (b.rotor / D[i]) + U[i][s] / D[i] * tau;
     }
     const Vec6<T> bias = to_parent(b, plus(passed, times(seen, motions[i].c)));
     const Mat6<T> carried = variant.dense ? to_parent_densely(b, seen) : to_parent_by_blocks(b, seen);

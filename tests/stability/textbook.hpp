@@ -16,8 +16,9 @@ enum class Update {
 struct Variant {
   bool angular_bias = false;  ///< bias from angular velocities (classical accelerations), not from spatial velocities
   Update update = Update::quotient;
-  bool exact_row = false;  ///< the joint's own row and column are K_k J_rotor, its force the effort: nothing cancels
-  bool dense = false;      ///< X^T I X by 6x6 products in place of rotation first, then translation
+  bool exact_row = false;   ///< the joint's own row and column are K_k J_rotor, its force the effort: nothing cancels
+  bool rotor_force = true;  ///< with exact_row: the force is exact with a rotor too, not only without
+  bool dense = false;       ///< X^T I X by 6x6 products in place of rotation first, then translation
 };
 
 /// Accelerations in T (float or double) of a serial chain.
