@@ -53,15 +53,17 @@ run() {
 measure_stability() {
   local status=0 files=()
   mkdir -p "$output"
+  rm -rf "$output/rows"
+  if $compare; then ask_for_peers; fi
   if [[ -n $scenario ]]; then
-    stability_rows host-release tests/stability stability --scenario "$scenario" || status=$?
-    stability_rows host-release host_sim/simulation stability_motion --filter "$scenario" || status=$?
+    stability_rows tests/stability stability --scenario "$scenario" || status=$?
+    stability_rows host_sim/simulation stability_motion --filter "$scenario" || status=$?
   else
-    stability_rows host-release tests/stability stability --ablation || status=$?
-    stability_rows host-release host_sim/simulation stability_motion || status=$?
+    stability_rows tests/stability stability --ablation || status=$?
+    stability_rows host_sim/simulation stability_motion || status=$?
   fi
   if $compare; then
-    stability_rows host-peers tests/stability/peers stability_peers ${scenario:+--scenario "$scenario"} || status=$?
+    stability_rows tests/stability/peers stability_peers ${scenario:+--scenario "$scenario"} || status=$?
   fi
   ((${#files[@]} > 0)) || fail "no scenario's name holds '$scenario'"
   if $documents; then
@@ -74,12 +76,21 @@ measure_stability() {
   return "$status"
 }
 
-# stability_rows PRESET FOLDER PROGRAM [OPTION...]: builds it, runs it, notes its rows in `files`.
+# The engines may have been installed since the build was configured.
+ask_for_peers() {
+  local cache=$AXIAL_ROOT/build/host-release/CMakeCache.txt
+  if [[ ! -f $cache ]] || ! grep -q '^AXIAL_PEERS:BOOL=ON' "$cache"; then
+    with_progress "configuring host-release with other engines" "$AXIAL_ROOT/build/host-release.log" \
+      cmake -S "$AXIAL_ROOT" --preset host-release -DAXIAL_PEERS=ON || exit
+  fi
+}
+
+# stability_rows FOLDER PROGRAM [OPTION...]: builds it, runs it, notes its rows in `files`.
 stability_rows() {
-  local preset=$1 program=$AXIAL_ROOT/build/$1/$2/$3 file=$output/rows/$3.json log=$output/rows/$3.log status=0
+  local program=$AXIAL_ROOT/build/host-release/$1/$2 file=$output/rows/$2.json log=$output/rows/$2.log status=0
   mkdir -p "$output/rows"
-  build "$preset" "$3" || exit
-  "$program" "${@:4}" --json "$file" 2> >(tee "$log" >&2) || status=$?
+  build host-release "$2" || exit
+  { "$program" "${@:3}" --json "$file" 2>&1 1>&3 | tee "$log" >&2; status=${PIPESTATUS[0]}; } 3>&1
   if [[ -f $file ]]; then
     files+=("$file")
   elif [[ -n $scenario ]] && grep -q "no scenario's name holds" "$log"; then
