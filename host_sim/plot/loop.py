@@ -60,7 +60,7 @@ def draw_sweep(panel, rows):
     panel.invert_yaxis()
     panel.set_xscale("log")
     panel.set_xlabel("tool error, RMS, mm")
-    panel.set_title("what the model, the encoders and time cost (same sources on the host)")
+    panel.set_title("what spoils it (sources on the host)")
     panel.legend(loc="upper right", bbox_to_anchor=(1.0, 1.1), ncols=2)
 
 
