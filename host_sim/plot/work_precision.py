@@ -110,7 +110,7 @@ def draw_two_rate(rows, stem):
 
 def draw_simulation(rows, stem):
     """A panel a robot or scenario and unit of work; a line an integrator."""
-    rows = [row for row in rows if "job" not in row and row["subject"] != "two_rate_feedforward" and row["work"] > 0]
+    rows = [row for row in rows if "job" not in row and row["subject"] != "two_rate_feedforward" and not row.get("diverged")]
     panels = unique((row["subject"], row["robot"], row["unit_of_work"]) for row in rows)
     if not panels:
         return
@@ -123,13 +123,13 @@ def draw_simulation(rows, stem):
     for panel, key in zip(grid.flat, panels):
         own = [row for row in rows if (row["subject"], row["robot"], row["unit_of_work"]) == key]
         for name in unique(curve(row) for row in own):
-            points = sorted(point(row) for row in own if curve(row) == name and row["error"] < 1e3)
+            points = sorted(point(row) for row in own if curve(row) == name)
             i = names.index(name)
             panel.plot([x for x, _ in points], [y for _, y in points], marker=MARKERS[i % len(MARKERS)], color=style.COLOURS[i % len(style.COLOURS)],
                        linestyle="-" if i < len(style.COLOURS) else "--", markersize=4, label=name)
         panel.set_xscale("log")
         panel.set_yscale("log")
-        panel.set_title(f"{key[0].replace('_', ' ')}, {key[1]}", fontsize=9)
+        panel.set_title(f"{key[0].replace('simulation, ', '').replace('_', ' ').capitalize()}, {key[1]}", fontsize=9)
         panel.set_xlabel(key[2])
     grid[0, 0].set_ylabel("global error")
     handles = {label: handle for panel in grid.flat for handle, label in zip(*panel.get_legend_handles_labels())}
@@ -139,7 +139,7 @@ def draw_simulation(rows, stem):
 
 
 def curve(row):
-    return f"{row.get('integrator', row['variant'])}, {row['scalar']}"
+    return f"{row['variant'].replace('_', ' ')}, {row['scalar']}"
 
 
 def main(file):

@@ -59,10 +59,10 @@ def simulation(rows):
     own = [row for row in rows if "job" not in row and row["subject"] != "two_rate_feedforward" and row["pareto"]]
     if not own:
         return "No simulation was measured.\n"
-    header = ["simulation, robot", "integrator, numbers", "global error", "work", "unit of work"]
-    own.sort(key=lambda row: (row["subject"], row["robot"], row["unit_of_work"], row["work"]))
-    return markdown(header, [[f"{words(row['subject'])}, {row['robot']}", f"{row['variant']}, {row['scalar']}", f"{row['error']:.1e}",
-                              f"{row['work']:.3g}", row["unit_of_work"]] for row in own])
+    header = ["case, robot", "integrator, numbers", "global error", "kernel calls", "host time over a kernel call's"]
+    own.sort(key=lambda row: (row["subject"], row["robot"], row["work"]))
+    return markdown(header, [[f"{words(row['subject'].removeprefix('simulation, '))}, {row['robot']}", f"{words(row['variant'])}, {row['scalar']}",
+                              f"{row['error']:.1e}", grouped(row["work"]), f"{row['time_ratio']:.3g}"] for row in own])
 
 
 def provenance(made):

@@ -40,6 +40,7 @@ def found(folder, name):
 
 
 def stability(folder):
-    """Rows of ./axial stability as they are, where they are there."""
+    """The gates of ./axial stability, where they are there."""
     path = pathlib.Path(folder) / "stability.json"
-    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else []
+    rows = json.loads(path.read_text(encoding="utf-8")) if path.exists() else []
+    return [row for row in rows if row["kind"] in ("gate", "integrator")]
