@@ -14,6 +14,7 @@ Installs and builds what is missing. Compares sine and cosine of all 2^32 binary
                       errors and bounds under a search that tries to exceed them; then with
                         --states N       a kernel; default 1000000
                         --robot NAME     default all
+                        --overflows      count overflows only
                         --processes N    default 2
                         --json FILE
   --documents         alone: writes doc/data/sincos_exhaustive.json and doc/pictures/sincos_exhaustive.*

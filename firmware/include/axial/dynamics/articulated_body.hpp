@@ -1,33 +1,12 @@
 // The articulated-body algorithm (ABA) by successive axial screws, with the bias in classical accelerations.
 #pragma once
 
-#include <axial/dynamics/drive_scale.hpp>
 #include <axial/dynamics/floating_base.hpp>
+#include <axial/dynamics/free_response.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
-#include <axial/dynamics/reach.hpp>
-#include <axial/dynamics/reflection.hpp>
-#include <axial/model/status.hpp>
 #include <axial/spatial/congruence.hpp>
 
 namespace axial {
-
-/// Accelerations, one a joint, and what the solver has to say about them.
-template <class S, class T>
-struct ForwardDynamics : FreeAccelerations<S, T> {
-  Status status{};
-};
-/// On a floating base also the base's own acceleration: angular (rad/s^2) and of the origin of frame 0 (m/s^2, gravity
-/// included), in axes of frame 0. The status names joint -1 where the base itself is near singular.
-template <class S, class T>
-struct FloatingDynamics : ForwardDynamics<S, T> {
-  MotionVector<Vec3<T>, Vec3<T>> base_acceleration{};
-};
-template <class S, class T>
-using ForwardDynamicsOf =
-    std::conditional_t<is_stored_v<T>, ForwardDynamics<S, T>,
-                       std::conditional_t<scene_of<S>::template has<FloatingBase>, FloatingDynamics<robot_of<S>, T>,
-                                          ForwardDynamics<robot_of<S>, T>>>;
-
 namespace aba {
 
 /// Velocity-dependent part of a link's motion: angular velocity w, its products p and matrix u = w~ w~, and the bias
@@ -46,8 +25,6 @@ struct Velocity {
 };
 template <class W, class P, class U, class Z>
 Velocity(W, P, U, Z) -> Velocity<W, P, U, Z>;
-
-inline constexpr Velocity<ZeroVec3, ZeroVec3, Mat3<ZeroVec3>, MotionVector<ZeroVec3, ZeroVec3>> at_rest{};
 
 /// The base: at rest unless the scene moves it.
 template <class Links, class Input>
@@ -144,16 +121,9 @@ struct Left {
 template <class G, class U, class Z, class S>
 Left(G, U, Z, bool, S) -> Left<G, U, Z, S>;
 
-template <class Link, class Z>
-AXIAL_INLINE constexpr auto kept(const Link& link, const Z& zeta) {
-  if constexpr (std::is_same_v<Z, MotionVector<ZeroVec3, ZeroVec3>>)
-    return zeta;  // at rest, for every link
-  else
-    return link.shape(zeta);
-}
 template <class Link, class G, class U, class Z, class S>
 AXIAL_INLINE constexpr auto shaped(const Link& link, const Left<G, U, Z, S>& left) {
-  return Left{link.shape(left.gain), link.shape(left.free), kept(link, left.zeta), left.singular,
+  return Left{link.shape(left.gain), link.shape(left.free), link.shape(left.zeta), left.singular,
               link.shape(left.sent)};
 }
 
@@ -177,7 +147,6 @@ struct InMotion {
   const Q& q;
   const V& qd;
   const Water& water;
-  Zero shift{};
 
   template <class I, class Link, class Tau>
   AXIAL_INLINE constexpr auto effort(I i, const Link& link, const Tau& tau) const {
@@ -215,41 +184,6 @@ struct InMotion {
   }
 };
 
-/// The same structure at rest, weightless and free of outside forces: its answer to efforts alone.
-template <class Shift>
-struct AtRest {
-  Shift shift{};
-  struct Velocities {
-    template <class I>
-    AXIAL_INLINE constexpr auto operator[](I) const {
-      return at_rest;
-    }
-  };
-  template <class I, class Link, class Tau>
-  AXIAL_INLINE constexpr auto effort(I, const Link&, const Tau& tau) const {
-    return tau;
-  }
-  template <class Screws>
-  AXIAL_INLINE constexpr Velocities velocities(const Screws&) const {
-    return {};
-  }
-  template <class I, class Link, class Body, class Vel>
-  AXIAL_INLINE constexpr auto external(I, const Link&, const Body&, const Vel&) const {
-    return ForceVector<ZeroVec3, ZeroVec3>{};
-  }
-  template <class Joints>
-  AXIAL_INLINE constexpr auto base(const Joints&) const {
-    return FreeMotion{MotionVector<ZeroVec3, ZeroVec3>{}, false};
-  }
-};
-
-/// A motion and what the joint adds to it, in the formats of the link.
-template <class Link, class M, class J>
-AXIAL_INLINE constexpr auto with_joint(const Link& link, const M& motion, const J& joint) {
-  return MotionVector{link.sum(quantity::AngularAcceleration{}, motion.angular, joint.angular),
-                      link.sum(quantity::LinearAcceleration{}, motion.linear, joint.linear)};
-}
-
 /// Writes the acceleration of a floating base, with gravity back in it.
 template <class Links, class Input, class Motion, class A>
 AXIAL_INLINE constexpr Status write_base(const Links& links, const Input& in, const Motion& base, Status status,
@@ -263,15 +197,6 @@ AXIAL_INLINE constexpr Status write_base(const Links& links, const Input& in, co
     if (base.singular) status.code = Status::Code::near_singular;
   }
   return status;
-}
-
-/// What became of a solve whose joint `lost` (-1: none) is near singular; in proved ranges, beyond them.
-template <class Links>
-AXIAL_INLINE constexpr Status status_of(int lost, bool scaled) {
-  constexpr bool ranged = decltype(std::declval<const Links&>().link(Index<0>{}))::ranged;
-  const auto trouble = static_cast<int>(ranged ? Status::Code::saturated : Status::Code::near_singular);
-  const int otherwise = select(scaled, static_cast<int>(Status::Code::rescaled), static_cast<int>(Status::Code::ok));
-  return {static_cast<Status::Code>(select(!is_negative(lost), trouble, otherwise)), lost};
 }
 
 /// The algorithm over any form of links and the screws at q; writes one acceleration a joint.
@@ -303,13 +228,13 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
     bool lost = left.singular;
     auto answer = link.on_joint([&](auto joint) AXIAL_INLINE {
       auto own = link.limited(quantity::JointAcceleration{}, lost, left.free, -gain_times(left.gain, moved));
-      write(links, qdd, i, unscaled(lost, own, situation.shift));
+      write(links, qdd, i, own);
       return link.shape(with_joint(link, moved, along_axis(joint, own)));
     });
     singular = first_found(singular, lost, static_cast<int>(i));
     return answer;
   });
-  return write_base(links, in, base, status_of<Links>(singular, is_scaled(situation.shift)), qdd);
+  return write_base(links, in, base, status_of<Links>(singular, false), qdd);
 }
 
 /// The classical form: one inward pass carries inertia and bias.
@@ -322,19 +247,6 @@ AXIAL_INLINE constexpr Status run(const Links& links, const Input& in, const Q& 
   auto water = immersions(links, in, screws, speed);
   using Situation = InMotion<Links, Input, decltype(at), decltype(speed), decltype(water)>;
   return accelerations(links, in, screws, Situation{links, in, at, speed, water}, read(links, tau), qdd);
-}
-
-/// The split form: the bias torque by RNEA over `bias_links`, then the structure at rest under what is left of tau.
-template <class Links, class BiasLinks, class Input, class Q, class V, class Tau, class A>
-AXIAL_INLINE constexpr Status run_split(const Links& links, const BiasLinks& bias_links, const Input& in, const Q& q,
-                                        const V& qd, const Tau& tau, A& qdd) {
-  auto at = read(links, q);
-  auto screws = joint_screws(links, in, at);
-  auto bias = no_efforts(bias_links);
-  rnea::efforts(bias_links, in, at, screws, read(links, qd), NoMotion{}, bias);
-  auto given = read(links, tau), left = read(links, bias);
-  auto drive = scaled_drive(links, given, left);
-  return accelerations(links, in, screws, AtRest<decltype(drive.shift)>{drive.shift}, drive.values, qdd);
 }
 
 }  // namespace aba

@@ -1,19 +1,11 @@
 // What forward dynamics does with efforts beyond those that its formats are made for: the solve is linear in them, so
-// it takes them in halves, quarters, ... and doubles the answer.
+// it takes them in halves, quarters, ... and doubles the answer; and of efforts that leave bits unused, in multiples.
 #pragma once
 
 #include <axial/dynamics/passes.hpp>
+#include <axial/spatial/spatial_vector.hpp>
 
 namespace axial {
-
-/// What drives the joints besides the bias, divided by 2^shift; floating point needs no shift.
-template <class Values, class Shift>
-struct ScaledDrive {
-  Values values{};
-  Shift shift{};
-};
-template <class Values, class Shift>
-ScaledDrive(Values, Shift) -> ScaledDrive<Values, Shift>;
 
 namespace detail {
 
@@ -39,43 +31,78 @@ AXIAL_INLINE constexpr Fx<F, S> divided(std::int64_t x, int shift) {
   return {static_cast<typename S::Word>(shifted_by(x * (std::int64_t{1} << room), shift + (E - F + room)))};
 }
 
+/// x in another format of its size: 2^up x, or x / 2^down rounded; one of them is 0.
+template <class S>
+AXIAL_INLINE constexpr std::int64_t rescaled_word(typename S::Word x, int up, int down) {
+  return integer::multiply(moved_down<S>(x, static_cast<unsigned char>(down)), std::int32_t{1} << up);
+}
+
 }  // namespace detail
 
-/// tau - bias of all joints, in halves where that is needed.
+/// Halvings that bring what drives the joints, tau - bias, within what the formats are made for.
 template <class Links, class Tau, class Bias>
-AXIAL_INLINE constexpr auto scaled_drive(const Links& links, const Tau& tau, const Bias& bias) {
-  if constexpr (is_number_v<typename Links::Scalar>) {
-    return ScaledDrive{map_links(links, [&](auto i) AXIAL_INLINE { return tau[i] - bias[i]; }), Zero{}};
-  } else {
-    int shift = 0;
-    for_each_link(links, [&](auto i) AXIAL_INLINE {
-      constexpr std::int64_t limit = Links::template drive_limit<i>(decltype(tau[i])::exponent);
-      const int own = detail::halvings(detail::difference(tau[i], bias[i]), limit,
-                                       std::make_integer_sequence<int, detail::most_halvings>{});
-      shift = select(detail::is_less(shift, own), own, shift);
-    });
-    auto values = map_links(links, [&](auto i) AXIAL_INLINE {
-      using From = decltype(tau[i]);
-      constexpr int to = decltype(links.link(i))::format.joint_effort;
-      return detail::divided<to, From::exponent, typename Links::Scalar>(detail::difference(tau[i], bias[i]), shift);
-    });
-    return ScaledDrive{values, shift};
+AXIAL_INLINE constexpr int halvings_of(const Links& links, const Tau& tau, const Bias& bias) {
+  int shift = 0;
+  for_each_link(links, [&](auto i) AXIAL_INLINE {
+    constexpr std::int64_t limit = Links::template drive_limit<i>(decltype(tau[i])::exponent);
+    const int own = detail::halvings(detail::difference(tau[i], bias[i]), limit,
+                                     std::make_integer_sequence<int, detail::most_halvings>{});
+    shift = select(detail::is_less(shift, own), own, shift);
+  });
+  return shift;
+}
+
+/// (tau - bias) / 2^shift of all joints, in the formats of the links.
+template <class Links, class Tau, class Bias>
+AXIAL_INLINE constexpr auto drive_over(const Links& links, const Tau& tau, const Bias& bias, int shift) {
+  return map_links(links, [&](auto i) AXIAL_INLINE {
+    using From = decltype(tau[i]);
+    constexpr int to = decltype(links.link(i))::format.joint_effort;
+    return detail::divided<to, From::exponent, typename Links::Scalar>(detail::difference(tau[i], bias[i]), shift);
+  });
+}
+
+/// Watches how far vectors stay inside their formats, for the same drive may be solved once more 2^magnification times
+/// as large: then less is lost to rounding.
+class Headroom {
+ public:
+  static constexpr int most = 12;  ///< doublings
+
+  /// Of a drive that is magnified already.
+  AXIAL_INLINE constexpr explicit Headroom(int magnified) : magnified_(magnified) {}
+  AXIAL_INLINE constexpr int magnified() const { return magnified_; }
+  template <class... V>
+  AXIAL_INLINE constexpr void operator()(const V&... vectors) {
+    (see(vectors), ...);
   }
-}
+  /// Bits that every component has left, but for those that turns and the rounding of the first solve may take.
+  AXIAL_INLINE constexpr int magnification() const {
+    constexpr int spare = 4;  // the sign; a component from a norm; sums on the way; rounding
+    const int left = integer::detail::leading_zeros(seen_ | 1U) - spare;
+    const int some = select(detail::is_less(0, left), left, 0);
+    return select(detail::is_less(most, some), most, some);
+  }
 
-/// A joint's acceleration under the whole drive; `lost` where it does not fit.
-template <class X>
-AXIAL_INLINE constexpr const X& unscaled(bool&, const X& x, Zero) {
-  return x;
-}
-template <int E, class S>
-AXIAL_INLINE constexpr Fx<E, S> unscaled(bool& lost, const Fx<E, S>& x, int shift) {
-  const std::int64_t whole = integer::multiply(x.raw, std::int32_t{1} << shift);
-  return {detail::held_in_word<S>(lost, whole)};
-}
-
-/// Whether efforts were taken in parts.
-AXIAL_INLINE constexpr bool is_scaled(Zero) { return false; }
-AXIAL_INLINE constexpr bool is_scaled(int shift) { return shift > 0; }
+ private:
+  AXIAL_INLINE constexpr void see(Zero) {}
+  template <int E, class S>
+  AXIAL_INLINE constexpr void see(const Fx<E, S>& x) {
+    seen_ |= static_cast<std::uint32_t>(x.raw ^ (x.raw >> (S::bits - 1)));
+  }
+  template <class X, class Y, class Z>
+  AXIAL_INLINE constexpr void see(const Vec3<X, Y, Z>& v) {
+    see(v.x), see(v.y), see(v.z);
+  }
+  template <class N, class F>
+  AXIAL_INLINE constexpr void see(const ForceVector<N, F>& f) {
+    see(f.moment), see(f.force);
+  }
+  template <class W, class V>
+  AXIAL_INLINE constexpr void see(const MotionVector<W, V>& m) {
+    see(m.angular), see(m.linear);
+  }
+  std::uint32_t seen_ = 0;
+  int magnified_;
+};
 
 }  // namespace axial

@@ -4,6 +4,7 @@
 #include <axial/dynamics/articulated_body.hpp>
 #include <axial/dynamics/composite_body.hpp>
 #include <axial/dynamics/route.hpp>
+#include <axial/dynamics/split_form.hpp>
 
 namespace axial {
 

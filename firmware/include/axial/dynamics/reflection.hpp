@@ -88,26 +88,42 @@ AXIAL_INLINE constexpr auto reflected(Prismatic, const Link& link, const I& i, c
       detail::reduced(link, Mass{}, i.linear, u.linear, k.linear, axis, rotor)};
 }
 
+/// N zeta, in the products that it is summed from: of both parts of zeta, moments and forces.
+template <class A, class B, class C, class D>
+struct Swept {
+  A turning_moment{};
+  B moment{};
+  C turning_force{};
+  D force{};
+};
+template <class A, class B, class C, class D>
+Swept(A, B, C, D) -> Swept<A, B, C, D>;
+template <class N, class Z>
+AXIAL_INLINE constexpr auto swept(const N& n, const Z& zeta) {
+  return Swept{n.angular * zeta.angular, n.coupling * zeta.linear, transpose_times(n.coupling, zeta.angular),
+               n.linear * zeta.linear};
+}
+/// Of a structure at rest.
+inline constexpr Swept<ZeroVec3, ZeroVec3, ZeroVec3, ZeroVec3> unswept{};
+
 /// Bias that passes a joint: p + N zeta + K u; along the joint it is p J/D + K_s tau, which is tau without a rotor.
-template <class Link, class P, class N, class Z, class K, class U, class S>
-AXIAL_INLINE constexpr auto passed_bias(Revolute, const Link& link, const P& p, const N& n, const Z& zeta, const K& k,
-                                        const U& u, const S& axis) {
+template <class Link, class P, class N, class K, class U, class S>
+AXIAL_INLINE constexpr auto passed_bias(Revolute, const Link& link, const P& p, const N& n, const K& k, const U& u,
+                                        const S& axis) {
   using namespace quantity;
   Vec3 carried{p.moment.x, p.moment.y, axis};
   Vec3 gained{k.angular.x * u, k.angular.y * u, Zero{}};
-  return ForceVector{
-      link.sum(Moment{}, carried, n.angular * zeta.angular, n.coupling * zeta.linear, gained),
-      link.sum(Force{}, p.force, transpose_times(n.coupling, zeta.angular), n.linear * zeta.linear, u * k.linear)};
+  return ForceVector{link.sum(Moment{}, carried, n.turning_moment, n.moment, gained),
+                     link.sum(Force{}, p.force, n.turning_force, n.force, u * k.linear)};
 }
-template <class Link, class P, class N, class Z, class K, class U, class S>
-AXIAL_INLINE constexpr auto passed_bias(Prismatic, const Link& link, const P& p, const N& n, const Z& zeta, const K& k,
-                                        const U& u, const S& axis) {
+template <class Link, class P, class N, class K, class U, class S>
+AXIAL_INLINE constexpr auto passed_bias(Prismatic, const Link& link, const P& p, const N& n, const K& k, const U& u,
+                                        const S& axis) {
   using namespace quantity;
   Vec3 carried{p.force.x, p.force.y, axis};
   Vec3 gained{k.linear.x * u, k.linear.y * u, Zero{}};
-  return ForceVector{
-      link.sum(Moment{}, p.moment, n.angular * zeta.angular, n.coupling * zeta.linear, u * k.angular),
-      link.sum(Force{}, carried, transpose_times(n.coupling, zeta.angular), n.linear * zeta.linear, gained)};
+  return ForceVector{link.sum(Moment{}, p.moment, n.turning_moment, n.moment, u * k.angular),
+                     link.sum(Force{}, carried, n.turning_force, n.force, gained)};
 }
 
 /// Everything that a joint's reflection yields.
@@ -176,10 +192,20 @@ AXIAL_INLINE constexpr Resistance<One> resistance(One, const Scale&) {
   return {One{}, false};
 }
 
-/// Reflection of an articulated body (inertia, bias p) across its joint, driven by the effort tau; D = I_ss + rotor.
-template <class Joint, class Link, class I, class P, class Z, class Tau, class Scale>
-AXIAL_INLINE constexpr auto reflection(Joint joint, const Link& link, const I& inertia, const P& p, const Z& zeta,
-                                       const Tau& tau, const Scale& scale) {
+/// What a joint makes of an articulated body's inertia, whatever drives it: N, D and its inverse, and K.
+template <class N, class D, class R, class K>
+struct Hinge {
+  N inertia;
+  D resistance;
+  R inverse;
+  K gain;
+  bool singular;
+};
+template <class N, class D, class R, class K>
+Hinge(N, D, R, K, bool) -> Hinge<N, D, R, K>;
+
+template <class Joint, class Link, class I, class Scale>
+AXIAL_INLINE constexpr auto hinge(Joint joint, const Link& link, const I& inertia, const Scale& scale) {
   using namespace quantity;
   auto rotor = link.rotor();
   auto own = detail::axis_inertia(joint, inertia);
@@ -190,12 +216,50 @@ AXIAL_INLINE constexpr auto reflection(Joint joint, const Link& link, const I& i
                  link.quotient(LinearGain{}, inverse, column.linear)};
   auto axis = detail::axis_gain(link, own, rotor, inverse);
   auto n = reflected(joint, link, inertia, column, k, axis, rotor);
+  return Hinge{n, d, inverse, detail::gain_vector(joint, k, axis), singular};
+}
+
+namespace detail {
+template <class K>
+AXIAL_INLINE constexpr const auto& along_axis_of(Revolute, const K& gain) {
+  return gain.angular.z;
+}
+template <class K>
+AXIAL_INLINE constexpr const auto& along_axis_of(Prismatic, const K& gain) {
+  return gain.linear.z;
+}
+}  // namespace detail
+
+/// What a force p and the effort tau do at a joint: the force that passes, and u / D.
+template <class P, class U>
+struct Passage {
+  P bias;
+  U free;
+};
+template <class P, class U>
+Passage(P, U) -> Passage<P, U>;
+
+/// Sets `lost` where u / 2^magnified is beyond what formats are made for.
+template <class Joint, class Link, class H, class N, class P, class Tau, class M>
+AXIAL_INLINE constexpr auto passage(Joint joint, const Link& link, const H& hinge, const N& swept, const P& p,
+                                    const Tau& tau, M magnified, bool& lost) {
+  using namespace quantity;
   auto held = along_joint(joint, p);
-  bool lost = singular;
-  auto u = link.admitted(lost, d, link.sum(JointEffort{}, tau, -held));
-  auto passed = link.sum(JointEffort{}, link.quotient(AngularGain{}, inverse, rotor) * held, axis * tau);
-  return Reflection{n, passed_bias(joint, link, p, n, zeta, k, u, passed), detail::gain_vector(joint, k, axis),
-                    link.quotient(JointAcceleration{}, inverse, u), lost};
+  auto axis = detail::along_axis_of(joint, hinge.gain);
+  auto u = link.admitted(lost, hinge.resistance, link.sum(JointEffort{}, tau, -held), magnified);
+  auto passed = link.sum(JointEffort{}, link.quotient(AngularGain{}, hinge.inverse, link.rotor()) * held, axis * tau);
+  return Passage{passed_bias(joint, link, p, swept, hinge.gain, u, passed),
+                 link.quotient(JointAcceleration{}, hinge.inverse, u)};
+}
+
+/// Reflection of an articulated body (inertia, bias p) across its joint, driven by the effort tau; D = I_ss + rotor.
+template <class Joint, class Link, class I, class P, class Z, class Tau, class Scale>
+AXIAL_INLINE constexpr auto reflection(Joint joint, const Link& link, const I& inertia, const P& p, const Z& zeta,
+                                       const Tau& tau, const Scale& scale) {
+  auto h = hinge(joint, link, inertia, scale);
+  bool lost = h.singular;
+  auto passed = passage(joint, link, h, swept(h.inertia, zeta), p, tau, Zero{}, lost);
+  return Reflection{h.inertia, passed.bias, h.gain, passed.free, lost};
 }
 
 /// K . a, the part of a motion that the joint's inertia answers.

@@ -38,20 +38,24 @@ constexpr auto loaded_mechanism() {
 
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::NewtonEuler) {
-  return newton_euler_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>(Scene::template has<Looped>));
+  return newton_euler_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(),
+                             rounding_of<S>(Scene::template has<Looped>));
 }
 
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::CompositeBodies) {
-  return composite_body_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>(Scene::template has<Looped>));
+  return composite_body_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(),
+                               rounding_of<S>(Scene::template has<Looped>));
 }
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::ArticulatedBodies) {
-  return articulated_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>(Scene::template has<Looped>));
+  return articulated_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(),
+                            rounding_of<S>(Scene::template has<Looped>));
 }
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::ArticulatedBodiesAtRest) {
-  return articulated_at_rest_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>(Scene::template has<Looped>));
+  return articulated_at_rest_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(),
+                                    rounding_of<S>(Scene::template has<Looped>));
 }
 
 template <class Scene, class Parameters, class S>
@@ -61,7 +65,8 @@ constexpr auto analysed(recursion::Kinematics) {
 
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::Separation) {
-  return separation_ranges_of(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_of<S>(Scene::template has<Looped>));
+  return separation_ranges_of(loaded_mechanism<Scene, Parameters, typename S::Word>(),
+                              rounding_of<S>(Scene::template has<Looped>));
 }
 
 /// Ranges of a scene's recursion in an arithmetic.
@@ -114,11 +119,13 @@ struct FormatRounding {
     return saturated<exponent>(lost, lazy_sum(terms...));
   }
   /// Drive u of a joint, 0 where its share u^2 / D of qdd^T M qdd is beyond what the formats are made for.
-  template <int E, int F>
-  AXIAL_INLINE static constexpr Fx<F, S> admitted(bool& lost, const Fx<E, S>& d, const Fx<F, S>& u) {
-    const bool beyond = S::bits == 32
-                            ? is_less(by_upper_words(d.raw, share<E, F, 2>()), by_upper_words(u.raw, u.raw) >> 2)
-                            : is_less(std::int64_t{d.raw} * share<E, F, 0>(), std::int64_t{u.raw} * u.raw);
+  /// `magnified` says how often u is doubled.
+  template <int E, int F, class M>
+  AXIAL_INLINE static constexpr Fx<F, S> admitted(bool& lost, const Fx<E, S>& d, const Fx<F, S>& u, M magnified) {
+    std::int32_t v = u.raw;
+    if constexpr (!is_zero_v<M>) v = v >> magnified;
+    const bool beyond = S::bits == 32 ? is_less(by_upper_words(d.raw, share<E, F, 2>()), by_upper_words(v, v) >> 2)
+                                      : is_less(std::int64_t{d.raw} * share<E, F, 0>(), std::int64_t{v} * v);
     lost = lost | beyond;
     return select(beyond, Fx<F, S>{}, u);
   }

@@ -152,6 +152,10 @@ class ForwardErrorAnalysis {
 
 }  // namespace detail
 
+/// How far the second, magnified solve of the split form may be from the first, in units of the first's accelerations
+/// (dynamics/split_form.hpp); in 32-bit words.
+inline constexpr std::int32_t second_solve_tolerance = 1024;
+
 /// Fills in the errors of the joint accelerations of the split form, the drive being halved as often as the
 /// declared efforts and the bias may need (excess_of_drive).
 template <int N>
@@ -160,8 +164,10 @@ constexpr void certify_forward(const Mechanism<N>& m, const Rounding& r, const R
   double doublings = 1.0;
   while (doublings < detail::excess_of_drive(m, r, motion))
     doublings *= 2.0;
+  const double tolerance = r.bits == 32 ? second_solve_tolerance : 0.0;
   for (int i = 0; i < N; ++i)
-    ranges.range[i].joint_acceleration.error = doublings * errors.of(i);
+    ranges.range[i].joint_acceleration.error =
+        doublings * (errors.of(i) + tolerance * r.ulp(ranges.format[i].joint_acceleration));
 }
 
 /// Ranges and errors of the split form: the structure at rest under tau - bias.

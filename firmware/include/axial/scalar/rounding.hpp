@@ -52,8 +52,8 @@ struct Plain {
     return (... + terms);
   }
   /// Drive u of a joint whose inertia is d, if it is within what formats are made for.
-  template <class D, class U>
-  AXIAL_INLINE constexpr const U& admitted(bool&, const D&, const U& u) const {
+  template <class D, class U, class M>
+  AXIAL_INLINE constexpr const U& admitted(bool&, const D&, const U& u, M) const {
     return u;
   }
   /// A body's inertia in the formats of the link.

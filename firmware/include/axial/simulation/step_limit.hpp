@@ -59,11 +59,14 @@ constexpr Square<T, N> weighted_mobility(const Links& links, const Input& in, co
   Square<T, N> a{};
   Accelerations<robot_of<typename Links::Scene>, T> tau{}, qdd{};
   auto screws = joint_screws(links, in, q);
+  auto structure = aba::structure_at_rest(links, in, screws);
+  aba::Unwatched unwatched;
   for (int j = 0; j < links.size(); ++j) {
     if (!(weight[j] > T(0))) continue;
     const T root = square_root(weight[j]);
     tau[j] = T(1);
-    aba::accelerations(links, in, screws, aba::AtRest<Zero>{}, tau, qdd);
+    aba::respond(links, screws, structure, tau, unwatched,
+                 [&](auto i, const auto& own) AXIAL_INLINE { qdd[i] = T(own); });
     tau[j] = T(0);
     for (int i = 0; i < links.size(); ++i)
       a.values[i][j] = square_root(weight[i]) * qdd[i] * root;

@@ -1,0 +1,46 @@
+// What forward dynamics answers: accelerations, and what the solver has to say about them.
+#pragma once
+
+#include <axial/model/links.hpp>
+#include <axial/model/status.hpp>
+#include <axial/scalar/select.hpp>
+
+namespace axial {
+
+/// Accelerations, one a joint, and what the solver has to say about them.
+template <class S, class T>
+struct ForwardDynamics : FreeAccelerations<S, T> {
+  Status status{};
+};
+/// On a floating base also the base's own acceleration: angular (rad/s^2) and of the origin of frame 0 (m/s^2, gravity
+/// included), in axes of frame 0. The status names joint -1 where the base itself is near singular.
+template <class S, class T>
+struct FloatingDynamics : ForwardDynamics<S, T> {
+  MotionVector<Vec3<T>, Vec3<T>> base_acceleration{};
+};
+template <class S, class T>
+using ForwardDynamicsOf =
+    std::conditional_t<is_stored_v<T>, ForwardDynamics<S, T>,
+                       std::conditional_t<scene_of<S>::template has<FloatingBase>, FloatingDynamics<robot_of<S>, T>,
+                                          ForwardDynamics<robot_of<S>, T>>>;
+
+namespace aba {
+
+/// What became of a solve whose joint `lost` (-1: none) is near singular; in proved ranges, beyond them.
+template <class Links>
+AXIAL_INLINE constexpr Status status_of(int lost, bool scaled) {
+  constexpr bool ranged = decltype(std::declval<const Links&>().link(Index<0>{}))::ranged;
+  const auto trouble = static_cast<int>(ranged ? Status::Code::saturated : Status::Code::near_singular);
+  const int otherwise = select(scaled, static_cast<int>(Status::Code::rescaled), static_cast<int>(Status::Code::ok));
+  return {static_cast<Status::Code>(select(!is_negative(lost), trouble, otherwise)), lost};
+}
+
+/// A motion and what the joint adds to it, in the formats of the link.
+template <class Link, class M, class J>
+AXIAL_INLINE constexpr auto with_joint(const Link& link, const M& motion, const J& joint) {
+  return MotionVector{link.sum(quantity::AngularAcceleration{}, motion.angular, joint.angular),
+                      link.sum(quantity::LinearAcceleration{}, motion.linear, joint.linear)};
+}
+
+}  // namespace aba
+}  // namespace axial

@@ -1,0 +1,129 @@
+// The structure at rest, weightless and free of outside forces: what it is, and its answer to efforts alone. One
+// structure serves any number of drives.
+#pragma once
+
+#include <axial/dynamics/forward_result.hpp>
+#include <axial/dynamics/joint_screws.hpp>
+#include <axial/dynamics/loads.hpp>
+#include <axial/dynamics/reflection.hpp>
+#include <axial/dynamics/water.hpp>
+#include <axial/spatial/congruence.hpp>
+
+namespace axial {
+namespace aba {
+
+/// A subtree's inertia and the scale of its singularity.
+template <class I, class R>
+struct Weight {
+  I inertia{};
+  R reach{};
+  template <class T>
+  AXIAL_INLINE constexpr auto dense() const {
+    return aba::Weight{inertia.template dense<T>(), reach.template dense<T>()};
+  }
+};
+template <class I, class R>
+Weight(I, R) -> Weight<I, R>;
+template <class I, class R, class J, class S>
+AXIAL_INLINE constexpr auto operator+(const Weight<I, R>& a, const Weight<J, S>& b) {
+  return Weight{a.inertia + b.inertia, a.reach + b.reach};
+}
+template <class Water, class W>
+AXIAL_INLINE constexpr auto submerged(const Water& water, const W& weight) {
+  return Weight{weight.inertia + water.inertia(), weight.reach + reach_of(water)};
+}
+template <class W>
+AXIAL_INLINE constexpr const W& submerged(const Dry&, const W& weight) {
+  return weight;
+}
+
+/// What the structure keeps of a joint: its gain K, D and 1/D; and what its parent bears.
+template <class K, class D, class R, class W>
+struct AtRest {
+  K gain{};
+  D resistance{};
+  R inverse{};
+  bool singular = false;
+  W sent{};
+};
+template <class K, class D, class R, class W>
+AtRest(K, D, R, bool, W) -> AtRest<K, D, R, W>;
+
+/// The structure at the joint screws, from the tips to the base.
+template <class Links, class Input, class Screws>
+AXIAL_INLINE constexpr auto structure_at_rest(const Links& links, const Input& in, const Screws& screws) {
+  const TipLoads<typename Links::Scene, Input> loads(in);
+  auto own = [&](auto i) AXIAL_INLINE {
+    auto link = links.link(i);
+    auto body = loads.body(link);
+    return link.shape(
+        submerged(water_about(links, i), Weight{link.formatted(articulated(body)), scale_of(link, body)}));
+  };
+  return inward(links, own, [&](auto i, const auto& tree) AXIAL_INLINE {
+    auto link = links.link(i);
+    return link.on_joint([&](auto joint) AXIAL_INLINE {
+      auto x = link.x();
+      auto h = hinge(joint, link, tree.inertia, singularity_scale(joint, tree.reach));
+      Weight sent{to_parent(x, to_parent(screws[i], h.inertia, link), link.outer()),
+                  seen_from(tree.reach, shift_length(x) + shift_length(screws[i]))};
+      return AtRest{link.shape(h.gain), link.shape(h.resistance), link.shape(h.inverse), h.singular, link.shape(sent)};
+    });
+  });
+}
+
+/// What the outward pass needs of a joint's drive, and what the parent gets.
+template <class U, class F>
+struct Driven {
+  U free{};
+  bool lost = false;
+  F sent{};
+};
+template <class U, class F>
+Driven(U, bool, F) -> Driven<U, F>;
+
+/// Nothing to watch: numbers that do not leave their range.
+struct Unwatched {
+  template <class... V>
+  AXIAL_INLINE constexpr void operator()(const V&...) {}
+  AXIAL_INLINE static constexpr Zero magnified() { return {}; }
+};
+
+/// Accelerations of the structure under efforts alone; take(i, qdd_i) gets one a joint. `watch` sees every vector on
+/// the way. Returns the first joint that is near singular or beyond its formats, or -1.
+template <class Links, class Screws, class Structure, class Drive, class Watch, class Take>
+AXIAL_INLINE constexpr int respond(const Links& links, const Screws& screws, const Structure& structure,
+                                   const Drive& drive, Watch& watch, const Take& take) {
+  auto nothing = [&](auto i) AXIAL_INLINE { return links.link(i).shape(ForceVector<ZeroVec3, ZeroVec3>{}); };
+  auto forces = inward(links, nothing, [&](auto i, const auto& force) AXIAL_INLINE {
+    auto link = links.link(i);
+    return link.on_joint([&](auto joint) AXIAL_INLINE {
+      bool lost = structure[i].singular;
+      auto passed = passage(joint, link, structure[i], unswept, force, drive[i], watch.magnified(), lost);
+      auto turned = to_parent(screws[i], passed.bias, link);
+      auto sent = to_parent(link.x(), turned, link.outer());
+      watch(passed.bias, turned, sent, passed.free);
+      return Driven{link.shape(passed.free), lost, link.shape(sent)};
+    });
+  });
+  int first = -1;
+  outward(links, MotionVector<ZeroVec3, ZeroVec3>{}, [&](auto i, const auto& parent) AXIAL_INLINE {
+    auto link = links.link(i);
+    auto across = to_child(link.x(), parent, link);
+    auto moved = with_joint(link, to_child(screws[i], across, link), MotionVector<ZeroVec3, ZeroVec3>{});
+    bool lost = forces[i].lost;
+    auto answer = link.on_joint([&](auto joint) AXIAL_INLINE {
+      auto own =
+          link.limited(quantity::JointAcceleration{}, lost, forces[i].free, -gain_times(structure[i].gain, moved));
+      auto motion = with_joint(link, moved, along_axis(joint, own));
+      watch(across, moved, own, motion);
+      take(i, own);
+      return link.shape(motion);
+    });
+    first = first_found(first, lost, static_cast<int>(i));
+    return answer;
+  });
+  return first;
+}
+
+}  // namespace aba
+}  // namespace axial

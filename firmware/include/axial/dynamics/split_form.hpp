@@ -1,0 +1,87 @@
+// Forward dynamics in the split form: the bias torque by RNEA, then the structure at rest under what is left of tau.
+#pragma once
+
+#include <axial/dynamics/drive_scale.hpp>
+#include <axial/dynamics/free_response.hpp>
+#include <axial/dynamics/inverse_dynamics.hpp>
+
+namespace axial {
+namespace aba {
+
+/// One answer in numbers of unlimited range.
+template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
+AXIAL_INLINE constexpr Status answer(const Links& links, const Screws& screws, const Structure& structure,
+                                     const Tau& tau, const Bias& bias, A& qdd) {
+  auto drive = map_links(links, [&](auto i) AXIAL_INLINE { return tau[i] - bias[i]; });
+  Unwatched watch;
+  const int lost = respond(links, screws, structure, drive, watch,
+                           [&](auto i, const auto& own) AXIAL_INLINE { write(links, qdd, i, own); });
+  return status_of<Links>(lost, false);
+}
+
+/// Joint accelerations of one solve as words, each at the exponent of its link.
+template <class Links>
+struct Solved {
+  std::int32_t raw[Links::capacity] = {};
+  int lost = -1;
+};
+
+template <class Links, class Screws, class Structure, class Tau, class Bias>
+AXIAL_INLINE constexpr Solved<Links> solved(const Links& links, const Screws& screws, const Structure& structure,
+                                            const Tau& tau, const Bias& bias, int halvings, Headroom& room) {
+  Solved<Links> result;
+  result.lost = respond(links, screws, structure, drive_over(links, tau, bias, halvings), room,
+                        [&](auto i, const auto& own) AXIAL_INLINE { result.raw[i] = own.raw; });
+  return result;
+}
+
+/// In fixed point: a first solve, whose ranges are proved; then, in 32 bits, one as much larger as the first leaves
+/// room for. The second is taken where it agrees with the first, so that the answer never strays from the proved one.
+template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
+AXIAL_INLINE constexpr Status answer_in_ranges(const Links& links, const Screws& screws, const Structure& structure,
+                                               const Tau& tau, const Bias& bias, A& qdd) {
+  using S = typename Links::Scalar;
+  constexpr int solves = S::bits == 32 ? 2 : 1;
+  const int halvings = halvings_of(links, tau, bias);
+  Solved<Links> all[solves];
+  int magnified = 0;
+  for (int k = 0; k < solves; ++k) {  // a loop, so that the code is there once
+    Headroom room(magnified);
+    all[k] = solved(links, screws, structure, tau, bias, halvings - magnified, room);
+    if (k + 1 < solves) magnified = select(is_negative(all[0].lost), room.magnification(), 0);
+  }
+  int lost = all[0].lost;
+  for_each_link(links, [&](auto i) AXIAL_INLINE {
+    constexpr int exponent = decltype(links.link(i))::format.joint_acceleration;
+    const std::int32_t first = all[0].raw[i], second = all[solves - 1].raw[i];
+    const std::int32_t apart = detail::moved_down<S>(second, static_cast<unsigned char>(magnified)) - first;
+    const bool agrees = is_negative(all[solves - 1].lost) & detail::is_less(apart, second_solve_tolerance) &
+                        detail::is_less(-second_solve_tolerance, apart);
+    const int net = halvings - select(agrees, magnified, 0);
+    const std::int64_t whole =
+        detail::rescaled_word<S>(static_cast<typename S::Word>(select(agrees, second, first)),
+                                 select(detail::is_less(0, net), net, 0), select(detail::is_less(net, 0), -net, 0));
+    bool spilt = false;
+    write(links, qdd, i, Fx<exponent, S>{detail::held_in_word<S>(spilt, whole)});
+    lost = first_found(lost, spilt, static_cast<int>(i));
+  });
+  return status_of<Links>(lost, halvings > 0);
+}
+
+template <class Links, class BiasLinks, class Input, class Q, class V, class Tau, class A>
+AXIAL_INLINE constexpr Status run_split(const Links& links, const BiasLinks& bias_links, const Input& in, const Q& q,
+                                        const V& qd, const Tau& tau, A& qdd) {
+  auto at = read(links, q);
+  auto screws = joint_screws(links, in, at);
+  auto bias = no_efforts(bias_links);
+  rnea::efforts(bias_links, in, at, screws, read(links, qd), NoMotion{}, bias);
+  auto structure = structure_at_rest(links, in, screws);
+  auto given = read(links, tau), left = read(links, bias);
+  if constexpr (is_number_v<typename Links::Scalar>)
+    return answer(links, screws, structure, given, left, qdd);
+  else
+    return answer_in_ranges(links, screws, structure, given, left, qdd);
+}
+
+}  // namespace aba
+}  // namespace axial
