@@ -35,8 +35,9 @@ AXIAL_INLINE constexpr Solved<Links> solved(const Links& links, const Screws& sc
   return result;
 }
 
-/// In fixed point: a first solve, whose ranges are proved; then, in 32 bits, one as much larger as the first leaves
-/// room for. The second is taken where it agrees with the first, so that the answer never strays from the proved one.
+/// In fixed point: a first solve, whose ranges are proved; then, where formats have bits to spare, one as much larger
+/// as the first leaves room for. The second is taken where it agrees with the first, so that the answer never strays
+/// from the proved one.
 template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
 AXIAL_INLINE constexpr Status answer_in_ranges(const Links& links, const Screws& screws, const Structure& structure,
                                                const Tau& tau, const Bias& bias, A& qdd) {

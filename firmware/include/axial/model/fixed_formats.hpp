@@ -198,6 +198,10 @@ struct Formats {
   };
   template <int I>
   using Of = FormatRounding<S, Table, I>;
+  /// Whether forward dynamics solves twice.
+  static constexpr bool second_solve() {
+    return second_solve_pays(mechanism_of<Scene, Parameters>, rounding_of<S>(), Table::value);
+  }
   /// What drives joint i at most without halvings, as a raw value.
   static constexpr std::int64_t drive_limit(int i, int exponent) {
     return static_cast<std::int64_t>(Table::value.range[i].drive * power_of_two(exponent));

@@ -156,6 +156,16 @@ class ForwardErrorAnalysis {
 /// (dynamics/split_form.hpp); in 32-bit words.
 inline constexpr std::int32_t second_solve_tolerance = 1024;
 
+/// Whether a second solve pays: where efforts alone could drive a joint at more than 2^10 times the acceleration that
+/// it declares, its formats have that many bits to spare in most states. In 32-bit words.
+template <int N>
+constexpr bool second_solve_pays(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& ranges) {
+  bool pays = false;
+  for (int i = 0; i < N; ++i)
+    pays = pays || ranges.range[i].joint_acceleration.size > 1024.0 * m.joints[i].acceleration;
+  return pays && r.bits == 32;
+}
+
 /// Fills in the errors of the joint accelerations of the split form, the drive being halved as often as the
 /// declared efforts and the bias may need (excess_of_drive).
 template <int N>
@@ -164,7 +174,7 @@ constexpr void certify_forward(const Mechanism<N>& m, const Rounding& r, const R
   double doublings = 1.0;
   while (doublings < detail::excess_of_drive(m, r, motion))
     doublings *= 2.0;
-  const double tolerance = r.bits == 32 ? second_solve_tolerance : 0.0;
+  const double tolerance = second_solve_pays(m, r, ranges) ? second_solve_tolerance : 0.0;
   for (int i = 0; i < N; ++i)
     ranges.range[i].joint_acceleration.error =
         doublings * (errors.of(i) + tolerance * r.ulp(ranges.format[i].joint_acceleration));

@@ -32,6 +32,7 @@ struct StaticLinks {
   template <int I>
   static constexpr int parent_of = Scene::Robot::chain.parent(I);
   AXIAL_INLINE static constexpr int parent_index(int i) { return Scene::Robot::chain.parent(i); }
+  static constexpr bool second_solve() { return FormatsType::second_solve(); }
   template <int I>
   static constexpr std::int64_t drive_limit(int exponent) {
     return FormatsType::drive_limit(I, exponent);
