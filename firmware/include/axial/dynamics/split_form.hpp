@@ -42,7 +42,7 @@ template <class Links, class Screws, class Structure, class Tau, class Bias, cla
 AXIAL_INLINE constexpr Status answer_in_ranges(const Links& links, const Screws& screws, const Structure& structure,
                                                const Tau& tau, const Bias& bias, A& qdd) {
   using S = typename Links::Scalar;
-  constexpr int solves = S::bits == 32 ? 2 : 1;
+  constexpr int solves = Links::second_solve() ? 2 : 1;
   const int halvings = halvings_of(links, tau, bias);
   Solved<Links> all[solves];
   int magnified = 0;
