@@ -68,11 +68,11 @@ TEST(FixedErrorBounds, TheScaraClosedFormIsFiftyTimesBetterThanFloat) {
   EXPECT_GE(gain, 50.0);
 }
 
-// Efforts uniform within the declared ones. The Panda is left out: without rotor inertias the formats leave room for
-// what its links' own inertias would allow, hundreds of times what occurs, and the split form is only as good as float.
+// Efforts uniform within the declared ones. The Panda without rotor inertias solves twice: its formats leave room for
+// what its links' own inertias would allow, hundreds of times what occurs.
 template <class R>
 class FixedForwardErrors : public testing::Test {};
-using Forward = testing::Types<robots::Scara, robots::ScaraRrpr, robots::Puma560, robots::Planar2r>;
+using Forward = testing::Types<robots::Scara, robots::ScaraRrpr, robots::Puma560, robots::Planar2r, robots::Panda>;
 TYPED_TEST_SUITE(FixedForwardErrors, Forward, property::RobotName);
 
 TYPED_TEST(FixedForwardErrors, TheSplitFormIsFiveTimesBetterThanFloat) {
