@@ -124,7 +124,8 @@ def size_fixed(data):
     rows = [row for row in data.size if row["scalar"].startswith("fixed")]
     header = ["robot, algorithm, numbers", "board", "instructions", "cycles", "flash", "RAM", "stack"]
     figures = ("instructions", "cycles_estimated", "flash_bytes", "ram_bytes", "stack_bytes")
-    name = lambda row: f"{row['robot']}, {row['algorithm'].replace('_', ' ')}, {row['scalar'].replace('_', ' ')}"
+    form = lambda row: "" if row["variant"] == "unrolled" else ", " + row["variant"]
+    name = lambda row: f"{row['robot']}, {row['algorithm'].replace('_', ' ')}, {row['scalar'].replace('_', ' ')}{form(row)}"
     return markdown(header, [[name(row), row["board"]] + [grouped(row[figure]) for figure in figures]
                              for row in sorted(rows, key=lambda row: (name(row), row["board"]))])
 
