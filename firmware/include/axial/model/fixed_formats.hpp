@@ -109,6 +109,8 @@ struct FormatRounding {
       return Vec3{quotient(quantity, inverse, x.x), quotient(quantity, inverse, x.y), quotient(quantity, inverse, x.z)};
     else if constexpr (is_zero_v<X>)
       return Zero{};
+    else if constexpr (is_structural_v<X>)
+      return quotient(quantity, inverse, Literal<bits_of(static_cast<double>(X::value)), S>{});
     else
       return axial::quotient<Table::value.format[I].of(Quantity{})>(inverse, x);
   }

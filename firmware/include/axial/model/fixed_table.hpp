@@ -255,6 +255,17 @@ inline constexpr bool shares_formats = false;
 template <class Scene, class S, class Parameters, class Formats>
 inline constexpr bool shares_formats<FixedTableLinks<Scene, S, Parameters, Formats>> = true;
 
+/// Formats of an articulated body need a joint that its own link or rotor resists.
+template <class Scene, class Recursion>
+constexpr bool resisted_by_themselves() {
+  bool all = true;
+  if constexpr (std::is_same_v<Recursion, recursion::ArticulatedBodies> ||
+                std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>)
+    for (int i = 0; i < Scene::Robot::chain.size; ++i)
+      all = all && least_joint_inertia(mechanism_of<Scene, FullParameters>, i) > 0.0;
+  return all;
+}
+
 /// The recursions whose quantities have room for one format all along an arm.
 template <class Scene, class Recursion>
 constexpr void check_fixed_form() {
@@ -263,6 +274,10 @@ constexpr void check_fixed_form() {
           std::is_same_v<Recursion, recursion::CompositeBodies> || std::is_same_v<Recursion, recursion::Kinematics>,
       "axial: forward dynamics and separation in fixed point need a format a link, which the looped form has not; take "
       "Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)");
+  static_assert(resisted_by_themselves<Scene, Recursion>(),
+                "axial: forward dynamics in fixed point takes its formats from what each link resists by itself; give "
+                "every link an inertia about its joint's axis (a slide: a mass), or rotor_inertia() and name "
+                "RotorInertia; or compute this scene in float");
 }
 
 /// How far words of one role, in a format a joint, are from a common one.
