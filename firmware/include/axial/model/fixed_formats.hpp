@@ -2,8 +2,8 @@
 #pragma once
 
 #include <axial/model/fixed_joints.hpp>
-#include <axial/model/kinematics_ranges.hpp>
-#include <axial/model/separation_ranges.hpp>
+#include <axial/model/ranges/kinematics.hpp>
+#include <axial/model/ranges/separation.hpp>
 #include <axial/scalar/fixed_divide.hpp>
 #include <axial/spatial/inertia.hpp>
 

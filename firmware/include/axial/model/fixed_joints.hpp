@@ -1,8 +1,8 @@
 // Joint values in fixed point: integers, and the exponents that the robot's declared limits give them.
 #pragma once
 
-#include <axial/model/forward_error.hpp>
 #include <axial/model/joints.hpp>
+#include <axial/model/ranges/forward_error.hpp>
 
 namespace axial {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/model/fixed_inputs.hpp>
-#include <axial/model/fixed_table.hpp>
+#include <axial/model/shared_view.hpp>
 #include <axial/spatial/pose.hpp>
 
 namespace axial {

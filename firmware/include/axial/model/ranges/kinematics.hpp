@@ -1,7 +1,7 @@
 // Ranges and errors of the poses of frames. doc/ranges.md is the proof.
 #pragma once
 
-#include <axial/model/newton_euler_ranges.hpp>
+#include <axial/model/ranges/newton_euler.hpp>
 
 namespace axial {
 namespace detail {

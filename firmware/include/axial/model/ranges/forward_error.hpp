@@ -2,7 +2,7 @@
 // effort, and the energy norms of M and of its inverse say what such changes can do. doc/ranges.md is the proof.
 #pragma once
 
-#include <axial/model/articulated_ranges.hpp>
+#include <axial/model/ranges/articulated_bodies.hpp>
 
 namespace axial {
 namespace detail {

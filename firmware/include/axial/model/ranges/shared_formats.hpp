@@ -1,7 +1,7 @@
 // The looped form in fixed point: one format a quantity for all links, from the formats that each would have alone.
 #pragma once
 
-#include <axial/model/ranges.hpp>
+#include <axial/model/ranges/mechanism.hpp>
 
 namespace axial {
 namespace detail {

@@ -1,7 +1,7 @@
 // Bounds of vectors in a link's frame: across and along its joint's axis, which a turn of the joint keeps apart.
 #pragma once
 
-#include <axial/model/ball.hpp>
+#include <axial/model/ranges/ball.hpp>
 
 namespace axial {
 

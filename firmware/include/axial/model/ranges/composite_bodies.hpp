@@ -1,8 +1,8 @@
 // Ranges of composite bodies: what everything outboard of a link can weigh about it. doc/ranges.md is the proof.
 #pragma once
 
-#include <axial/model/shared_formats.hpp>
-#include <axial/model/split_ball.hpp>
+#include <axial/model/ranges/shared_formats.hpp>
+#include <axial/model/ranges/split_ball.hpp>
 
 namespace axial {
 

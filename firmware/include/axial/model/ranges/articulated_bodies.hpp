@@ -1,8 +1,8 @@
 // Ranges of the articulated-body algorithm on full parameters: 0 <= I* <= I^c in the Loewner order. doc/ranges.md.
 #pragma once
 
-#include <axial/model/composite_ranges.hpp>
-#include <axial/model/newton_euler_ranges.hpp>
+#include <axial/model/ranges/composite_bodies.hpp>
+#include <axial/model/ranges/newton_euler.hpp>
 
 namespace axial {
 namespace detail {

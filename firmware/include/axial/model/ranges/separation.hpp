@@ -1,7 +1,7 @@
 // Ranges of the separated terms: composite bodies, and the motions that unit rates give them. doc/ranges.md.
 #pragma once
 
-#include <axial/model/composite_ranges.hpp>
+#include <axial/model/ranges/composite_bodies.hpp>
 
 namespace axial {
 

@@ -1,8 +1,8 @@
 // Ranges: what bounds the quantities of every link, and in which formats they are kept. doc/ranges.md is the proof.
 #pragma once
 
-#include <axial/model/ball.hpp>
 #include <axial/model/link_view.hpp>
+#include <axial/model/ranges/ball.hpp>
 
 namespace axial {
 

@@ -1,8 +1,8 @@
 // Ranges and errors of the recursive Newton-Euler algorithm, on norms. doc/ranges.md is the proof.
 #pragma once
 
-#include <axial/model/shared_formats.hpp>
-#include <axial/model/split_ball.hpp>
+#include <axial/model/ranges/shared_formats.hpp>
+#include <axial/model/ranges/split_ball.hpp>
 
 namespace axial {
 namespace detail {
