@@ -9,7 +9,7 @@ namespace axial {
 
 namespace detail {
 
-inline constexpr int most_halvings = 5;
+inline constexpr int most_halvings = 5, most_doublings = 12;
 
 /// Halvings that bring |x| to `limit` or below, at most most_halvings; the same instructions whatever they are.
 template <int... K>
@@ -23,11 +23,11 @@ AXIAL_INLINE constexpr std::int64_t difference(const Fx<E, S>& a, const Fx<E, S>
   return std::int64_t{a.raw} - std::int64_t{b.raw};
 }
 
-/// x / 2^shift from exponent E at exponent F.
+/// x / 2^shift from exponent E at exponent F; shift from -most_doublings to most_halvings.
 template <int F, int E, class S>
 AXIAL_INLINE constexpr Fx<F, S> divided(std::int64_t x, int shift) {
   constexpr int room = 24;  // 33 bits and these are still a double word
-  static_assert(E - F + room > 0 && E - F + room + most_halvings < 63);
+  static_assert(E - F + room >= most_doublings && E - F + room + most_halvings < 63);
   return {static_cast<typename S::Word>(shifted_by(x * (std::int64_t{1} << room), shift + (E - F + room)))};
 }
 
@@ -66,7 +66,7 @@ AXIAL_INLINE constexpr auto drive_over(const Links& links, const Tau& tau, const
 /// as large: then less is lost to rounding.
 class Headroom {
  public:
-  static constexpr int most = 12;  ///< doublings
+  static constexpr int most = detail::most_doublings;
 
   /// Of a drive that is magnified already.
   AXIAL_INLINE constexpr explicit Headroom(int magnified) : magnified_(magnified) {}
