@@ -2,8 +2,8 @@
 
 usage: tables.py DATA_FOLDER DOCUMENT.md...
 
-DATA_FOLDER holds on_board.json, provenance.json, demo-<robot>-<board>.json, size.json, size_provenance.json, flags.csv and
-flags_provenance.json. In each document whatever stands between <!-- table NAME --> and <!-- end --> is replaced by the
+DATA_FOLDER holds on_board.json, provenance.json, demo-<robot>-<board>.json, size.json, size_provenance.json, flags.csv,
+flags_provenance.json and fixed_overflows.json. In each document whatever stands between <!-- table NAME --> and <!-- end --> is replaced by the
 table of that name (a key of TABLES).
 """
 
@@ -24,6 +24,7 @@ class Data:
         self.provenance = load(folder / "provenance.json")
         self.size, self.size_provenance = load(folder / "size.json"), load(folder / "size_provenance.json")
         self.flags, self.flags_provenance = load_csv(folder / "flags.csv"), load(folder / "flags_provenance.json")
+        self.overflows = load(folder / "fixed_overflows.json")
         self.demos = [load(file) for file in sorted(folder.glob("demo-*.json"))]
 
 
@@ -130,6 +131,17 @@ def size_fixed(data):
                              for row in sorted(rows, key=lambda row: (name(row), row["board"]))])
 
 
+def fixed_overflows(data):
+    """A row a robot, a column a kernel and arithmetic: states, and results that did not fit."""
+    robots = unique(row["robot"] for row in data.overflows)
+    kernels = unique((row["kernel"], row["arithmetic"]) for row in data.overflows)
+    cells = {(row["robot"], row["kernel"], row["arithmetic"]): f"{row['overflows']} in {grouped(row['states'])}" for row in data.overflows}
+    header = ["overflows"] + [f"{kernel.replace('_', ' ')}, {arithmetic}" for kernel, arithmetic in kernels]
+    made = data.overflows[0]
+    return (markdown(header, [[robot] + [cells.get((robot, *kernel), "") for kernel in kernels] for robot in robots]) +
+            f"\nCounted at commit `{made['commit']}` with {made['compiler']}, `{made['flags']}`.\n")
+
+
 def size_scenes(data):
     """What a feature adds to the bare scene."""
     header = ["board, robot, algorithm", "figure"]
@@ -201,7 +213,7 @@ def flag_cell(number):
     return "loops" if number is None else grouped(number)
 
 
-TABLES = {"size_flags": size_flags,
+TABLES = {"size_flags": size_flags, "fixed_overflows": fixed_overflows,
           "size_provenance": size_provenance, "size_scenes": size_scenes, "size_fixed": size_fixed, "size_contract": size_contract,
           "size_stm32f405": lambda data: size_of(data, "stm32f405"),
           "size_mps2_an500": lambda data: size_of(data, "mps2_an500", "fast"),
