@@ -59,7 +59,11 @@ class FixedPoint : public testing::Test {
 
   std::mt19937_64 generator{7};
 };
+#ifdef AXIAL_FEW_ROBOTS
+using Robots = testing::Types<robots::Puma560, robots::Scara>;
+#else
 using Robots = testing::Types<robots::Puma560, robots::Panda, robots::Scara, robots::ScaraRrpr, robots::Indy7>;
+#endif
 TYPED_TEST_SUITE(FixedPoint, Robots);
 
 // A robot and how it is computed.
@@ -78,9 +82,14 @@ class FixedForms : public testing::Test {
 
   std::mt19937_64 generator{7};
 };
+#ifdef AXIAL_FEW_ROBOTS
+using Forms =
+    testing::Types<Form<robots::Puma560>, Form<robots::ScaraRrpr, Looped>, Form<robots::Puma560, Looped, HighWord>>;
+#else
 using Forms = testing::Types<Form<robots::Puma560>, Form<robots::Panda>, Form<robots::Scara>, Form<robots::ScaraRrpr>,
                              Form<robots::Indy7>, Form<robots::Puma560, Looped>, Form<robots::Panda, Looped, HighWord>,
                              Form<robots::ScaraRrpr, Looped>, Form<robots::Indy7, Looped, RoundDown>>;
+#endif
 TYPED_TEST_SUITE(FixedForms, Forms);
 
 }  // namespace
