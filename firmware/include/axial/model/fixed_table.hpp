@@ -3,7 +3,7 @@
 
 #include <axial/model/constant_pose.hpp>
 #include <axial/model/fixed_formats.hpp>
-#include <axial/model/link_view.hpp>
+#include <axial/model/table_link.hpp>
 
 namespace axial {
 namespace detail {
@@ -117,71 +117,32 @@ inline constexpr auto fixed_drives =
 
 /// Row of a table of integers.
 template <class SceneType, class S, class Columns, class Formats>
-class FixedTableLink : public detail::LinkAccess<FixedTableLink<SceneType, S, Columns, Formats>, detail::TableWord>,
-                       public detail::FormatRounding<S, Formats, 0> {
+class FixedTableLink
+    : public detail::TableRow<FixedTableLink<SceneType, S, Columns, Formats>, detail::TableWord, Columns>,
+      public detail::FormatRounding<S, Formats, 0> {
+  using Base = detail::TableRow<FixedTableLink, detail::TableWord, Columns>;
   using Table = detail::FixedTable<Formats>;
-  using Word = detail::TableWord;
-  using C = LinkConstants<Word>;
 
  public:
   using Scene = SceneType;
   using Scalar = S;
-  using Constants = typename Columns::template Row<Word>;
-  static constexpr bool unrolled = false;
   static constexpr bool adds_angles = true;
-  static constexpr bool branches = Columns::any_branch;
-  const Constants& row;
-  const DriveConstants<Word>* drives;  ///< of this link; null where the scene names none
-  bool is_last;
+  using Base::Base;
 
-  AXIAL_INLINE constexpr FixedTableLink(const Constants& constants, const DriveConstants<Word>* own, bool last)
-      : row(constants), drives(own), is_last(last) {}
-
-  template <detail::Member<Word> M>
-  AXIAL_INLINE constexpr auto get() const {
-    constexpr double common = Columns::common(M);
-    if constexpr (common == 0.0 || common == 1.0 || common == -1.0)
-      return Int<static_cast<int>(common)>{};
-    else
-      return Fx<Formats::columns.of(M), S>{static_cast<typename S::Word>(row.*M)};
+  template <auto M>
+  AXIAL_INLINE static constexpr auto number(detail::TableWord x) {
+    return Fx<Formats::columns.of(M), S>{static_cast<typename S::Word>(x)};
   }
-  template <detail::BranchMember<Word> M>
-  AXIAL_INLINE constexpr auto branch() const {
-    constexpr double common = Columns::common(M);
-    if constexpr (common == 0.0 || common == 1.0 || common == -1.0)
-      return Int<static_cast<int>(common)>{};
-    else
-      return Fx<Formats::columns.of(M), S>{static_cast<typename S::Word>(row.branch.*M)};
-  }
-  template <detail::DriveMember<Word> M>
+  template <detail::DriveMember<detail::TableWord> M>
   AXIAL_INLINE constexpr auto drive() const {
     constexpr std::size_t column = Table::drive_column(M);
     if constexpr (Table::largest_drive(column) > 0.0)
-      return Fx<Table::drive_exponent(column), S>{static_cast<typename S::Word>(drives->*M)};
+      return Fx<Table::drive_exponent(column), S>{static_cast<typename S::Word>(this->drives->*M)};
     else
       return Zero{};
   }
   /// A joint's angle with the constant part of its turn.
-  AXIAL_INLINE constexpr Bam<S> with_offset(const Bam<S>& q) const { return q + Bam<S>{row.theta}; }
-  template <detail::Member<Word>>
-  AXIAL_INLINE static constexpr AnyTurn beyond_45_degrees() {
-    return {};
-  }
-  template <detail::BranchMember<Word>>
-  AXIAL_INLINE static constexpr AnyTurn branch_beyond_45_degrees() {
-    return {};
-  }
-  template <class F>
-  AXIAL_INLINE constexpr auto on_joint(const F& f) const {
-    if constexpr (!Columns::any_prismatic) {
-      return f(Revolute{});
-    } else if constexpr (!Columns::any_revolute) {
-      return f(Prismatic{});
-    } else {
-      if (row.prismatic) return f(Prismatic{});
-      return f(Revolute{});
-    }
-  }
+  AXIAL_INLINE constexpr Bam<S> with_offset(const Bam<S>& q) const { return q + Bam<S>{this->row.theta}; }
   /// Results in the formats that all links share.
   template <class V>
   AXIAL_INLINE static constexpr auto shape(const V& v) {

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <axial/model/base_parameters.hpp>
-#include <axial/model/columns.hpp>
 #include <axial/model/drive_constants.hpp>
 #include <axial/model/joints.hpp>
 #include <axial/model/link_constants.hpp>
@@ -234,82 +233,6 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
   template <class V>
   AXIAL_INLINE static constexpr const V& shape(const V& v) {
     return v;
-  }
-};
-
-/// Row of a table of links: plain numbers. One step serves all links, so results are kept as plain numbers too.
-template <class SceneType, class T, class Source, class Columns>
-class TableLink : public detail::LinkAccess<TableLink<SceneType, T, Source, Columns>, Source>, public Plain {
- public:
-  using Scene = SceneType;
-  using Scalar = T;
-  static constexpr bool unrolled = false;
-  static constexpr bool adds_angles = false;
-  static constexpr bool branches = Columns::any_branch;
-  using Constants = typename Columns::template Row<Source>;
-  const Constants& row;
-  const DriveConstants<Source>* drives;  ///< of this link; null where the scene names none
-  bool is_last;
-
-  AXIAL_INLINE constexpr TableLink(const Constants& constants, const DriveConstants<Source>* own, bool last)
-      : row(constants), drives(own), is_last(last) {}
-
-  template <detail::Member<Source> M>
-  AXIAL_INLINE constexpr auto get() const {
-    constexpr double common = Columns::common(M);
-    if constexpr (common == 0.0 || common == 1.0 || common == -1.0)
-      return Int<static_cast<int>(common)>{};
-    else
-      return number(row.*M);
-  }
-  template <detail::BranchMember<Source> M>
-  AXIAL_INLINE constexpr auto branch() const {
-    constexpr double common = Columns::common(M);
-    if constexpr (common == 0.0 || common == 1.0 || common == -1.0)
-      return Int<static_cast<int>(common)>{};
-    else
-      return number(row.branch.*M);
-  }
-  template <detail::DriveMember<Source> M>
-  AXIAL_INLINE constexpr auto drive() const {
-    if constexpr (detail::any_drive_has<typename Scene::Robot, Source, M>(0))
-      return number(drives->*M);
-    else
-      return Zero{};
-  }
-  template <detail::Member<Source>>
-  AXIAL_INLINE static constexpr AnyTurn beyond_45_degrees() {
-    return {};
-  }
-  template <detail::BranchMember<Source>>
-  AXIAL_INLINE static constexpr AnyTurn branch_beyond_45_degrees() {
-    return {};
-  }
-  template <class F>
-  AXIAL_INLINE constexpr auto on_joint(const F& f) const {
-    if constexpr (!Columns::any_prismatic) {
-      return f(Revolute{});
-    } else if constexpr (!Columns::any_revolute) {
-      return f(Prismatic{});
-    } else {
-      if (row.prismatic) return f(Prismatic{});
-      return f(Revolute{});
-    }
-  }
-  template <class V>
-  AXIAL_INLINE static constexpr auto shape(const V& v) {
-    if constexpr (is_scalar_v<V>)
-      return T(v);
-    else
-      return v.template dense<T>();
-  }
-
- private:
-  AXIAL_INLINE static constexpr T number(const Source& x) {
-    if constexpr (std::is_same_v<T, Source>)
-      return x;
-    else
-      return NumberTraits<T>::constant(x);
   }
 };
 

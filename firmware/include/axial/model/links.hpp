@@ -3,7 +3,7 @@
 
 #include <axial/model/constant_pose.hpp>
 #include <axial/model/joint_access.hpp>
-#include <axial/model/link_view.hpp>
+#include <axial/model/table_link.hpp>
 #include <axial/spatial/pose.hpp>
 
 namespace axial {
