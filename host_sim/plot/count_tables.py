@@ -8,7 +8,7 @@ DATA_FOLDER holds counts.json, congruences.json, published_counts.json and count
 import pathlib
 import sys
 
-from tables import MARKED, load, markdown, unique
+from tables import fill, load, markdown, unique
 
 BARS = [("inverse_dynamics", "base", "inverse dynamics"), ("mass_matrix", "base", "mass matrix"),
         ("composite_body", "base", "forward dynamics by composite bodies"),
@@ -101,9 +101,8 @@ TABLES = {table.__name__: table for table in (counts_bars, counts_plain, counts_
 
 
 def main(folder, document):
-    data, path = Data(pathlib.Path(folder)), pathlib.Path(document)
-    text = path.read_text(encoding="utf-8")
-    path.write_text(MARKED.sub(lambda match: match[1] + TABLES[match[2]](data) + match[3], text), encoding="utf-8")
+    data = Data(pathlib.Path(folder))
+    fill(document, lambda name: TABLES[name](data))
 
 
 if __name__ == "__main__":

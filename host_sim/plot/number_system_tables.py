@@ -7,7 +7,7 @@ import pathlib
 import sys
 
 from number_systems import NAMES
-from tables import MARKED, grouped, load, markdown, span, unique
+from tables import fill, grouped, load, markdown, span, unique
 
 
 def kernel(row):
@@ -70,12 +70,11 @@ def provenance(made):
 
 
 def main(folder, promised_file, document):
-    folder, path = pathlib.Path(folder), pathlib.Path(document)
+    folder = pathlib.Path(folder)
     rows, made = load(folder / "number_systems.json"), load(folder / "number_systems_provenance.json")
     tables = {"number_errors": errors(rows), "number_instructions": instructions(rows), "number_bytes": bytes_of(rows),
               "number_promises": promises(rows, load(pathlib.Path(promised_file))), "number_provenance": provenance(made)}
-    text = path.read_text(encoding="utf-8")
-    path.write_text(MARKED.sub(lambda match: match[1] + tables[match[2]] + match[3], text), encoding="utf-8")
+    fill(document, tables.__getitem__)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ usage: separation_tables.py DATA_FOLDER DOCUMENT.md
 import pathlib
 import sys
 
-from tables import MARKED, grouped, load, markdown
+from tables import fill, grouped, load, markdown
 
 METHODS = {"newton_euler": "Newton-Euler", "separation": "separation", "closed_form": "closed form"}
 UNITS = {"operations": "operations", "stm32f405": "Cortex-M4F", "nrf51": "Cortex-M0"}
@@ -42,12 +42,11 @@ def separation_rates(data):
 
 
 def main(folder, document):
-    data, path = load(pathlib.Path(folder) / "separation.json"), pathlib.Path(document)
+    data = load(pathlib.Path(folder) / "separation.json")
     provenance = load(pathlib.Path(folder) / "separation_provenance.json")
     tables = {"separation_methods": separation_methods(data), "separation_rates": separation_rates(data),
               "separation_provenance": f"Measured at commit `{provenance['commit']}`; compilers and flags as in doc/size.md.\n"}
-    text = path.read_text(encoding="utf-8")
-    path.write_text(MARKED.sub(lambda match: match[1] + tables[match[2]] + match[3], text), encoding="utf-8")
+    fill(document, tables.__getitem__)
 
 
 if __name__ == "__main__":

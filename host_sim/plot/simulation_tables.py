@@ -6,7 +6,7 @@ usage: simulation_tables.py DATA_FOLDER DOCUMENT.md
 import pathlib
 import sys
 
-from tables import MARKED, grouped, load, markdown
+from tables import fill, grouped, load, markdown
 
 
 def number(value):
@@ -46,10 +46,8 @@ TABLES = {"simulation": work, "loops": loops, "simulation_provenance": provenanc
 
 
 def main(folder, document):
-    folder, document = pathlib.Path(folder), pathlib.Path(document)
-    text = document.read_text(encoding="utf-8")
-    fresh = MARKED.sub(lambda match: match[1] + TABLES[match[2]](folder) + match[3], text)
-    document.write_text(fresh, encoding="utf-8")
+    folder = pathlib.Path(folder)
+    fill(document, lambda name: TABLES[name](folder))
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ import pathlib
 import sys
 
 import speed
-from tables import MARKED, markdown
+from tables import fill, markdown
 
 
 class Data:
@@ -81,9 +81,8 @@ TABLES = {"speed_provenance": speed_provenance, "speed_ratios": speed_ratios, "s
 
 
 def main(folder, document):
-    data, page = Data(pathlib.Path(folder)), pathlib.Path(document)
-    text = page.read_text(encoding="utf-8")
-    page.write_text(MARKED.sub(lambda match: match[1] + TABLES[match[2]](data) + match[3], text), encoding="utf-8")
+    data = Data(pathlib.Path(folder))
+    fill(document, lambda name: TABLES[name](data))
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ import sys
 
 import stability
 from stability import ENGINES, ROUTES, SCALARS, of, unique
-from tables import MARKED, load, markdown
+from tables import fill, load, markdown
 
 # What each variant of the ablation is called in the document.
 VARIANTS = ["textbook", "1", "2", "2p", "3", "1+2", "1+3", "2+3", "1+2p+3", "1+2+3'", "1+2+3", "1+2+3, dense", "textbook, world axes", "axial"]
@@ -164,9 +164,8 @@ TABLES = {"stability_motions": motions, "stability_provenance": provenance, "sta
 
 
 def main(folder, document):
-    data, page = Data(pathlib.Path(folder)), pathlib.Path(document)
-    text = page.read_text(encoding="utf-8")
-    page.write_text(MARKED.sub(lambda match: match[1] + TABLES[match[2]](data) + match[3], text), encoding="utf-8")
+    data = Data(pathlib.Path(folder))
+    fill(document, lambda name: TABLES[name](data))
 
 
 if __name__ == "__main__":

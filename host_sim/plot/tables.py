@@ -43,6 +43,13 @@ def markdown(header, rows):
     return "".join("| " + " | ".join(line) + " |\n" for line in lines)
 
 
+def fill(document, table):
+    """Replaces what stands between the marks of a document by table(name), a text."""
+    path = pathlib.Path(document)
+    text = path.read_text(encoding="utf-8")
+    path.write_text(MARKED.sub(lambda match: match[1] + table(match[2]) + match[3], text), encoding="utf-8")
+
+
 def unique(values):
     return list(dict.fromkeys(values))
 
@@ -224,10 +231,8 @@ TABLES = {"size_flags": size_flags, "fixed_overflows": fixed_overflows,
 
 def main(folder, documents):
     data = Data(pathlib.Path(folder))
-    for document in map(pathlib.Path, documents):
-        text = document.read_text(encoding="utf-8")
-        fresh = MARKED.sub(lambda match: match[1] + TABLES[match[2]](data) + match[3], text)
-        document.write_text(fresh, encoding="utf-8")
+    for document in documents:
+        fill(document, lambda name: TABLES[name](data))
 
 
 if __name__ == "__main__":

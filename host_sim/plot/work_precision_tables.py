@@ -7,7 +7,7 @@ import pathlib
 import sys
 
 from number_systems import NAMES
-from tables import MARKED, grouped, load, markdown
+from tables import fill, grouped, load, markdown
 
 JOBS = ["inverse_dynamics", "inverse_dynamics_of_pairs", "gravity", "bias", "mass_matrix", "forward_dynamics", "forward_kinematics", "jacobian"]
 
@@ -71,12 +71,11 @@ def provenance(made):
 
 
 def main(folder, document):
-    folder, path = pathlib.Path(folder), pathlib.Path(document)
+    folder = pathlib.Path(folder)
     rows = load(folder / "work_precision.json")
     tables = {f"fronts_{board}": fronts(rows, board) for board in {row["board"] for row in rows if "job" in row}}
     tables.update(two_rate=two_rate(rows), simulation=simulation(rows), work_precision_provenance=provenance(load(folder / "size_provenance.json")))
-    text = path.read_text(encoding="utf-8")
-    path.write_text(MARKED.sub(lambda match: match[1] + tables[match[2]] + match[3], text), encoding="utf-8")
+    fill(document, tables.__getitem__)
 
 
 if __name__ == "__main__":
