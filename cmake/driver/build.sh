@@ -23,6 +23,21 @@ build_boards() {
   done
 }
 
+# The board that options name, or the first one; nothing for an unknown one, which is left to the program: it says what there is.
+named_board() {
+  local board=${BOARDS[0]} known
+  while (($#)); do
+    case $1 in
+      --board) board=${2:-} ;;
+      --board=*) board=${1#*=} ;;
+    esac
+    shift
+  done
+  for known in "${BOARDS[@]}"; do
+    if [[ $board == "$known" ]]; then echo "$board"; fi
+  done
+}
+
 build_host_sim() { build host-release host_sim; }
 
 host_sim() { "$AXIAL_ROOT/build/host-release/host_sim/host_sim" "$@"; }

@@ -17,23 +17,10 @@ END
 }
 
 run() {
+  local board
+  board=$(named_board "$@")
   ensure_packages
   build_host_sim
-  build_board_of "$@"
+  [[ -z $board ]] || build "$board"
   host_sim demo "$@"
-}
-
-# Builds the board that the options name; an unknown one is left to host_sim, which says what there is.
-build_board_of() {
-  local board=${BOARDS[0]} known
-  while (($#)); do
-    case $1 in
-      --board) board=${2:-} ;;
-      --board=*) board=${1#*=} ;;
-    esac
-    shift
-  done
-  for known in "${BOARDS[@]}"; do
-    if [[ $board == "$known" ]]; then build "$board"; fi
-  done
 }

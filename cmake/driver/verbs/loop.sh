@@ -34,21 +34,10 @@ run() {
 
 loop_program() { "$AXIAL_ROOT/build/host-release/host_sim/loop/loop" "$@"; }
 
-# Builds the images of the board that the options name; an unknown one is left to the program, which says what there is.
 build_board_of_loop() {
-  local board=${BOARDS[0]} known
-  while (($#)); do
-    case $1 in
-      --board) board=${2:-} ;;
-      --board=*) board=${1#*=} ;;
-    esac
-    shift
-  done
-  for known in "${BOARDS[@]}"; do
-    if [[ $board == "$known" ]]; then
-      build "$board" tracking-scara tracking-fixed-scara tracking-puma560 tracking-fixed-puma560
-    fi
-  done
+  local board
+  board=$(named_board "$@")
+  [[ -z $board ]] || build "$board" tracking-scara tracking-fixed-scara tracking-puma560 tracking-fixed-puma560
 }
 
 write_loop_documents() {
