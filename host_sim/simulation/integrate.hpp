@@ -19,6 +19,15 @@ using Motion = axial::Motion<Model, T>;
 template <class T>
 using CompensatedMotion = axial::CompensatedMotion<Model, T>;
 
+/// Joint values in T.
+template <class T>
+Values<T> narrowed(const Values<double>& from) {
+  Values<T> to{};
+  for (int i = 0; i < Values<T>::size; ++i)
+    to[i] = static_cast<T>(from[i]);
+  return to;
+}
+
 /// What acts on a motion in T: as axial::advance asks it, with the stiffness.
 template <class T>
 using Drive = std::function<void(const Instant<T>&, Values<T>&, axial::Inputs<Model, T>&, Stiffness<T>&)>;

@@ -31,14 +31,6 @@ double distance(const Model& model, const Values<double>& a, const Values<double
   return worst;
 }
 
-template <class T>
-Values<T> narrowed(const Values<double>& from) {
-  Values<T> to{};
-  for (int i = 0; i < Values<T>::size; ++i)
-    to[i] = static_cast<T>(from[i]);
-  return to;
-}
-
 // --- IFToMM A01: one joint for 2000 s, as a type, for it takes eight million evaluations.
 
 struct PointMass {

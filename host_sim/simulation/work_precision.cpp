@@ -17,14 +17,6 @@ constexpr long most_work = 270'000;  // evaluations of one row
 /// Seconds of this process on a processor, whatever else runs.
 double now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-template <class T>
-Values<T> narrowed(const Values<double>& from) {
-  Values<T> to{};
-  for (int i = 0; i < Values<T>::size; ++i)
-    to[i] = static_cast<T>(from[i]);
-  return to;
-}
-
 std::vector<axial::LinkParameters> without_friction(const std::string& robot) {
   auto links = robot_links(robot);
   for (auto& link : links)
