@@ -61,7 +61,7 @@ class Multiplier {
   }
 
  private:
-  std::uint32_t a_, low_, high_;
+  [[maybe_unused]] std::uint32_t a_, low_, high_;  // which of them depends on the processor
 };
 
 }  // namespace axial::integer::detail
