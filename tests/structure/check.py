@@ -19,7 +19,10 @@ LAYERS = {
     "closed_form": {"scalar", "spatial", "model"},
     "control": {"scalar", "spatial", "model", "dynamics"},
     "simulation": {"scalar", "spatial", "model", "dynamics"},
+    "c_interface": {"scalar", "spatial", "model", "dynamics", "control"},
 }
+C_HEADER = "axial/axial.h"  # what a C source sees; the C interface alone includes it
+OPTIONAL = {"eigen.hpp": {"Eigen/Core"}}  # headers that no other header includes: what else they may include
 FREESTANDING = {"cstddef", "cstdint", "limits", "type_traits", "utility"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
@@ -31,10 +34,15 @@ def includes(path):
 def check_library_header(path, layer):
     for name in includes(path):
         parts = name.split("/")
-        if parts[0] == "axial":
+        if name == C_HEADER:
+            if layer != "c_interface":
+                yield f"{path}: only c_interface/ includes {name}"
+        elif parts[0] == "axial":
+            if parts[1] in OPTIONAL:
+                yield f"{path}: {name} is included where a user asks for it, never by the library"
             if layer is not None and parts[1] != layer and parts[1] not in LAYERS[layer]:
                 yield f"{path}: {layer}/ must not include {name}"
-        elif name not in FREESTANDING:
+        elif name not in FREESTANDING and name not in OPTIONAL.get(path.name, ()):
             yield f"{path}: the library must not include <{name}>"
 
 

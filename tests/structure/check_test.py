@@ -13,6 +13,8 @@ BROKEN = {
     "hal/e.hpp": "#include <axial/axial.hpp>\n",
     "robots/f.hpp": "#include <axial/dynamics/d.hpp>\n",
     "tests/oracle/g.hpp": "#include <axial/dynamics/d.hpp>\n",
+    "firmware/include/axial/dynamics/i.hpp": "#include <axial/axial.h>\n",
+    "firmware/include/axial/k.hpp": "#include <axial/eigen.hpp>\n",
     "orphan/h.hpp": "\n",
 }
 

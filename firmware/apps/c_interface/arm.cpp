@@ -1,0 +1,9 @@
+/// The one C++ source of the arm.
+
+#include "arm.h"
+
+#include <axial/c_interface/export.hpp>
+#include <robots/scara.hpp>
+
+AXIAL_C_EXPORT(arm, robots::Scara, float)
+AXIAL_C_EXPORT(fixed_arm, robots::Scara, fixed32)

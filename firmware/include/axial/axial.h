@@ -1,0 +1,127 @@
+/* The plain C interface of a robot: C99, no name mangling, nothing allocated, state in the caller's hands.
+ * A header declares it:        AXIAL_C_DECLARE(my_arm, 6, float);                in C and in C++
+ * one C++ source defines it:   AXIAL_C_EXPORT(my_arm, robots::MyArm, float)      <axial/c_interface/export.hpp>
+ * doc/embedding.md has both files whole. */
+#ifndef AXIAL_AXIAL_H
+#define AXIAL_AXIAL_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+#define AXIAL_C_FUNCTION extern "C"
+#else
+#define AXIAL_C_FUNCTION extern
+#endif
+
+/** What a call says besides its numbers: axial::Status::Code (model/status.hpp), and the one that only C can earn. */
+typedef enum {
+  AXIAL_OK = 0,
+  AXIAL_NEAR_SINGULAR = 1,
+  AXIAL_NOT_FINITE = 2,
+  AXIAL_POSITION_LIMIT = 3,
+  AXIAL_SPEED_LIMIT = 4,
+  AXIAL_ACCELERATION_LIMIT = 5,
+  AXIAL_EFFORT_LIMIT = 6,
+  AXIAL_PAYLOAD_LIMIT = 7,
+  AXIAL_NOT_READY = 8,
+  AXIAL_SATURATED = 9,
+  AXIAL_RESCALED = 10,
+  AXIAL_INPUT_LIMIT = 11,
+  AXIAL_NULL_ARGUMENT = 32
+} axial_code;
+
+/** `code` is an axial_code (an int, whatever size a compiler gives its enums); `joint` is counted from 0 at the base,
+ * -1 for none. */
+typedef struct {
+  int code, joint;
+} axial_status;
+
+/** A sentence's worth of text for an axial_code; never a null pointer. */
+static inline const char* axial_code_text(int code) {
+  switch (code) {
+    case AXIAL_OK:
+      return "ok";
+    case AXIAL_NEAR_SINGULAR:
+      return "near singular: the joint's inertia is lost in rounding";
+    case AXIAL_NOT_FINITE:
+      return "a value is NaN or infinite";
+    case AXIAL_POSITION_LIMIT:
+      return "position outside the declared limits";
+    case AXIAL_SPEED_LIMIT:
+      return "speed outside the declared limit";
+    case AXIAL_ACCELERATION_LIMIT:
+      return "acceleration outside the declared limit";
+    case AXIAL_EFFORT_LIMIT:
+      return "effort clamped to the declared limit";
+    case AXIAL_PAYLOAD_LIMIT:
+      return "payload beyond the declared maximum";
+    case AXIAL_NOT_READY:
+      return "asked before the first good refresh";
+    case AXIAL_SATURATED:
+      return "efforts drive the joint beyond the range of its formats";
+    case AXIAL_RESCALED:
+      return "efforts beyond the declared ones: right, but less exact";
+    case AXIAL_INPUT_LIMIT:
+      return "a run-time input is beyond the declared limit";
+    case AXIAL_NULL_ARGUMENT:
+      return "an argument is a null pointer";
+    default:
+      return "unknown status code";
+  }
+}
+
+/* Numbers by name: what an element of an array is. */
+#define AXIAL_C_NUMBER_float float
+#define AXIAL_C_NUMBER_double double
+#define AXIAL_C_NUMBER_fixed32 int32_t
+
+/* What only fixed point has: formats, and the border to real numbers. */
+#define AXIAL_C_DECLARE_MORE_float(prefix, joints)
+#define AXIAL_C_DECLARE_MORE_double(prefix, joints)
+#define AXIAL_C_DECLARE_MORE_fixed32(prefix, joints)                                                         \
+  typedef struct {                                                                                           \
+    float of[joints];                                                                                        \
+  } prefix##_real;                                                                                           \
+  typedef struct {                                                                                           \
+    int8_t revolute[joints], position[joints], velocity[joints], acceleration[joints], effort[joints],       \
+        free_acceleration[joints], mass_matrix[joints][joints], rotation, length;                            \
+  } prefix##_formats;                                                                                        \
+  AXIAL_C_FUNCTION axial_status prefix##_get_formats(prefix##_formats* formats);                             \
+  AXIAL_C_FUNCTION axial_status prefix##_to_fixed(const prefix##_real* real_q, const prefix##_real* real_qd, \
+                                                  const prefix##_real* real_qdd, prefix##_joints* q,         \
+                                                  prefix##_joints* qd, prefix##_joints* qdd);                \
+  AXIAL_C_FUNCTION axial_status prefix##_efforts_to_real(const prefix##_joints* tau, prefix##_real* real_tau);
+
+/** Declares the types and functions of a robot with so many joints; `number` is float, double or fixed32.
+ * q in rad or m, qd and qdd its derivatives, tau in N m or N; M(i, j) in kg m^2, kg m, kg; the tool's pose in the
+ * world. fixed32: raw words; value = raw 2^-exponent with the exponents of `<prefix>_formats`, revolute positions
+ * (where `revolute` is 1) are raw 2 pi / 2^32 rad. Every function gives AXIAL_NULL_ARGUMENT for a null pointer, and
+ * refuses (result untouched) what is not finite; in fixed32 also what is outside the declared limits.
+ * `<prefix>_feedforward` is the one for a control loop: limits checked, efforts clamped, the last safe torque where a
+ * request is refused; start its state with {0}. Called as a declaration, with a semicolon. */
+#define AXIAL_C_DECLARE(prefix, joints, number)                                                                \
+  typedef struct {                                                                                             \
+    AXIAL_C_NUMBER_##number of[joints];                                                                        \
+  } prefix##_joints;                                                                                           \
+  typedef struct {                                                                                             \
+    prefix##_joints last_safe;                                                                                 \
+  } prefix##_state;                                                                                            \
+  typedef struct {                                                                                             \
+    AXIAL_C_NUMBER_##number of[joints][joints];                                                                \
+  } prefix##_matrix;                                                                                           \
+  typedef struct {                                                                                             \
+    AXIAL_C_NUMBER_##number rotation[3][3];                                                                    \
+    AXIAL_C_NUMBER_##number position[3];                                                                       \
+  } prefix##_pose;                                                                                             \
+  AXIAL_C_DECLARE_MORE_##number(prefix, joints) AXIAL_C_FUNCTION axial_status prefix##_feedforward(            \
+      prefix##_state* state, const prefix##_joints* q, const prefix##_joints* qd, const prefix##_joints* qdd,  \
+      prefix##_joints* tau);                                                                                   \
+  AXIAL_C_FUNCTION axial_status prefix##_inverse_dynamics(const prefix##_joints* q, const prefix##_joints* qd, \
+                                                          const prefix##_joints* qdd, prefix##_joints* tau);   \
+  AXIAL_C_FUNCTION axial_status prefix##_gravity(const prefix##_joints* q, prefix##_joints* tau);              \
+  AXIAL_C_FUNCTION axial_status prefix##_forward_dynamics(const prefix##_joints* q, const prefix##_joints* qd, \
+                                                          const prefix##_joints* tau, prefix##_joints* qdd);   \
+  AXIAL_C_FUNCTION axial_status prefix##_mass_matrix(const prefix##_joints* q, prefix##_matrix* m);            \
+  AXIAL_C_FUNCTION axial_status prefix##_tool_pose(const prefix##_joints* q, prefix##_pose* pose)
+
+#endif /* AXIAL_AXIAL_H */

@@ -1,0 +1,54 @@
+// What the C interface has in fixed point alone: the formats, and the border to real numbers.
+#pragma once
+
+#include <axial/c_interface/calls.hpp>
+
+namespace axial::c_interface {
+
+/// Of one scene over words T. Pointers are not null.
+template <class S, class T>
+struct FixedCalls : Calls<S, T> {
+  using Base = Calls<S, T>;
+  using typename Base::A;
+  using typename Base::Q;
+  using typename Base::Robot;
+  using typename Base::Tau;
+  using typename Base::V;
+
+  template <class CFormats>
+  static axial_status get_formats(CFormats& formats) {
+    for (int i = 0; i < Base::size; ++i) {
+      formats.revolute[i] = Robot::chain.links[i].type == JointType::revolute;
+      formats.position[i] = static_cast<std::int8_t>(Q::exponent(i));
+      formats.velocity[i] = static_cast<std::int8_t>(V::exponent(i));
+      formats.acceleration[i] = static_cast<std::int8_t>(A::exponent(i));
+      formats.effort[i] = static_cast<std::int8_t>(Tau::exponent(i));
+      formats.free_acceleration[i] = static_cast<std::int8_t>(FreeAccelerations<S, T>::exponent(i));
+      for (int j = 0; j < Base::size; ++j)
+        formats.mass_matrix[i][j] = static_cast<std::int8_t>(MassMatrixOf<S, T>::exponent(i, j));
+    }
+    formats.rotation = direction_exponent<T>;
+    formats.length = length_exponent<S, T>;
+    return ok;
+  }
+
+  /// Nearest, and inside the declared limits; the status is that of the first value which was not.
+  template <class CReal, class C>
+  static axial_status to_fixed(const CReal& real_q, const CReal& real_qd, const CReal& real_qdd, C& q, C& qd, C& qdd) {
+    using Real = Joints<Robot, float>;
+    const auto request =
+        to_fixed_request<S, typename T::Word>(from_c<Real>(real_q), from_c<Real>(real_qd), from_c<Real>(real_qdd));
+    write_c(request.q, q);
+    write_c(request.qd, qd);
+    write_c(request.qdd, qdd);
+    return to_c(request.status);
+  }
+
+  template <class C, class CReal>
+  static axial_status efforts_to_real(const C& tau, CReal& real_tau) {
+    write_c(to_real<float>(from_c<Tau>(tau)), real_tau);
+    return ok;
+  }
+};
+
+}  // namespace axial::c_interface

@@ -1,0 +1,10 @@
+// expect: AXIAL_C_DECLARE and AXIAL_C_EXPORT disagree about the number of joints
+#include <axial/c_interface/export.hpp>
+#include <robots/planar2r.hpp>
+
+#ifdef MENDED
+AXIAL_C_DECLARE(arm, 2, float);
+#else
+AXIAL_C_DECLARE(arm, 3, float);
+#endif
+AXIAL_C_EXPORT(arm, robots::Planar2r, float)

@@ -1,0 +1,19 @@
+#include "c_side.h"
+
+#define ASK(arm)                                                                                    \
+  arm##_answers ask_##arm(const arm##_joints* q, const arm##_joints* qd, const arm##_joints* qdd) { \
+    arm##_answers answers;                                                                          \
+    arm##_state state = {{{0}}};                                                                    \
+    answers.safe_status = arm##_feedforward(&state, q, qd, qdd, &answers.safe);                     \
+    answers.status[0] = arm##_inverse_dynamics(q, qd, qdd, &answers.inverse);                       \
+    answers.status[1] = arm##_gravity(q, &answers.gravity);                                         \
+    answers.status[2] = arm##_forward_dynamics(q, qd, &answers.inverse, &answers.acceleration);     \
+    answers.status[3] = arm##_mass_matrix(q, &answers.mass);                                        \
+    answers.status[4] = arm##_tool_pose(q, &answers.tool);                                          \
+    return answers;                                                                                 \
+  }
+
+ASK(arm)
+ASK(fixed_arm)
+
+const char* c_text(int code) { return axial_code_text(code); }

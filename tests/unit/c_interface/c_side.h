@@ -1,0 +1,22 @@
+/* Every function of the interface, called from C99. */
+#ifndef C_SIDE_H
+#define C_SIDE_H
+
+#include <firmware/apps/c_interface/arm.h>
+
+#define ANSWERS_OF(arm)                                \
+  typedef struct {                                     \
+    arm##_joints safe, inverse, gravity, acceleration; \
+    arm##_matrix mass;                                 \
+    arm##_pose tool;                                   \
+    axial_status safe_status, status[5];               \
+  } arm##_answers;                                     \
+  AXIAL_C_FUNCTION arm##_answers ask_##arm(const arm##_joints* q, const arm##_joints* qd, const arm##_joints* qdd)
+
+ANSWERS_OF(arm);
+ANSWERS_OF(fixed_arm);
+
+/** The text of each code from 0 on, as C's own copy of the function gives it. */
+AXIAL_C_FUNCTION const char* c_text(int code);
+
+#endif
