@@ -1,0 +1,102 @@
+#!/usr/bin/env bash
+# Somebody else's project gets the library, each way in a temporary folder. usage: consumer_test.sh CASE
+set -euo pipefail
+HERE=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+ROOT=$(cd "$HERE/../.." && pwd)
+FOLDER=$(mktemp -d)
+trap 'rm -rf "$FOLDER"' EXIT
+
+fail() { echo "$*" >&2; exit 1; }
+quietly() { "$@" >"$FOLDER/log" 2>&1 || { cat "$FOLDER/log" >&2; fail "failed: $*"; }; }
+
+# install_axial: to $FOLDER/installed, as a user would who wants only the headers
+install_axial() {
+  quietly cmake -S "$ROOT" -B "$FOLDER/axial" -DAXIAL_OWN_BUILD=OFF
+  quietly cmake --install "$FOLDER/axial" --prefix "$FOLDER/installed"
+}
+
+# build_program WAY [DEFINITION...]: configures, builds and runs program/
+build_program() {
+  local way=$1
+  shift
+  quietly cmake -S "$HERE/program" -B "$FOLDER/program" -DWAY="$way" -DAXIAL_SOURCE="$ROOT" "$@"
+  quietly cmake --build "$FOLDER/program"
+  "$FOLDER/program/consumer"
+}
+
+FindPackage() {
+  install_axial
+  build_program find_package -DCMAKE_PREFIX_PATH="$FOLDER/installed"
+}
+
+AddSubdirectory() { build_program add_subdirectory; }
+
+FetchContent() { build_program fetch_content; }
+
+PkgConfig() {
+  command -v pkg-config >/dev/null || exit 77
+  install_axial
+  local flags
+  read -ra flags <<<"$(PKG_CONFIG_PATH=$FOLDER/installed/share/pkgconfig pkg-config --cflags 'axial >= 0.1')"
+  quietly g++ "${flags[@]}" "$HERE/program/main.cpp" -o "$FOLDER/consumer"
+  "$FOLDER/consumer"
+}
+
+InstallsHeadersAlone() {
+  install_axial
+  local file found=0
+  while read -r file; do
+    case $file in
+      include/axial/*.hpp | include/axial/axial.h | include/robots/*.hpp) found=$((found + 1)) ;;
+      share/cmake/axial/*.cmake | share/pkgconfig/axial.pc) ;;
+      *) fail "installs $file" ;;
+    esac
+  done < <(cd "$FOLDER/installed" && find . -type f -printf '%P\n')
+  ((found > 100)) || fail "only $found headers"
+}
+
+TooNewAVersionIsRefused() {
+  install_axial
+  sed 's/find_package(axial 0.1 /find_package(axial 0.2 /' "$HERE/program/CMakeLists.txt" >"$FOLDER/CMakeLists.txt"
+  ! cmake -S "$FOLDER" -B "$FOLDER/program" -DWAY=find_package -DCMAKE_PREFIX_PATH="$FOLDER/installed" \
+    >"$FOLDER/log" 2>&1 || fail "0.2 is accepted"
+  [[ $(tr -s ' \n' ' ' <"$FOLDER/log") == *'compatible with requested version "0.2"'* ]] || fail "$(<"$FOLDER/log")"
+}
+
+amalgamate() { quietly "$ROOT/axial" amalgamate --robot planar2r -o "$1"; }
+
+SingleHeader() {
+  amalgamate "$FOLDER/axial.hpp"
+  quietly g++ -std=c++17 -Wall -Wextra -Werror -DAXIAL_SINGLE_HEADER -I"$FOLDER" "$HERE/program/main.cpp" -o "$FOLDER/consumer"
+  "$FOLDER/consumer"
+}
+
+SingleHeaderIsTheSameTwice() {
+  amalgamate "$FOLDER/axial.hpp"
+  amalgamate "$FOLDER/again.hpp"
+  cmp "$FOLDER/axial.hpp" "$FOLDER/again.hpp"
+  ! grep -nE '#include *[<"](axial|robots|hal)/' "$FOLDER/axial.hpp" || fail "is not whole"
+}
+
+# Everything that the header says must compile where there is no host: on a core with a floating-point unit, and on the
+# smallest, whose products are another header's.
+SingleHeaderForArm() {
+  command -v arm-none-eabi-g++ >/dev/null || exit 77
+  amalgamate "$FOLDER/axial.hpp"
+  echo '#include "axial.hpp"' >"$FOLDER/alone.cpp"
+  local core
+  for core in "cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16" "cortex-m0"; do
+    # shellcheck disable=SC2086
+    quietly arm-none-eabi-g++ -std=c++17 -mthumb -mcpu=$core -Wall -Wextra -Werror -fno-exceptions -fno-rtti \
+      -fsyntax-only "$FOLDER/alone.cpp"
+  done
+}
+
+UnknownRobotIsRefused() {
+  local status=0
+  "$ROOT/axial" amalgamate --robot no_such_arm -o "$FOLDER/axial.hpp" 2>"$FOLDER/log" || status=$?
+  ((status == 2)) || fail "exit status $status"
+  grep -q "no robot 'no_such_arm'.*planar2r" "$FOLDER/log" || fail "$(<"$FOLDER/log")"
+}
+
+"$1"
