@@ -1,0 +1,77 @@
+// A robot as a value: what an importer reads, an identification changes and a header is written from.
+#pragma once
+
+#include <axial/model/chain.hpp>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace description {
+
+/// A description that can not be used. The message has a line a problem: what, value, remedy.
+class Refused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A link and the joint that moves it, in MDH frames and SI units.
+struct Link {
+  std::string name;   ///< of the link, as its source calls it
+  std::string joint;  ///< of the joint
+  axial::LinkParameters parameters{};
+};
+
+/// A robot: links from the base outwards (a parent stands before its children), and where everything comes from.
+struct Description {
+  std::string name;    ///< as the source calls it
+  std::string source;  ///< file, table, paper: who says so
+  std::vector<Link> links;
+  axial::GravityVector gravity{};  ///< m/s^2, free fall, axes of frame 0
+  axial::FixedPose base{};         ///< frame 0 in the world
+  axial::FixedPose tool{};         ///< the tool in the last link's frame
+  axial::PayloadLimit payload_limit{};
+  axial::TipWrenchLimit tip_wrench_limit{};
+  std::vector<std::string> notes;        ///< how the source was read
+  std::vector<std::string> assumptions;  ///< what the source does not say and was filled in
+
+  int size() const { return static_cast<int>(links.size()); }
+  /// Index of the link that carries joint i, or axial::LinkParameters::base.
+  int parent(int i) const {
+    const int given = links[static_cast<std::size_t>(i)].parameters.parent;
+    return given == axial::LinkParameters::previous ? i - 1 : given;
+  }
+};
+
+/// Links that a run-time model of a description has room for.
+constexpr int most_links = 64;
+
+/// The run-time model of a description: Model is axial::Model<N, Features...>. Throws Refused where it does not fit.
+template <class Model>
+Model to_model(const Description& robot) {
+  Model model;
+  for (const Link& link : robot.links)
+    if (!model.add(link.parameters))
+      throw Refused("link '" + link.name + "' does not fit: at most " + std::to_string(most_links) +
+                    " joints, and a parent stands before its children");
+  model.set_gravity(robot.gravity.x, robot.gravity.y, robot.gravity.z);
+  model.set_base(robot.base);
+  model.set_tool(robot.tool);
+  return model;
+}
+
+/// A robot of the project's own headers, struct R with a chain, as a description; links are called link1, link2, ...
+template <class R>
+Description from_robot() {
+  Description robot;
+  robot.name = R::name, robot.source = std::string("robots/") + R::name + ".hpp";
+  for (int i = 0; i < R::chain.size; ++i) {
+    const std::string number = std::to_string(i + 1);
+    robot.links.push_back({"link" + number, "joint" + number, R::chain.links[i]});
+  }
+  robot.gravity = R::chain.gravity, robot.base = R::chain.base.pose, robot.tool = R::chain.tool.pose;
+  robot.payload_limit = R::chain.payload_limit, robot.tip_wrench_limit = R::chain.tip_wrench_limit;
+  return robot;
+}
+
+}  // namespace description

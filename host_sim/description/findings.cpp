@@ -1,0 +1,152 @@
+#include <host_sim/description/findings.hpp>
+#include <host_sim/description/numbers.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace description {
+namespace {
+
+constexpr double longest_arm = 20.0;  // m between two joints; beyond it they are most likely millimetres
+
+bool usable(double value) { return std::abs(value) <= largest_number; }  // false for NaN
+
+class Inspector {
+ public:
+  explicit Inspector(const Link& link) : link_(link), p_(link.parameters) {}
+
+  std::vector<Finding> all() {
+    found_ = body_findings(link_.name, p_);
+    geometry(), drive(), friction(), limits();
+    return found_;
+  }
+
+ private:
+  void refuse(const std::string& what, const std::string& remedy) {
+    found_.push_back({true, link_.name, what, remedy});
+  }
+  void warn(const std::string& what, const std::string& remedy) { found_.push_back({false, link_.name, what, remedy}); }
+  std::string joint() const { return "joint '" + link_.joint + "': "; }
+
+  void geometry() {
+    struct Length {
+      const char* name;
+      double value;
+    };
+    for (const auto& [name, value] : {Length{"a", p_.a}, Length{"d", p_.d}, Length{"b", p_.b}}) {
+      if (!usable(value))
+        refuse(joint() + name + " is " + number(value) + " m", "give metres");
+      else if (std::abs(value) > longest_arm)
+        warn(joint() + name + " is " + number(value, 4) + " m", "if these are millimetres, give metres");
+    }
+    for (const auto& angle : {p_.alpha, p_.theta, p_.gamma})
+      if (!usable(angle.radians)) refuse(joint() + "an angle is " + number(angle.radians) + " rad", "give radians");
+  }
+  void drive() {
+    if (!usable(p_.rotor_inertia) || p_.rotor_inertia < 0.0)
+      refuse(joint() + "rotor inertia is " + number(p_.rotor_inertia) + " kg m^2", "give kg m^2 >= 0, motor side");
+    if (!usable(p_.gear)) refuse(joint() + "gear ratio is " + number(p_.gear), "give motor turns a joint turn");
+    if (!usable(p_.spring_stiffness) || !usable(p_.spring_rest))
+      refuse(joint() + "spring is " + number(p_.spring_stiffness) + ", " + number(p_.spring_rest),
+             "give its stiffness and its position of rest");
+  }
+  void friction() {
+    if (!usable(p_.viscous) || p_.viscous < 0.0)
+      refuse(joint() + "viscous friction is " + number(p_.viscous) + " and would feed energy in", "give a value >= 0");
+    if (!usable(p_.coulomb_forward) || !usable(p_.coulomb_backward) || p_.coulomb_forward < 0.0 ||
+        p_.coulomb_backward > 0.0)
+      refuse(joint() + "Coulomb friction is " + number(p_.coulomb_forward) + " forward and " +
+                 number(p_.coulomb_backward) + " backward, and would feed energy in",
+             "give a forward value >= 0 and a backward value <= 0");
+    const double dry = std::max(p_.coulomb_forward, -p_.coulomb_backward);
+    if (!usable(p_.static_friction) || (p_.static_friction != 0.0 && p_.static_friction < dry))
+      refuse(
+          joint() + "static friction is " + number(p_.static_friction) + ", below the Coulomb friction " + number(dry),
+          "give the larger");
+    if (p_.static_friction != 0.0 && !(p_.stribeck_speed >= 1e-9))
+      refuse(joint() + "Stribeck speed is " + number(p_.stribeck_speed), "give at least 1e-9 rad/s or m/s");
+    if (p_.smooth_speed != 0.0 && !(p_.smooth_speed >= 1e-9))
+      refuse(joint() + "smooth_speed is " + number(p_.smooth_speed), "give at least 1e-9, or leave it out for a step");
+  }
+  void limits() {
+    if (!(p_.position_min < p_.position_max))
+      refuse(joint() + "position limits are upside down: " + number(p_.position_min) + " to " + number(p_.position_max),
+             "give the lower one first; a joint that can not move is a fixed joint");
+    limit("speed", p_.speed_limit), limit("acceleration", p_.acceleration_limit), limit("effort", p_.effort_limit);
+  }
+  void limit(const std::string& of, double value) {
+    if (!(value > 0.0)) refuse(joint() + of + " limit is " + number(value), "give a value > 0, or leave it out");
+  }
+
+  const Link& link_;
+  const axial::LinkParameters& p_;
+  std::vector<Finding> found_;
+};
+
+bool has_body(const axial::LinkParameters& p) {
+  return p.mass > 0.0 || std::any_of(p.inertia_com, p.inertia_com + 6, [](double v) { return v != 0.0; });
+}
+
+/// Joints that nothing resists: no rotor, and no body from there outwards.
+void unresisted(const Description& robot, std::vector<Finding>& found) {
+  std::vector<bool> carries(robot.links.size());
+  for (int i = robot.size(); i-- > 0;) {
+    const auto k = static_cast<std::size_t>(i);
+    const auto& p = robot.links[k].parameters;
+    if (has_body(p)) carries[k] = true;
+    const int parent = robot.parent(i);
+    if (carries[k] && parent >= 0 && parent < i) carries[static_cast<std::size_t>(parent)] = true;
+    if (!carries[k] && p.rotor_inertia == 0.0)
+      found.push_back({false, robot.links[k].name,
+                       "joint '" + robot.links[k].joint + "' moves nothing that has inertia",
+                       "forward dynamics needs a body from there outwards, or rotor_inertia"});
+  }
+}
+
+void check_robot(const Description& robot, std::vector<Finding>& found) {
+  const auto refuse = [&](const std::string& what, const std::string& remedy) {
+    found.push_back({true, "", what, remedy});
+  };
+  if (robot.links.empty())
+    refuse("there is no joint that moves", "an arm needs at least one revolute or prismatic joint");
+  if (robot.size() > most_links)
+    refuse("there are " + std::to_string(robot.size()) + " joints",
+           "import at most 64; --root and --tip cut one chain");
+  const auto& g = robot.gravity;
+  if (!usable(g.x) || !usable(g.y) || !usable(g.z)) refuse("gravity is not finite", "give three numbers in m/s^2");
+  for (int i = 0; i < robot.size(); ++i)
+    if (robot.parent(i) < axial::LinkParameters::base || robot.parent(i) >= i)
+      refuse("the parent of link '" + robot.links[static_cast<std::size_t>(i)].name + "' does not stand before it",
+             "list links from the base outwards");
+}
+
+}  // namespace
+
+std::string Finding::text() const { return (link.empty() ? "" : "link '" + link + "': ") + what + "; " + remedy; }
+
+std::vector<Finding> findings(const Description& robot) {
+  std::vector<Finding> found;
+  check_robot(robot, found);
+  for (const Link& link : robot.links) {
+    const auto more = Inspector(link).all();
+    found.insert(found.end(), more.begin(), more.end());
+  }
+  unresisted(robot, found);
+  return found;
+}
+
+std::string lines(const std::vector<Finding>& found, bool errors) {
+  std::string text;
+  for (const Finding& finding : found)
+    if (finding.error == errors) text += (text.empty() ? "" : "\n") + finding.text();
+  return text;
+}
+
+std::vector<Finding> check(const Description& robot) {
+  auto found = findings(robot);
+  const std::string errors = lines(found, true);
+  if (!errors.empty()) throw Refused(errors);
+  return found;
+}
+
+}  // namespace description

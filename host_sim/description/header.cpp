@@ -1,0 +1,209 @@
+#include <host_sim/description/angles.hpp>
+#include <host_sim/description/comment.hpp>
+#include <host_sim/description/findings.hpp>
+#include <host_sim/description/header.hpp>
+#include <host_sim/description/numbers.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <initializer_list>
+
+namespace description {
+namespace {
+
+/// Arguments of a call, each the shortest decimal that reads back as the same double.
+std::string argument(double value) {
+  if (std::isinf(value)) return std::string(value < 0.0 ? "-" : "") + "axial::LinkParameters::unlimited";
+  const std::string text = number(value);
+  return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+}
+std::string arguments(std::initializer_list<double> values) {
+  std::string text;
+  for (const double value : values)
+    text += (text.empty() ? "" : ", ") + argument(value);
+  return text;
+}
+std::string call(const std::string& name, std::initializer_list<double> values) {
+  return "." + name + "(" + arguments(values) + ")";
+}
+std::string call_unless_zero(const std::string& name, double value) { return value == 0.0 ? "" : call(name, {value}); }
+std::string call_if_finite(const std::string& name, double value) {
+  return std::isfinite(value) ? call(name, {value}) : "";
+}
+
+/// `.alpha_deg(-90)`, `.alpha(1.2)`; `more` is what follows inside the brackets.
+std::string angle(const std::string& name, const axial::Angle& value, const std::string& more = "") {
+  if (const auto degrees = exact_degrees(value)) return "." + name + "_deg(" + number(*degrees) + more + ")";
+  return "." + name + "(" + arguments({value.radians}) + more + ")";
+}
+std::string angle_unless_zero(const std::string& name, const axial::Angle& value) {
+  return is_zero(value) ? "" : angle(name, value);
+}
+
+/// The rows of one link, without those that say nothing.
+class LinkText {
+ public:
+  explicit LinkText(const axial::LinkParameters& p) : p_(p) {}
+
+  std::string text(const std::string& parent) const {
+    std::string result = "      axial::" + geometry(parent);
+    for (const auto& row : {body(), drive(), friction(), limits()})
+      if (!row.empty()) result += "\n          " + row;
+    return result;
+  }
+
+ private:
+  bool any_inertia() const {
+    return std::any_of(p_.inertia_com, p_.inertia_com + 6, [](double v) { return v != 0.0; });
+  }
+
+  std::string geometry(const std::string& parent) const {
+    std::string row = p_.type == axial::JointType::revolute ? "revolute()" : "prismatic()";
+    row += parent;
+    if (!is_zero(p_.gamma) || p_.b != 0.0) row += angle("branch", p_.gamma, ", " + arguments({p_.b}));
+    row += call_unless_zero("a", p_.a) + angle_unless_zero("alpha", p_.alpha);
+    return row + call_unless_zero("d", p_.d) + angle_unless_zero("theta", p_.theta);
+  }
+  std::string body() const {
+    const double *c = p_.com, *j = p_.inertia_com;
+    std::string row = call_unless_zero("mass", p_.mass);
+    if (c[0] != 0.0 || c[1] != 0.0 || c[2] != 0.0) row += call("com", {c[0], c[1], c[2]});
+    if (any_inertia()) {
+      const bool products = j[3] != 0.0 || j[4] != 0.0 || j[5] != 0.0;
+      row += products ? call("inertia_com", {j[0], j[1], j[2], j[3], j[4], j[5]})
+                      : call("inertia_com", {j[0], j[1], j[2]});
+    }
+    return row;
+  }
+  std::string drive() const {
+    std::string row;
+    if (p_.rotor_inertia != 0.0) row += call("rotor_inertia", {p_.rotor_inertia, p_.gear});
+    if (p_.spring_stiffness != 0.0) row += call("spring", {p_.spring_stiffness, p_.spring_rest});
+    return row;
+  }
+  std::string friction() const {
+    std::string row = call_unless_zero("viscous", p_.viscous);
+    if (p_.coulomb_forward != 0.0 || p_.coulomb_backward != 0.0)
+      row += p_.coulomb_forward == -p_.coulomb_backward ? call("coulomb", {p_.coulomb_forward})
+                                                        : call("coulomb", {p_.coulomb_forward, p_.coulomb_backward});
+    if (p_.static_friction != 0.0) row += call("stribeck", {p_.static_friction, p_.stribeck_speed});
+    return row + call_unless_zero("smooth_speed", p_.smooth_speed);
+  }
+  std::string limits() const {
+    std::string row;
+    if (std::isfinite(p_.position_min) || std::isfinite(p_.position_max))
+      row += call("position_limits", {p_.position_min, p_.position_max});
+    row += call_if_finite("speed_limit", p_.speed_limit);
+    row += call_if_finite("acceleration_limit", p_.acceleration_limit);
+    return row + call_if_finite("effort_limit", p_.effort_limit);
+  }
+
+  const axial::LinkParameters& p_;
+};
+
+std::string parent_call(const Description& robot, int i) {
+  const int parent = robot.parent(i);
+  if (parent == i - 1) return "";
+  return parent < 0 ? ".parent(axial::LinkParameters::base)" : ".parent(" + std::to_string(parent) + ")";
+}
+
+bool is_identity(const axial::FixedPose& pose) {
+  const axial::FixedPose none;
+  return std::equal(pose.rotation, pose.rotation + 9, none.rotation) &&
+         std::equal(pose.position, pose.position + 3, none.position);
+}
+
+/// `axial::base(...)`, with the rotation only where there is one; nothing for the identity.
+std::string pose_part(const std::string& name, const axial::FixedPose& pose) {
+  if (is_identity(pose)) return "";
+  const double *r = pose.rotation, *p = pose.position;
+  const std::string position = arguments({p[0], p[1], p[2]});
+  axial::FixedPose shifted;
+  std::copy(p, p + 3, shifted.position);
+  if (std::equal(r, r + 9, shifted.rotation)) return "axial::" + name + "(" + position + ")";
+  return "axial::" + name + "(axial::FixedPose{{" + arguments({r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]}) +
+         "},\n                                   {" + position + "}})";
+}
+
+/// Everything but the links, first in the chain.
+std::string frame_parts(const Description& robot) {
+  const auto& g = robot.gravity;
+  std::string text = "      axial::gravity(" + arguments({g.x, g.y, g.z}) + "),\n";
+  const auto add = [&](const std::string& part) { text += part.empty() ? "" : "      " + part + ",\n"; };
+  add(pose_part("base", robot.base)), add(pose_part("tool", robot.tool));
+  const auto& load = robot.payload_limit;
+  if (load.declared) add("axial::payload_limit(" + arguments({load.mass, load.com_reach, load.inertia}) + ")");
+  const auto& wrench = robot.tip_wrench_limit;
+  if (wrench.declared) add("axial::tip_wrench_limit(" + arguments({wrench.force, wrench.moment}) + ")");
+  return text;
+}
+
+std::string link_parts(const Description& robot) {
+  std::string text;
+  for (int i = 0; i < robot.size(); ++i) {
+    const Link& link = robot.links[static_cast<std::size_t>(i)];
+    const std::string comma = i + 1 < robot.size() ? "," : "";
+    text += "      // " + std::to_string(i) + ": " + harmless(link.joint) + " moves " + harmless(link.name) + "\n" +
+            LinkText(link.parameters).text(parent_call(robot, i)) + comma + "\n";
+  }
+  return text;
+}
+
+std::string leading_comment(const Description& robot, const std::vector<Finding>& warnings,
+                            const std::vector<std::string>& figures) {
+  const std::string name = robot.name.empty() ? "robot" : robot.name;
+  std::string text = comment_lines("", name + ": " + std::to_string(robot.size()) + " joints, MDH frames.") + "//\n";
+  text += comment_lines("source:   ", robot.source.empty() ? "not said" : robot.source);
+  for (const auto& note : robot.notes)
+    text += comment_lines("read:     ", note);
+  for (const auto& assumption : robot.assumptions)
+    text += comment_lines("assumed:  ", assumption);
+  for (const auto& warning : warnings)
+    text += comment_lines("warning:  ", warning.text());
+  for (const auto& figure : figures)
+    text += comment_lines("verified: ", figure);
+  return text;
+}
+
+std::string words(const Description& robot, bool capitals, const std::string& between) {
+  std::string text;
+  bool start = true;
+  for (const char c : robot.name) {
+    const auto letter = static_cast<unsigned char>(c);
+    if (letter < 128 && std::isalnum(letter) != 0) {
+      if (start && !text.empty()) text += between;
+      text += static_cast<char>(capitals && start ? std::toupper(letter) : capitals ? c : std::tolower(letter));
+    }
+    start = !(letter < 128 && std::isalnum(letter) != 0);
+  }
+  const std::string fallback = capitals ? "Robot" : "robot";
+  if (text.empty()) return fallback;
+  return std::isdigit(static_cast<unsigned char>(text[0])) != 0 ? fallback + between + text : text;
+}
+
+}  // namespace
+
+std::string type_name(const Description& robot) { return words(robot, true, ""); }
+std::string plain_name(const Description& robot) { return words(robot, false, "_"); }
+
+std::string header(const Description& robot, const std::vector<std::string>& figures) {
+  const auto warnings = check(robot);
+  return leading_comment(robot, warnings, figures) +
+         "#pragma once\n\n#include <axial/model/chain.hpp>\n\nnamespace robots {\n\nstruct " + type_name(robot) +
+         " {\n  static constexpr const char* name = \"" + plain_name(robot) +
+         "\";\n\n  // A line a group of values.\n  // clang-format off\n  static constexpr auto chain = "
+         "axial::chain(\n" +
+         frame_parts(robot) + link_parts(robot) + "  );\n  // clang-format on\n};\n\n}  // namespace robots\n";
+}
+
+void write_header(const std::string& path, const Description& robot, const std::vector<std::string>& figures) {
+  const std::string text = header(robot, figures);
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.flush();
+  if (!file) throw Refused("can not write '" + path + "'; is there such a folder, and may it be written?");
+}
+
+}  // namespace description
