@@ -1,20 +1,47 @@
-# axial_add_test(<name> <source>... [LIBS <library>...] [DEFINES <definition>...] [TIMEOUT <seconds>])
+# axial_add_test(<name> <source>... [LIBS <library>...] [DEFINES <definition>...] [TIMEOUT <seconds>] [FEW_ROBOTS_SANITIZED])
 #
 # A GoogleTest program linked to axial::axial, our warnings and the oracle; every TEST becomes a ctest test named
-# <folder>.<Suite.Test> with the folder below tests/ as its label.
+# <folder>.<Suite.Test> with the folder below tests/ as its label. With FEW_ROBOTS_SANITIZED it is defined AXIAL_FEW_ROBOTS under
+# sanitizers, and runs whole without them too.
+#
+# Every test runs once: under the address and undefined-behaviour sanitizers (AXIAL_TESTS is sanitized), and those that these builds
+# do without, in an ordinary build (unsanitized). Both together are all.
 include(GoogleTest)
 
-set(AXIAL_TESTS_LEFT_OUT "" CACHE STRING "Test programs that this build does without")
+set(AXIAL_TESTS all CACHE STRING "all, sanitized or unsanitized")
+set_property(CACHE AXIAL_TESTS PROPERTY STRINGS all sanitized unsanitized)
+
+# Folders of tests/ that sanitizers see; the others start programs, images and compilers.
+set(AXIAL_SANITIZED_FOLDERS oracle cases hal unit property simulation host_sim)
+# Programs of these folders that sanitizers do without: every algorithm for many robots, minutes to compile when instrumented.
+set(AXIAL_UNSANITIZED_TESTS robots_test unrolled_test scenes_test floating_base_test underwater_test operation_counts_test errors_test
+  forward_overflow_test fixed_error_test motion_test loop_test)
+
+# axial_test_is_left_out(<name> <label> <both> <variable>): whether this build does without it.
+function(axial_test_is_left_out name label both variable)
+  set(instrumented FALSE)
+  if(label IN_LIST AXIAL_SANITIZED_FOLDERS AND NOT name IN_LIST AXIAL_UNSANITIZED_TESTS)
+    set(instrumented TRUE)
+  endif()
+  set(${variable} FALSE PARENT_SCOPE)
+  if((AXIAL_TESTS STREQUAL sanitized AND NOT instrumented) OR (AXIAL_TESTS STREQUAL unsanitized AND instrumented AND NOT both))
+    set(${variable} TRUE PARENT_SCOPE)
+  endif()
+endfunction()
 
 function(axial_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "LIBS;DEFINES")
-  if(name IN_LIST AXIAL_TESTS_LEFT_OUT)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FEW_ROBOTS_SANITIZED" "TIMEOUT" "LIBS;DEFINES")
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME label)
+  axial_test_is_left_out(${name} ${label} ${arg_FEW_ROBOTS_SANITIZED} left_out)
+  if(left_out)
     return()
   endif()
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 300)
   endif()
-  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME label)
+  if(arg_FEW_ROBOTS_SANITIZED AND AXIAL_TESTS STREQUAL sanitized)
+    list(APPEND arg_DEFINES AXIAL_FEW_ROBOTS=1)
+  endif()
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   target_compile_definitions(${name} PRIVATE ${arg_DEFINES})
   target_link_libraries(${name} PRIVATE axial::axial axial_warnings ${arg_LIBS} GTest::gtest_main)
