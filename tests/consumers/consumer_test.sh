@@ -99,4 +99,60 @@ UnknownRobotIsRefused() {
   grep -q "no robot 'no_such_arm'.*planar2r" "$FOLDER/log" || fail "$(<"$FOLDER/log")"
 }
 
+# copy_of_the_project: what git keeps (and is not yet told of), without documents, to $FOLDER/axial
+copy_of_the_project() {
+  mkdir "$FOLDER/axial"
+  (cd "$ROOT" && git ls-files -z --cached --others --exclude-standard -- . ':!doc' ':!tests/data' |
+    xargs -0 tar --ignore-failed-read -cf - 2>/dev/null) | tar -xf - -C "$FOLDER/axial"
+}
+
+# A skeleton for another CPU than its model's runs the self-test of the instruments.
+NewBoardRuns() {
+  copy_of_the_project
+  quietly "$FOLDER/axial/axial" new-board my_board --like mps2_an500 --cpu cortex-m4f
+  sed -i 's/mps2-an500/mps2-an386/' "$FOLDER/axial/hal/boards/my_board/board.json"
+  cd "$FOLDER/axial"
+  quietly cmake --preset my_board
+  quietly cmake --build --preset my_board --target selftest
+  AXIAL_IMAGES_ROOT=$PWD/build PYTHONPATH=tests/target /usr/bin/python3 -B -c \
+    'import emulator, sys; code, text = emulator.run("my_board", "selftest"); print(text); sys.exit(code)'
+}
+
+# Every board serves as a model.
+NewBoardCompilesFromEachBoard() {
+  copy_of_the_project
+  cd "$FOLDER/axial"
+  local like name
+  echo '#include <board.hpp>
+static_assert(axial::hal::Board::flash_bytes > 0);' >"$FOLDER/board.cpp"
+  for like in stm32f405 stm32f100 nrf51 mps2_an500 mps2_an505; do
+    name=like_$like
+    quietly ./axial new-board "$name" --like "$like"
+    quietly arm-none-eabi-g++ -std=c++17 -mcpu=cortex-m0 -mthumb -Wall -Wextra -Werror -DAXIAL_SEMIHOSTING=1 -fno-exceptions \
+      -fno-rtti -fsyntax-only -I. -I"hal/boards/$name" "$FOLDER/board.cpp"
+  done
+  quietly ./axial new-board like_rv32_virt --like rv32_virt
+  quietly cmake --preset like_rv32_virt
+  quietly cmake --build --preset like_rv32_virt --target axial_board
+}
+
+BadBoardsAreRefused() {
+  copy_of_the_project
+  local options wanted
+  while IFS='|' read -r options wanted; do
+    # shellcheck disable=SC2086
+    ! "$FOLDER/axial/axial" new-board $options 2>"$FOLDER/log" || fail "accepts $options"
+    grep -q -e "$wanted" "$FOLDER/log" || fail "$options: $(<"$FOLDER/log")"
+  done <<'END'
+My-Board --like stm32f405|'My-Board' is no name of a board
+nrf51 --like stm32f405|hal/boards/nrf51 is there already
+my_board --like esp32|no board 'esp32'; --like takes one of: .*nrf51
+my_board --like nrf51 --cpu z80|no toolchain for the CPU 'z80'; --cpu takes one of: .*cortex-m0
+my_board --like nrf51 --cpu rv32imac|of different architectures
+host-debug --like nrf51|is no name of a board
+my_board|--like
+END
+  [[ ! -e $FOLDER/axial/hal/boards/my_board ]] || fail "leaves something behind"
+}
+
 "$1"
