@@ -3,6 +3,7 @@
 
 #include <axial/closed_form/scara.hpp>
 #include <axial/control/border.hpp>
+#include <axial/control/collision.hpp>
 #include <axial/control/encoder.hpp>
 #include <axial/control/feedforward.hpp>
 #include <axial/control/two_rate.hpp>

@@ -17,6 +17,7 @@ struct ArticulatedBodies {};        ///< the classical form
 struct ArticulatedBodiesAtRest {};  ///< of the split form
 struct Kinematics {};
 struct Separation {};
+struct Momenta {};
 }  // namespace recursion
 
 namespace detail {
@@ -26,13 +27,13 @@ template <class Scene, class Word>
 using ArithmeticOf =
     Arithmetic<Word, !Scene::template has<RoundDown>, Scene::template has<HighWord>, Scene::template has<RangeCheck>>;
 
-/// A scene's robot with its loads, and the formats of its joints' values.
-template <class Scene, class Parameters, class Word>
+/// A scene's robot with its loads, and the formats of its joints' efforts, or of what stands for them.
+template <class Scene, class Parameters, class Word, class Role = role::Effort>
 constexpr auto loaded_mechanism() {
   using Robot = typename Scene::Robot;
   auto all = mechanism_of<Scene, Parameters>;
   for (int i = 0; i < Robot::chain.size; ++i)
-    all.joints[i].effort_format = exponents_of<Scene, Word, role::Effort>.of[i];
+    all.joints[i].effort_format = exponents_of<Scene, Word, Role>.of[i];
   return all;
 }
 
@@ -67,6 +68,12 @@ template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::Separation) {
   return separation_ranges_of(loaded_mechanism<Scene, Parameters, typename S::Word>(),
                               rounding_of<S>(Scene::template has<Looped>));
+}
+
+template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::Momenta) {
+  return momentum_ranges(loaded_mechanism<Scene, Parameters, typename S::Word, role::Momentum>(),
+                         rounding_of<S>(Scene::template has<Looped>));
 }
 
 /// Ranges of a scene's recursion in an arithmetic.

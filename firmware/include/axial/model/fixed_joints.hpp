@@ -3,6 +3,7 @@
 
 #include <axial/model/joints.hpp>
 #include <axial/model/ranges/forward_error.hpp>
+#include <axial/model/ranges/momentum.hpp>
 
 namespace axial {
 
@@ -63,6 +64,15 @@ constexpr auto role_exponents() {
     const double excess = excess_of_drive(mechanism, rounding, efforts);
     for (int i = 0; i < size; ++i)
       table.of[i] = rounding.exponent(excess * free.range[i].joint_acceleration.size);
+  }
+  if constexpr (std::is_same_v<Role, role::Momentum> || std::is_same_v<Role, role::MomentumRate>) {
+    constexpr const auto& mechanism = mechanism_of<scene_of<S>, FullParameters>;
+    const auto momenta = momentum_ranges(mechanism, rounding);
+    for (int i = 0; i < size; ++i)
+      table.of[i] =
+          rounding.exponent(std::is_same_v<Role, role::Momentum>
+                                ? momenta.range[i].joint_effort.size
+                                : kinetic_slope_range(mechanism, momenta, i).size + efforts.range[i].joint_effort.size);
   }
   return table;
 }

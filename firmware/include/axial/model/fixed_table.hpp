@@ -217,7 +217,8 @@ template <class Scene, class Recursion>
 constexpr void check_fixed_form() {
   static_assert(
       !Scene::template has<Looped> || std::is_same_v<Recursion, recursion::NewtonEuler> ||
-          std::is_same_v<Recursion, recursion::CompositeBodies> || std::is_same_v<Recursion, recursion::Kinematics>,
+          std::is_same_v<Recursion, recursion::CompositeBodies> || std::is_same_v<Recursion, recursion::Kinematics> ||
+          std::is_same_v<Recursion, recursion::Momenta>,
       "axial: forward dynamics and separation in fixed point need a format a link, which the looped form has not; take "
       "Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)");
   static_assert(resisted_by_themselves<Scene, Recursion>(),

@@ -23,6 +23,8 @@ struct Velocity {};
 struct Acceleration {};
 struct Effort {};
 struct FreeAcceleration {};  ///< what forward dynamics answers: bounded by efforts, not by a request's limits
+struct Momentum {};
+struct MomentumRate {};
 }  // namespace role
 
 namespace detail {
@@ -47,6 +49,16 @@ using EffortsOf =
     Efforts<std::conditional_t<std::is_void_v<typename detail::RoleOf<T, role::Effort>::type>, robot_of<S>, S>, T>;
 template <class S, class T>
 using FreeAccelerations = Joints<S, T, typename detail::RoleOf<T, role::FreeAcceleration>::type>;
+
+/// Momenta of the joints, M(q) qd: N m s or N s; what changes them: N m or N.
+template <class S, class T>
+using MomentaOf =
+    Joints<std::conditional_t<std::is_void_v<typename detail::RoleOf<T, role::Momentum>::type>, robot_of<S>, S>, T,
+           typename detail::RoleOf<T, role::Momentum>::type>;
+template <class S, class T>
+using MomentumRatesOf =
+    Joints<std::conditional_t<std::is_void_v<typename detail::RoleOf<T, role::MomentumRate>::type>, robot_of<S>, S>, T,
+           typename detail::RoleOf<T, role::MomentumRate>::type>;
 
 /// Joint values that are zero by type: a query that leaves them out does not pay for them.
 struct NoMotion {

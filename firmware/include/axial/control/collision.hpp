@@ -1,0 +1,100 @@
+// Collisions from the residuals of a momentum observer: thresholds, confirmation, hysteresis.
+#pragma once
+
+#include <axial/control/momentum_observer.hpp>
+
+namespace axial {
+
+// A detector's tuning is the observer's type with also, `static constexpr`
+//   double fraction      of the joint's declared effort limit: the part of the threshold that follows the drive
+//   double uncertainty   N m or N that the model, the friction and the sensors may be wrong by, for every joint
+//   double release       of the threshold, below which a residual counts as calm (hysteresis), in (0, 1]
+//   int confirm, calm    samples in a row above the threshold that make a collision; calm ones that end it
+// Time to detection of a step of effort x beyond threshold d: ln(x / (x - d)) / gain + confirm period.
+
+/// Thresholds of the joints, N m or N; in fixed point raw, in the residual's format.
+template <class S, class T, class Tuning>
+struct CollisionThresholds {
+  T enter[joint_count<S>] = {}, leave[joint_count<S>] = {};
+};
+
+/// Memory of a detector, owned by the caller; start with `{}`.
+struct CollisionState {
+  int above = 0, below = 0;  ///< samples in a row
+  bool collision = false;
+};
+
+/// What a detector says of a sample.
+struct Collision {
+  bool detected = false;  ///< confirmed and not yet calm
+  int joint = -1;         ///< the outermost joint beyond its threshold now: the contact is there or farther out
+};
+
+namespace detail {
+
+template <class S, class T, class Tuning>
+constexpr CollisionThresholds<S, T, Tuning> collision_thresholds() {
+  static_assert(Tuning::fraction >= 0.0 && Tuning::uncertainty >= 0.0 && Tuning::release > 0.0 &&
+                    Tuning::release <= 1.0 && Tuning::confirm >= 1 && Tuning::calm >= 1,
+                "axial: a detector's fraction and uncertainty are not negative, its release is in (0, 1], its confirm "
+                "and calm are 1 or more");
+  CollisionThresholds<S, T, Tuning> all{};
+  for (int i = 0; i < joint_count<S>; ++i) {
+    const double most = robot_of<S>::chain.links[i].effort_limit;
+    const double enter = (is_bounded(most) ? Tuning::fraction * most : 0.0) + Tuning::uncertainty;
+    if constexpr (is_stored_v<T>) {
+      const int exponent = Residuals<S, T, Tuning>::exponent(i);
+      all.enter[i].raw = raw_limit<typename T::Word>(enter, exponent);
+      all.leave[i].raw = raw_limit<typename T::Word>(Tuning::release * enter, exponent);
+    } else {
+      all.enter[i] = NumberTraits<T>::constant(enter),
+      all.leave[i] = NumberTraits<T>::constant(Tuning::release * enter);
+    }
+  }
+  return all;
+}
+
+// Whether |x| > most; x is finite.
+template <class T>
+AXIAL_INLINE constexpr bool beyond(const T& x, const T& most) {
+  return !(x <= most && -x <= most);
+}
+template <class Word>
+AXIAL_INLINE constexpr bool beyond(const Stored<Word>& x, const Stored<Word>& most) {
+  const Word sign = static_cast<Word>(x.raw >> (8 * static_cast<int>(sizeof(Word)) - 1));
+  return is_less(most.raw, std::int64_t{x.raw ^ sign} - sign);
+}
+
+// Samples in a row, held at most so that nothing wraps.
+constexpr int counted_on(int count, bool now, int most) {
+  const int next = count + static_cast<int>(count < most);
+  return next & -static_cast<int>(now);
+}
+
+}  // namespace detail
+
+/// The thresholds of a tuning, as a constant.
+template <class S, class T, class Tuning>
+inline constexpr auto collision_thresholds_of = detail::collision_thresholds<S, T, Tuning>();
+
+/// One sample of the detector: a collision begins after `confirm` samples in a row in which some joint's residual is
+/// beyond its threshold, and ends after `calm` samples in a row in which all are below `release` of it. A function of
+/// the state and of the residuals alone; constant time; compares, and computes nothing.
+template <class S, class T, class Tuning>
+constexpr Collision detect(CollisionState& state, const Residuals<S, T, Tuning>& residual) {
+  constexpr const auto& threshold = collision_thresholds_of<S, T, Tuning>;
+  bool any = false, loud = false;
+  int joint = -1;
+  for (int i = 0; i < joint_count<S>; ++i) {
+    const bool over = detail::beyond(residual[i], threshold.enter[i]);
+    any = any | over, loud = loud | detail::beyond(residual[i], threshold.leave[i]);
+    joint = select(over, i, joint);
+  }
+  state.above = detail::counted_on(state.above, any, Tuning::confirm);
+  state.below = detail::counted_on(state.below, !loud, Tuning::calm);
+  const bool begins = state.above >= Tuning::confirm, ends = state.below >= Tuning::calm;
+  state.collision = begins | (state.collision & !ends);
+  return {state.collision, joint};
+}
+
+}  // namespace axial

@@ -1,0 +1,141 @@
+// Momenta of the joints and what changes them besides the drives, without accelerations: C^T qd and no matrix.
+#pragma once
+
+#include <axial/dynamics/inverse_dynamics.hpp>
+
+namespace axial {
+
+/// What d(momentum)/dt = tau + drift + tau_external is made of.
+template <class S, class T>
+struct MomentumTerms {
+  MomentaOf<S, T> momentum{};     ///< M(q) qd, with rotors as the scene names them: N m s or N s
+  MomentumRatesOf<S, T> drift{};  ///< C^T qd - g - friction - springs + J^T wrench: N m or N
+};
+
+namespace momentum {
+
+/// Velocities of all links in their own frames, under the names of accelerations: a start from rest, without gravity.
+template <class Links, class Screws, class V>
+AXIAL_INLINE constexpr auto velocities(const Links& links, const Screws& screws, const V& qd) {
+  const ZeroVec3 none;
+  auto first = links.link(Index<0>{});
+  auto u = rotation_acceleration(none, none, none, first);
+  return outward(links, rnea::Motion{none, none, none, none, u}, [&](auto i, const auto& parent) AXIAL_INLINE {
+    auto link = links.link(i);
+    return link.on_joint(
+        [&](auto joint) AXIAL_INLINE { return link.shape(rnea::move(joint, link, screws[i], parent, Zero{}, qd[i])); });
+  });
+}
+
+/// Momentum of link i with its payload, about its frame's origin.
+template <class Links, class Input, class Motions, class I>
+AXIAL_INLINE constexpr auto own_momentum(const Links& links, const Input& in, const Motions& motions, I i) {
+  const TipLoads<typename Links::Scene, Input> loads(in);
+  auto link = links.link(i);
+  auto body = loads.body(link);
+  auto differences = loaded_differences<typename Links::Scene>(link, body);
+  return link.shape(rnea::newton_euler(link, body, differences, motions[i]));
+}
+
+/// dT/dq of a joint: -s . (v x* h), where (w, v) is the velocity of its link, h = (n, l) the momentum of all that it
+/// carries and s its axis. For velocities of links farther out change by v x s with the joint's position.
+template <class M, class H>
+AXIAL_INLINE constexpr auto kinetic_slope(Revolute, const M& motion, const H& h) {
+  const auto &w = motion.dw, &v = motion.a, &n = h.moment, &l = h.force;
+  return w.y * n.x - w.x * n.y + (v.y * l.x - v.x * l.y);
+}
+template <class M, class H>
+AXIAL_INLINE constexpr auto kinetic_slope(Prismatic, const M& motion, const H& h) {
+  const auto &w = motion.dw, &l = h.force;
+  return w.y * l.x - w.x * l.y;
+}
+
+/// Efforts that hold the robot where it is, with the friction of its speeds: the inward pass of RNEA at rest.
+template <class Links, class Input, class Q, class Screws, class V, class Tau>
+AXIAL_INLINE constexpr void hold(const Links& links, const Input& in, const Q& q, const Screws& screws, const V& qd,
+                                 Tau& tau) {
+  const NoMotion none;
+  auto motions = rnea::link_motions(links, in, screws, none, none);
+  auto water = immersions(links, in, screws, none);
+  auto own = [&](auto i) AXIAL_INLINE { return rnea::own_force(links, in, motions, water, i); };
+  inward(links, own, [&](auto i, const auto& force) AXIAL_INLINE {
+    write(links, tau, i, rnea::joint_effort(links, i, force, q, qd, none));
+    return rnea::Left{rnea::sent_force(links, screws, i, force)};
+  });
+}
+
+template <class Values>
+constexpr int shared_exponent() {
+  int least = Values::exponent(0);
+  for (int i = 1; i < Values::size; ++i)
+    least = detail::smaller(least, Values::exponent(i));
+  return least;
+}
+// values[i] = x - y, rounded once.
+template <class Links, class Values, class I, class X, class Y>
+AXIAL_INLINE constexpr void write_difference(const Links& links, Values& values, I i, const X& x, const Y& y) {
+  if constexpr (detail::shares_formats<Links>)
+    write(links, values, i, round_to<shared_exponent<Values>()>(x - y));
+  else
+    write(links, values, i, x - y);
+}
+
+/// The inward pass: a joint's momentum is the one about its axis of all that it carries, and its rotor's.
+template <class Links, class Input, class Screws, class V, class Tau, class Terms>
+AXIAL_INLINE constexpr void carry(const Links& links, const Input& in, const Screws& screws, const V& qd,
+                                  const Tau& holding, Terms& terms) {
+  auto motions = velocities(links, screws, qd);
+  auto own = [&](auto i) AXIAL_INLINE { return own_momentum(links, in, motions, i); };
+  inward(links, own, [&](auto i, const auto& h) AXIAL_INLINE {
+    auto link = links.link(i);
+    write(links, terms.momentum, i, link.on_joint([&](auto joint) AXIAL_INLINE {
+      return link.sum(quantity::JointEffort{}, along_joint(joint, h), link.rotor() * qd[i]);
+    }));
+    link.on_joint([&](auto joint) AXIAL_INLINE {
+      write_difference(links, terms.drift, i, kinetic_slope(joint, motions[i], h), holding[i]);
+    });
+    return rnea::Left{rnea::sent_force(links, screws, i, h)};
+  });
+}
+
+/// Over the links of RNEA and of momenta, which differ in fixed point only: by their formats.
+template <class Holding, class Links, class Input, class Q, class V, class Terms>
+AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, const Input& in, const Q& q, const V& qd,
+                                Terms& terms) {
+  using Scene = typename Links::Scene;
+  static_assert(!base_moves<Scene> && !Scene::template has<Underwater>,
+                "axial: momenta are those of a robot on a fixed base in air; take BaseMotion, FloatingBase and "
+                "Underwater out of this scene");
+  auto at = read(at_rest, q);
+  auto screws = joint_screws(at_rest, in, at);
+  auto holding = no_efforts(at_rest);
+  hold(at_rest, in, at, screws, read(at_rest, qd), holding);
+  carry(links, in, screws, read(links, qd), read(at_rest, holding), terms);
+}
+
+}  // namespace momentum
+
+/// Momenta p = M(q) qd of the joints and their drift C^T qd - g - friction, so that dp/dt = tau + drift + tau_external.
+/// Source: De Luca and Mattone 2003, eqs. (3) to (6), computed in O(n): p from the links' momenta, C^T qd = dT/dq (for
+/// fixed q and qd as independent variables) from the same pass as -s . (v x* h), without C or dM/dt. No accelerations.
+/// In: q (rad or m), qd; `in` as of inverse_dynamics(), a payload and a known wrench included. Out: both terms.
+/// NaN and infinities propagate; in fixed point q and qd must be inside the declared limits, and nothing overflows
+/// there (formats: model/ranges/momentum.hpp). Cost: doc/observer.md, about one inverse_dynamics().
+template <class S, class T>
+constexpr MomentumTerms<S, T> momentum_terms(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+                                             const Inputs<S, T>& in = {}) {
+  MomentumTerms<S, T> terms{};
+  momentum::run(links_of<S, T, BaseParameters>(), links_of<S, T, BaseParameters, recursion::Momenta>(), in, q, qd,
+                terms);
+  return terms;
+}
+template <int N, class... F, class T, class M = Model<N, F...>>
+constexpr MomentumTerms<M, T> momentum_terms(const Model<N, F...>& model, const Positions<M, T>& q,
+                                             const Velocities<M, T>& qd, const Inputs<M, T>& in = {}) {
+  MomentumTerms<M, T> terms{};
+  const auto& links = model.template links<T>();
+  momentum::run(links, links, in, q, qd, terms);
+  return terms;
+}
+
+}  // namespace axial
