@@ -99,6 +99,25 @@ UnknownRobotIsRefused() {
   grep -q "no robot 'no_such_arm'.*planar2r" "$FOLDER/log" || fail "$(<"$FOLDER/log")"
 }
 
+# Every file that doc/embedding.md shows.
+EmbeddingPage() {
+  install_axial
+  local page=$FOLDER/page include=(-I"$FOLDER/installed/include") strict=(-pedantic -Wall -Wextra -Werror)
+  /usr/bin/python3 -E "$HERE/../readme/blocks.py" "$ROOT/doc/embedding.md" "$page"
+  quietly cmake -S "$page/package" -B "$page/package/build" -DCMAKE_PREFIX_PATH="$FOLDER/installed"
+  quietly cmake --build "$page/package/build"
+  quietly "$page/package/build/firmware"
+  quietly cmake -S "$page/sources" -B "$page/sources/build" -DAXIAL_SOURCE="$ROOT"
+  quietly cmake --build "$page/sources/build"
+  quietly "$page/sources/build/firmware"
+  quietly gcc -std=c99 "${strict[@]}" "${include[@]}" -c "$page/c/main.c" -o "$page/main.o"
+  quietly g++ -std=c++17 "${strict[@]}" "${include[@]}" "$page/c/my_arm.cpp" "$page/main.o" -o "$page/in_c"
+  quietly "$page/in_c"
+  [[ -d /usr/include/eigen3 ]] || return 0
+  quietly g++ -std=c++17 "${include[@]}" -isystem /usr/include/eigen3 "$page/with_eigen.cpp" -o "$page/with_eigen"
+  quietly "$page/with_eigen"
+}
+
 # copy_of_the_project: what git keeps (and is not yet told of), without documents, to $FOLDER/axial
 copy_of_the_project() {
   mkdir "$FOLDER/axial"
