@@ -137,6 +137,18 @@ NewBoardRuns() {
     'import emulator, sys; code, text = emulator.run("my_board", "selftest"); print(text); sys.exit(code)'
 }
 
+# The board that doc/porting.md ports: the self-test of the instruments, and a torque over its serial port.
+PortingPage() {
+  copy_of_the_project
+  cd "$FOLDER/axial"
+  quietly ./axial new-board mps2_an386 --like mps2_an500 --cpu cortex-m4f
+  /usr/bin/python3 -E "$HERE/../readme/blocks.py" "$ROOT/doc/porting.md" "$FOLDER/shown"
+  cp -r "$FOLDER/shown/." .
+  quietly cmake --preset mps2_an386
+  quietly cmake --build --preset mps2_an386 --target selftest feedforward-scara
+  AXIAL_IMAGES_ROOT=$PWD/build PYTHONPATH=tests/target /usr/bin/python3 -B "$HERE/ported_board.py" mps2_an386
+}
+
 # Every board serves as a model.
 NewBoardCompilesFromEachBoard() {
   copy_of_the_project

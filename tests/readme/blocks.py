@@ -25,7 +25,7 @@ def main():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         if path.exists():
-            print(f"{page}: the file {name} is shown twice", file=sys.stderr)
+            print(f"{page}: shows {name} twice, or it is there already", file=sys.stderr)
             return 1
         path.write_text(block)
     return 0
