@@ -1,0 +1,18 @@
+# shellcheck shell=bash
+# summary: what ran where: boards, their emulators, the tests of every check, silicon
+
+usage() {
+  cat <<'END'
+usage: ./axial boards [options]
+Lists every board of hal/boards: CPU, memory, the machine of QEMU that runs it, which tests every check runs there, how many rows of doc/data
+were measured there, and whether it ran on silicon. Builds and runs nothing.
+  --json FILE         the rows as an array of objects
+  --documents         also writes the table of doc/boards.md
+  --check             instead: ends with 1 where that table is out of date
+END
+}
+
+run() {
+  command -v cmake >/dev/null || ensure_packages
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/boards/boards.py" "$@"
+}

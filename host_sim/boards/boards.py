@@ -1,0 +1,99 @@
+#!/usr/bin/python3
+"""What ran where: every board, the emulator that runs it, the tests of each check, what was measured there, silicon."""
+
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "host_sim" / "plot"))
+from tables import fill, grouped, load  # noqa: E402
+
+PAGE = ROOT / "doc" / "boards.md"
+MEASURED = ("size", "number_systems", "on_board")  # doc/data/<name>.json; each row names its board
+HEADER = ["board", "CPU", "flash, KiB", "RAM, KiB", "runs in", "tests of every check", "rows measured", "says its board.json"]
+
+
+def target_tests():
+    """Programs of tests/target by board, from the list that ctest gets."""
+    done = subprocess.run(["cmake", f"-DROOT={ROOT}", "-P", pathlib.Path(__file__).with_name("tests.cmake")],
+                          capture_output=True, text=True, check=True)
+    tests = {}
+    for name in done.stderr.split():
+        kind, *parts = name.split(".")
+        if kind == "target" and len(parts) == 2:
+            tests.setdefault(parts[1], []).append(parts[0])
+    return tests
+
+
+def rows_measured():
+    counts = {}
+    for name in MEASURED:
+        for row in load(ROOT / "doc" / "data" / f"{name}.json"):
+            counts[row["board"]] = counts.get(row["board"], 0) + 1
+    return counts
+
+
+def rows():
+    tests, measured = target_tests(), rows_measured()
+    for file in sorted((ROOT / "hal" / "boards").glob("*/board.json")):
+        board = load(file)
+        yield {"board": board["board"], "cpu": board["cpu"], "flash_bytes": board["flash_bytes"], "ram_bytes": board["ram_bytes"],
+               "machine": board.get("qemu", {}).get("machine"), "tests": sorted(tests.get(board["board"], [])),
+               "rows_measured": measured.get(board["board"], 0), "run": board["run"]}
+
+
+def runs_in(row):
+    if not row["tests"] and not row["rows_measured"]:
+        return "nothing: compiles only"
+    return f"QEMU, `{row['machine']}`"
+
+
+def cells(row):
+    return [row["board"], row["cpu"], grouped(row["flash_bytes"] // 1024), grouped(row["ram_bytes"] // 1024), runs_in(row),
+            ", ".join(row["tests"]) or "none", grouped(row["rows_measured"]) if row["rows_measured"] else "", row["run"]]
+
+
+def markdown(all_rows):
+    lines = [HEADER, ["---", "---", "---:", "---:", "---", "---", "---:", "---"], *map(cells, all_rows)]
+    return "".join("| " + " | ".join(line) + " |\n" for line in lines)
+
+
+def text(all_rows):
+    parts = []
+    for row in all_rows:
+        parts.append(f"{row['board']:12} {row['cpu']:11} {runs_in(row).replace('`', '')}; {row['run']}\n"
+                     f"  tests of every check: {', '.join(row['tests']) or 'none'}\n"
+                     f"  rows measured: {grouped(row['rows_measured'])}\n")
+    return "".join(parts)
+
+
+def check(table):
+    if table in PAGE.read_text(encoding="utf-8"):
+        return 0
+    print(f"axial: the table of {PAGE.relative_to(ROOT)} is not that of today's boards and tests; ./axial boards --documents writes it",
+          file=sys.stderr)
+    return 1
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="./axial boards", description=__doc__, allow_abbrev=False)
+    parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="the rows as an array of objects")
+    parser.add_argument("--documents", action="store_true", help="writes the table of doc/boards.md")
+    parser.add_argument("--check", action="store_true", help="ends with 1 where that table is out of date")
+    options = parser.parse_args()
+    found = list(rows())
+    if options.json:
+        options.json.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
+    if options.check:
+        return check(markdown(found))
+    if options.documents:
+        fill(PAGE, lambda _: markdown(found))
+    print(text(found), end="")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
