@@ -1,0 +1,52 @@
+// doc/conventions.md, doc/trees.md, doc/moving_base.md, doc/fixed_point.md: robots and number systems as documents write them.
+#include <gtest/gtest.h>
+#include <axial/axial.hpp>
+#include <axial/error_bound.hpp>
+#include <axial/model/classical.hpp>
+#include <cmath>
+#include <robots/puma560.hpp>
+
+namespace {
+
+constexpr double a1 = 0.3, a2 = 0.25, m1 = 2.0, m2 = 1.5, m3 = 0.5, L = 0.2;
+constexpr double rod1 = m1 * a1 * a1 / 12.0, rod2 = m2 * a2 * a2 / 12.0, rod3 = m3 * L * L / 12.0;
+
+namespace classical {
+#include "conventions-1.inc"
+}  // namespace classical
+
+namespace tree {
+#include "trees-1.inc"
+}  // namespace tree
+
+TEST(Conventions, AClassicalTableIsARobot) {
+  const axial::Joints<classical::Scara, double> q{0.4, -0.7, 0.1}, still{};
+  const auto tau = axial::inverse_dynamics<classical::Scara>(q, still, still);
+  EXPECT_NEAR(tau[0], 0.0, 1e-12);
+  EXPECT_NEAR(std::abs(tau[2]), m3 * 9.81, 1e-12);
+}
+
+TEST(Trees, BranchesPullOnTheWaist) {
+  const axial::Joints<tree::TwoArms, double> q{}, qd{}, qdd{0.0, 1.0, 0.0, 0.0, 0.0};
+  EXPECT_EQ(axial::joint_count<tree::TwoArms>, 5);
+  EXPECT_TRUE(axial::forward_dynamics<tree::TwoArms>(q, qd, axial::inverse_dynamics<tree::TwoArms>(q, qd, qdd)).status.ok());
+}
+
+namespace base {
+#include "moving_base-1.inc"
+}  // namespace base
+
+TEST(MovingBase, ThrustersLiftIt) {
+  using base::Flight;
+  const axial::Joints<base::Manipulator, float> q{}, qd{}, tau{};
+#include "moving_base-2.inc"
+  EXPECT_TRUE(a.status.ok());
+  EXPECT_GT(a.base_acceleration.linear.z, -9.81F);
+}
+
+TEST(FixedPoint, WordsGiveATorque) {
+#include "fixed_point-1.inc"
+  EXPECT_GT(std::abs(tau[1].raw), 0);
+}
+
+}  // namespace
