@@ -1,4 +1,5 @@
-// doc/conventions.md, doc/trees.md, doc/moving_base.md, doc/fixed_point.md: robots and number systems as documents write them.
+// doc/conventions.md, doc/trees.md, doc/moving_base.md, doc/fixed_point.md: robots and number systems as documents
+// write them.
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
 #include <axial/error_bound.hpp>
@@ -29,7 +30,8 @@ TEST(Conventions, AClassicalTableIsARobot) {
 TEST(Trees, BranchesPullOnTheWaist) {
   const axial::Joints<tree::TwoArms, double> q{}, qd{}, qdd{0.0, 1.0, 0.0, 0.0, 0.0};
   EXPECT_EQ(axial::joint_count<tree::TwoArms>, 5);
-  EXPECT_TRUE(axial::forward_dynamics<tree::TwoArms>(q, qd, axial::inverse_dynamics<tree::TwoArms>(q, qd, qdd)).status.ok());
+  EXPECT_TRUE(
+      axial::forward_dynamics<tree::TwoArms>(q, qd, axial::inverse_dynamics<tree::TwoArms>(q, qd, qdd)).status.ok());
 }
 
 namespace base {
