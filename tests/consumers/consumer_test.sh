@@ -103,7 +103,7 @@ UnknownRobotIsRefused() {
 EmbeddingPage() {
   install_axial
   local page=$FOLDER/page include=(-I"$FOLDER/installed/include") strict=(-pedantic -Wall -Wextra -Werror)
-  /usr/bin/python3 -E "$HERE/../readme/blocks.py" "$ROOT/doc/embedding.md" "$page"
+  /usr/bin/python3 -E "$HERE/../documents/shown_files.py" "$ROOT/doc/embedding.md" "$page"
   quietly cmake -S "$page/package" -B "$page/package/build" -DCMAKE_PREFIX_PATH="$FOLDER/installed"
   quietly cmake --build "$page/package/build"
   quietly "$page/package/build/firmware"
@@ -141,7 +141,7 @@ PortingPage() {
   copy_of_the_project
   cd "$FOLDER/axial"
   quietly ./axial new-board mps2_an386 --like mps2_an500 --cpu cortex-m4f
-  /usr/bin/python3 -E "$HERE/../readme/blocks.py" "$ROOT/doc/porting.md" "$FOLDER/shown"
+  /usr/bin/python3 -E "$HERE/../documents/shown_files.py" "$ROOT/doc/porting.md" "$FOLDER/shown"
   cp -r "$FOLDER/shown/." .
   quietly cmake --preset mps2_an386
   quietly cmake --build --preset mps2_an386 --target selftest feedforward-scara

@@ -5,7 +5,8 @@ import pathlib
 import re
 import sys
 
-BLOCK = re.compile(r'^```cpp\n(.*?)^```', re.MULTILINE | re.DOTALL)
+# Whole files are shown_files.py's.
+BLOCK = re.compile(r'(?<! -->\n)^```cpp\n(.*?)^```', re.MULTILINE | re.DOTALL)
 
 
 def blocks(page):

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Writes the files that a page shows: every code block that stands right after a line `<!-- file: NAME -->`.
 
-usage: blocks.py PAGE FOLDER
+usage: shown_files.py PAGE FOLDER
 """
 
 import pathlib
