@@ -1,0 +1,39 @@
+# shellcheck shell=bash
+# summary: contacts of a simulated Panda: how soon a momentum observer reports them, what it takes for one that is none
+
+usage() {
+  cat <<'END_OF_USAGE'
+usage: ./axial collide [options]
+Installs and builds what is missing. Moves a simulated Panda at 1 kHz with quantised encoders, noisy torques and wrong parameters,
+once without contacts and once with one of 5 % of a joint's effort limit every 1.5 s; a momentum observer in float and in fixed point
+watches. Prints delays and false alarms, writes JSON, the CSV of the first seconds and a picture (doc/observer.md).
+  --seconds NUMBER    of motion, once without and once with contacts; default 600
+  --seed NUMBER       of motion and noise; default 3
+  --output FOLDER     where the files go; default output/collide
+  --json FILE         the rows once more, as an array of objects
+  --documents         alone: writes doc/data, doc/pictures and the tables of doc/observer.md
+Exits non-zero when a contact is missed or found after more than 10 ms, or when there is a false alarm.
+END_OF_USAGE
+}
+
+run() {
+  ensure_packages
+  build host-release collide
+  if [[ ${1:-} == --documents ]]; then
+    (($# == 1)) || fail_usage "--documents stands alone; see ./axial collide --help"
+    write_collide_documents
+  else
+    collide_program "$@"
+  fi
+}
+
+collide_program() { "$AXIAL_ROOT/build/host-release/host_sim/collide/collide" "$@"; }
+
+write_collide_documents() {
+  local doc=$AXIAL_ROOT/doc output=$AXIAL_ROOT/output/collide
+  collide_program --output "$output" --json "$doc/data/collide.json"
+  cp "$output"/collide.{png,svg} "$doc/pictures/"
+  printf '{"commit": "%s", "compiler": "%s", "flags": "-O2 -ffp-contract=off"}\n' \
+    "$("$AXIAL_ROOT/host_sim/system/commit.sh")" "$(c++ --version | head -n 1)" >"$doc/data/collide_provenance.json"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/observer_tables.py" "$doc/data" "$doc/observer.md"
+}
