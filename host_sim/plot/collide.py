@@ -21,9 +21,9 @@ def main(table):
     figure, panels = plt.subplots(len(JOINTS) + 1, 1, figsize=(9, 10.5))
     near = [s for s in samples if CLOSE[0] <= s["time"] <= CLOSE[1]]
     draw(panels[0], near, 1, marker=".")
-    panels[0].set_title("a contact of 5 % of joint 1's effort limit: dashed what acts, line the residual, red while reported")
+    panels[0].set_title("5 % of joint 1's effort limit: dashed what acts, line the residual, red while reported")
     for panel, joint in zip(panels[1:], JOINTS):
-        draw(panel, samples, joint)
+        draw(panel, samples[::5], joint)
     panels[-1].set_xlabel("time, s")
     figure.tight_layout()
     style.save(figure, table.removesuffix(".csv"))
