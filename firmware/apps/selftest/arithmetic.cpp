@@ -29,7 +29,10 @@ void check_arithmetic(Checks& check) {
   const float smallest = opaque(std::numeric_limits<float>::denorm_min());
   check.equal(bits(smallest + smallest), 2, "subnormal numbers are kept");
   const float square = opaque(0x1.000002p0f);
-  check.equal(bits(square * square - opaque(0x1.000004p0f)), 0, "a product is rounded before it is added");
+  // What is left of the product by rounding is 2^-46, which a fused operation keeps.
+  constexpr std::uint32_t left = AXIAL_CONTRACTED ? 0x28800000 : 0;
+  check.equal(bits(square * square - opaque(0x1.000004p0f)), left,
+              AXIAL_CONTRACTED ? "a product and a sum are fused" : "a product is rounded before it is added");
   check.that(!(opaque(std::numeric_limits<float>::quiet_NaN()) <= 0.0f), "NaN compares as NaN");
 }
 
