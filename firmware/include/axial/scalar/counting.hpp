@@ -9,9 +9,10 @@ namespace axial {
 /// alone are off-line, equal expressions are computed once and what no output needs is not computed: as an optimising
 /// compiler leaves it.
 struct Operations {
-  int mul = 0, add = 0, div = 0, sincos = 0;
+  int mul = 0, add = 0, div = 0, sincos = 0;  ///< operations of that kind; `sincos` counts pairs
   /// All but the sine-cosine pairs.
   constexpr int total() const { return mul + add + div; }
+  /// Equality of all four counts.
   constexpr bool operator==(const Operations& o) const {
     return mul == o.mul && add == o.add && div == o.div && sincos == o.sincos;
   }
@@ -20,14 +21,16 @@ struct Operations {
 /// The record of one run: every operation once, in order.
 class Trace {
  public:
-  enum class Kind : unsigned char { input, constant, mul, add, sub, div, neg, sine, cosine };
+  enum class Kind : unsigned char { input, constant, mul, add, sub, div, neg, sine, cosine };  ///< what made a value
+  /// A value: how it was made, and of which.
   struct Node {
-    Kind kind = Kind::input;
-    int left = -1, right = -1;
-    double value = 0.0;  ///< of a constant
+    Kind kind = Kind::input;    ///< what made it
+    int left = -1, right = -1;  ///< operand's index in the record, -1 for none
+    double value = 0.0;         ///< of a constant
   };
 
-  constexpr int input() { return push({Kind::input, -1, -1, 0.0}); }
+  constexpr int input() { return push({Kind::input, -1, -1, 0.0}); }  ///< a run-time input; returns its index
+  /// The index of an operation on recorded values: of an equal one where there is one, else of a new one.
   constexpr int record(Node node) {
     const bool commutes = node.kind == Kind::mul || node.kind == Kind::add;
     if (commutes && node.right < node.left) {
@@ -60,6 +63,7 @@ class Trace {
     }
     return total;
   }
+  /// Whether the record was too short, so that its counts say nothing.
   constexpr bool overflowed() const { return size_ >= capacity; }
 
  private:
@@ -124,6 +128,7 @@ class Counting {
   constexpr Counting() = default;
   /// A run-time input.
   constexpr explicit Counting(Trace& trace) : trace_(&trace), node_(trace.input()) {}
+  /// A constant of the model.
   constexpr static Counting constant(double value) {
     Counting c;
     c.value_ = value;
@@ -135,6 +140,8 @@ class Counting {
     if (trace_ != nullptr) trace_->need(node_);
   }
 
+  /// An operation: recorded if an operand depends on a run-time input, else folded.
+  ///@{
   friend constexpr Counting operator*(Counting a, Counting b) { return combine(Kind::mul, a, b, a.value_ * b.value_); }
   friend constexpr Counting operator/(Counting a, Counting b) {
     return combine(Kind::div, a, b, b.value_ < 0.0 || b.value_ > 0.0 ? a.value_ / b.value_ : 0.0);
@@ -142,14 +149,18 @@ class Counting {
   friend constexpr Counting operator+(Counting a, Counting b) { return combine(Kind::add, a, b, a.value_ + b.value_); }
   friend constexpr Counting operator-(Counting a, Counting b) { return combine(Kind::sub, a, b, a.value_ - b.value_); }
   constexpr Counting operator-() const { return apply(Kind::neg, -value_); }
+  ///@}
   // Comparisons are not arithmetic. Between constants they are true; else they say what a healthy state says.
+  /// Between constants as it is, else false.
   friend constexpr bool operator<(Counting a, Counting b) {
     return a.is_constant() && b.is_constant() && a.value_ < b.value_;
   }
+  /// Between constants as it is, else true.
   friend constexpr bool operator>(Counting a, Counting b) {
     return !(a.is_constant() && b.is_constant()) || a.value_ > b.value_;
   }
 
+  /// A sine-cosine pair; counts once however many of the two are needed.
   friend constexpr SinCos<Counting> sincos(Counting x) {
     return {x.apply(Kind::sine, 0.0), x.apply(Kind::cosine, 0.0)};
   }
@@ -176,10 +187,12 @@ class Counting {
   double value_ = 0.0;
 };
 
+/// The counting scalar as a number of kernels.
 template <>
 struct NumberTraits<Counting> {
-  static constexpr bool is_number = true;
-  static constexpr Counting constant(double value) { return Counting::constant(value); }
+  static constexpr bool is_number = true;                                                 ///< t is a number
+  static constexpr Counting constant(double value) { return Counting::constant(value); }  ///< a constant of the model
+  /// that of double
   static constexpr Counting epsilon() { return Counting::constant(std::numeric_limits<double>::epsilon()); }
 };
 

@@ -11,16 +11,21 @@ namespace axial {
 /// As the T of an algorithm it chooses the word of the arithmetic.
 template <class WordType>
 struct Stored {
-  using Word = WordType;
-  Word raw{};
+  using Word = WordType;  ///< integer that holds it
+  Word raw{};             ///< value 2^exponent
+  /// Equality of the bits: of values only where both have one exponent.
+  ///@{
   friend constexpr bool operator==(Stored a, Stored b) { return a.raw == b.raw; }
   friend constexpr bool operator!=(Stored a, Stored b) { return a.raw != b.raw; }
+  ///@}
 };
-using Fixed32 = Stored<std::int32_t>;
-using Fixed16 = Stored<std::int16_t>;
+using Fixed32 = Stored<std::int32_t>;  ///< fixed point in 32 bits
+using Fixed16 = Stored<std::int16_t>;  ///< fixed point in 16 bits
 
+/// True for a stored fixed-point number.
 template <class T>
 inline constexpr bool is_stored_v = false;
+/// True for a stored fixed-point number.
 template <class Word>
 inline constexpr bool is_stored_v<Stored<Word>> = true;
 
@@ -63,14 +68,16 @@ inline std::uint64_t range_overflows = 0;
 /// their upper word; with `is_checked` sums that do not wrap, and a count of results that do not fit.
 template <class WordType, bool to_nearest, bool upper_word, bool is_checked = false>
 struct Arithmetic {
-  using Word = WordType;
+  using Word = WordType;  ///< of results
+  /// of products: twice the word, wider where sums are checked
   using Wide = typename detail::Widened<Word, is_checked>::type;
-  using Bits = typename detail::Widened<Word, is_checked>::bits;  ///< sums wrap: only what is stored has to fit
-  using Upper = typename detail::Widened<Word, is_checked>::upper;
+  using Bits = typename detail::Widened<Word, is_checked>::bits;    ///< sums wrap: only what is stored has to fit
+  using Upper = typename detail::Widened<Word, is_checked>::upper;  ///< of sums of upper words
+  /// as the template's arguments say: rounding, products, counted overflows
   static constexpr bool nearest = to_nearest, high_word = upper_word, checked = is_checked;
-  static constexpr int bits = 8 * static_cast<int>(sizeof(Word));
-  static constexpr int unit = bits - 2;  ///< exponent of sines and cosines
-  static constexpr double capacity = static_cast<double>((Wide{1} << (bits - 1)) - 1);
+  static constexpr int bits = 8 * static_cast<int>(sizeof(Word));  ///< of the word
+  static constexpr int unit = bits - 2;                            ///< exponent of sines and cosines
+  static constexpr double capacity = static_cast<double>((Wide{1} << (bits - 1)) - 1);  ///< largest raw value of a word
 };
 
 namespace detail {
@@ -126,38 +133,45 @@ constexpr int fitting_exponent(double value, double capacity) {
 /// A number raw * 2^-E in arithmetic S. Nothing mixes exponents or widens by itself.
 template <int E, class S>
 struct Fx {
-  static constexpr int exponent = E;
-  using Arithmetic = S;
-  typename S::Word raw{};
+  static constexpr int exponent = E;  ///< of its unit, 2^-E
+  using Arithmetic = S;               ///< that computes with it
+  typename S::Word raw{};             ///< value 2^E
 };
 
 /// A constant of the model, by the bits of its double; it takes the exponent that suits where it is used.
 template <std::uint64_t Bits, class S>
 struct Literal {
-  using Arithmetic = S;
-  static constexpr double value = __builtin_bit_cast(double, Bits);
+  using Arithmetic = S;                                              ///< that computes with it
+  static constexpr double value = __builtin_bit_cast(double, Bits);  ///< as the model states it
 };
 
 /// An exact product that nobody has rounded yet; of two variables, or of a literal (the first) and a variable.
 template <class A, class B, bool negative = false>
 struct Product {
-  using Arithmetic = typename B::Arithmetic;
+  using Arithmetic = typename B::Arithmetic;  ///< of its factors
+  /// factor
+  ///@{
   A a{};
   B b{};
+  ///@}
 };
 /// An exact sum that nobody has rounded yet.
 template <class A, class B>
 struct Sum {
-  using Arithmetic = typename A::Arithmetic;
+  using Arithmetic = typename A::Arithmetic;  ///< of its terms
+  /// term
+  ///@{
   A a{};
   B b{};
+  ///@}
 };
 
 /// An angle: the whole range of the integer is one turn, so that it wraps exactly.
 template <class S>
 struct Bam {
-  std::int32_t raw{};
+  std::int32_t raw{};  ///< angle 2^32 / (2 pi rad), modulo a turn
 };
+/// Sum of angles, modulo a turn.
 template <class S>
 AXIAL_INLINE constexpr Bam<S> operator+(Bam<S> a, Bam<S> b) {
   return {static_cast<std::int32_t>(static_cast<std::uint32_t>(a.raw) + static_cast<std::uint32_t>(b.raw))};
@@ -234,7 +248,8 @@ struct Constants<Arithmetic<Word, nearest, high, checked>> {
 };
 }  // namespace detail
 
-// Negation.
+/// The opposite number, of a lazy expression as lazy: no rounding.
+///@{
 template <int E, class S>
 AXIAL_INLINE constexpr Fx<E, S> operator-(Fx<E, S> x) {
   return {detail::narrowed<S>(-typename S::Wide{x.raw})};
@@ -254,8 +269,10 @@ template <class A, class B>
 AXIAL_INLINE constexpr auto operator-(const Sum<A, B>& x) {
   return Sum<decltype(-x.a), decltype(-x.b)>{-x.a, -x.b};
 }
+///@}
 
-// Products.
+/// An exact product; of two literals a literal.
+///@{
 template <int E, int F, class S>
 AXIAL_INLINE constexpr auto operator*(Fx<E, S> a, Fx<F, S> b) {
   return Product<Fx<E, S>, Fx<F, S>>{a, b};
@@ -272,8 +289,10 @@ template <std::uint64_t A, std::uint64_t B, class S>
 AXIAL_INLINE constexpr auto operator*(Literal<A, S>, Literal<B, S>) {
   return Literal<detail::bits_of(Literal<A, S>::value * Literal<B, S>::value), S>{};
 }
+///@}
 
-// Sums: of one format at once, of literals by the compiler, of anything else later.
+/// An exact sum: of one format at once, of literals by the compiler, of anything else lazy.
+///@{
 template <int E, class S>
 AXIAL_INLINE constexpr Fx<E, S> operator+(Fx<E, S> a, Fx<E, S> b) {
   return {detail::narrowed<S>(typename S::Bits(a.raw) + typename S::Bits(b.raw))};
@@ -294,6 +313,7 @@ template <class A, class B, detail::if_fixed<A> = 0, detail::if_fixed<B> = 0>
 AXIAL_INLINE constexpr auto operator-(const A& a, const B& b) {
   return a + (-b);
 }
+///@}
 
 /// 2 x, exactly: the same bits.
 template <int E, class S>
@@ -325,6 +345,8 @@ AXIAL_INLINE constexpr typename S::Word held_in_word(bool& lost, std::int64_t x)
   return static_cast<typename S::Word>((held & (beyond - 1)) | (limit & -beyond));
 }
 }  // namespace detail
+/// Comparison of numbers of one format, without a branch.
+///@{
 template <int E, class S>
 AXIAL_INLINE constexpr bool operator<(Fx<E, S> a, Fx<E, S> b) {
   return detail::is_less(a.raw, b.raw);
@@ -333,7 +355,9 @@ template <int E, class S>
 AXIAL_INLINE constexpr bool operator>(Fx<E, S> a, Fx<E, S> b) {
   return b < a;
 }
+///@}
 
+/// |x| of a constant, by the compiler.
 template <std::uint64_t B, class S>
 AXIAL_INLINE constexpr auto magnitude(Literal<B, S>) {
   constexpr double value = Literal<B, S>::value;

@@ -8,10 +8,11 @@ namespace axial {
 /// 1/x of a positive Fx<E, S>: mantissa 2^(E - exponent), the mantissa with 31 significant bits.
 template <int E, class S>
 struct Inverse {
-  std::int32_t mantissa{};
-  int exponent{};
+  std::int32_t mantissa{};  ///< in [2^30, 2^31)
+  int exponent{};           ///< of the reciprocal of the raw word: 1 / raw = mantissa 2^-exponent
 };
 
+/// Reciprocal of x > 0: a mantissa and an exponent, at a time that does not depend on x.
 template <int E, class S>
 AXIAL_INLINE constexpr Inverse<E, S> inverse_of(const Fx<E, S>& x) {
   const auto r = integer::reciprocal(static_cast<std::int32_t>(x.raw));

@@ -10,7 +10,7 @@ namespace axial {
 /// A double word raw * 2^-E: a sum of products on its way to one rounding. It may wrap; what it is rounded to fits.
 template <int E, class S>
 struct Acc {
-  typename S::Bits raw{};
+  typename S::Bits raw{};  ///< value 2^E, modulo the double word
 };
 
 namespace detail {
@@ -245,8 +245,10 @@ AXIAL_INLINE constexpr auto round_to(const X& x) {
     return round_to<E>(accumulate<accumulator_exponent<X, E>>(x));
 }
 
+/// A number of format E: any expression is rounded into it once.
 template <int E, class S>
 struct Holding<Fx<E, S>> {
+  /// X in that format; structural scalars become constants.
   template <class X>
   AXIAL_INLINE static constexpr Fx<E, S> of(const X& x) {
     if constexpr (is_structural_v<X>)
@@ -294,10 +296,12 @@ struct TurnedFormat<Sum<A, B>> {
 
 }  // namespace detail
 
+/// The product, back at the exponent of the factor that is no sine or cosine.
 template <class A, class B, bool n>
 AXIAL_INLINE constexpr auto turned(const Product<A, B, n>& x) {
   return round_to<detail::TurnedFormat<Product<A, B, n>>::exponent>(x);
 }
+/// The sum of such products, rounded once.
 template <class A, class B>
 AXIAL_INLINE constexpr auto turned(const Sum<A, B>& x) {
   return round_to<detail::TurnedFormat<Sum<A, B>>::exponent>(x);

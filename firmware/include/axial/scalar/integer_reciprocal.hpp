@@ -56,8 +56,8 @@ AXIAL_INLINE constexpr std::int32_t scaled(std::int32_t a, std::int32_t b) {
 /// 1/d = mantissa 2^-exponent; 2^30 <= mantissa < 2^31, so that it is a positive std::int32_t too; 31 <= exponent
 /// <= 61.
 struct Reciprocal {
-  std::uint32_t mantissa;
-  int exponent;
+  std::uint32_t mantissa;  ///< in [2^30, 2^31)
+  int exponent;            ///< in [31, 61]
 };
 
 /// Reciprocal of d in 1..2^31 - 1; the mantissa errs at most by one unit, -1 at powers of two and 0.86 upwards

@@ -10,7 +10,7 @@ namespace axial::integer {
 
 /// Sine and cosine with 30 fractional bits.
 struct SinCosBits {
-  std::int32_t sin, cos;
+  std::int32_t sin, cos;  ///< value 2^30
 };
 
 /// What sine and cosine err at most, over all angles (`./axial exhaustive`).

@@ -28,8 +28,9 @@ struct Turn {};                 // sine or cosine
 /// What a result of a quantity is kept as, where kernels keep plain numbers: T, unless T gives each quantity its own.
 template <class T, class Quantity>
 struct KeptAs {
-  using type = T;
+  using type = T;  ///< what is kept
 };
+/// What a result of a quantity is kept as, given the number T.
 template <class T, class Quantity>
 using Kept = typename KeptAs<T, Quantity>::type;
 
@@ -37,6 +38,7 @@ using Kept = typename KeptAs<T, Quantity>::type;
 /// `sum(quantity, terms...)` is the sum of products and stored values, rounded once into the format of the quantity.
 struct Plain {
   static constexpr bool ranged = false;  ///< whether ranges of its results are proved
+  /// The sum, by the number's own additions.
   template <class Quantity, class... Terms>
   AXIAL_INLINE constexpr auto sum(Quantity, const Terms&... terms) const {
     return (... + terms);
@@ -66,6 +68,7 @@ struct Plain {
   AXIAL_INLINE constexpr auto together(const A& a, const B& b) const {
     return a + b;
   }
+  /// A force less another.
   template <class A, class B>
   AXIAL_INLINE constexpr auto without(const A& force, const B& other) const {
     return force - other;

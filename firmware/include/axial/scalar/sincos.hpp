@@ -8,7 +8,7 @@ namespace axial {
 /// sin and cos of one angle.
 template <class T>
 struct SinCos {
-  T sin, cos;
+  T sin, cos;  ///< one of the pair, of one angle
 };
 
 namespace detail {

@@ -10,17 +10,19 @@ namespace axial {
 /// number it meets.
 template <int N>
 struct Int {
-  static constexpr int value = N;
+  static constexpr int value = N;  ///< the integer itself
+  /// The number T that it stands for.
   template <class T, class = std::enable_if_t<is_number_v<T>>>
   AXIAL_INLINE constexpr operator T() const {  // NOLINT(google-explicit-constructor): a zero is a valid float
     return NumberTraits<T>::constant(static_cast<double>(N));
   }
 };
 
-using Zero = Int<0>;
-using One = Int<1>;
-using MinusOne = Int<-1>;
+using Zero = Int<0>;       ///< 0 as a type
+using One = Int<1>;        ///< 1 as a type
+using MinusOne = Int<-1>;  ///< -1 as a type
 
+/// Whether a type is an Int.
 template <class T>
 struct IsStructural : std::false_type {};
 template <int N>
@@ -33,6 +35,7 @@ inline constexpr bool is_structural_v = IsStructural<T>::value;
 /// How a result becomes a plain number of a type.
 template <class T>
 struct Holding {
+  /// X as T: structural scalars become constants.
   template <class X>
   AXIAL_INLINE static constexpr T of(const X& x) {
     return x;
@@ -70,6 +73,8 @@ AXIAL_INLINE constexpr auto integer(Int<N> n) {
 }
 }  // namespace detail
 
+/// Arithmetic of structural scalars, done by the compiler.
+///@{
 template <int N>
 AXIAL_INLINE constexpr Int<-N> operator-(Int<N>) {
   return {};
@@ -86,7 +91,10 @@ template <int N, int M>
 AXIAL_INLINE constexpr Int<N * M> operator*(Int<N>, Int<M>) {
   return {};
 }
+///@}
 
+/// A structural scalar and a number: 0 and 1 cost nothing, -1 a sign; 2 x is x + x; any other is a constant of T.
+///@{
 template <int N, class T, detail::if_number<T> = 0>
 AXIAL_INLINE constexpr auto operator*(Int<N>, const T& x) {
   if constexpr (N == 0)
@@ -133,6 +141,7 @@ AXIAL_INLINE constexpr auto operator-(Int<N> n, const T& x) {
   else
     return detail::integer<T>(n) - x;
 }
+///@}
 
 /// A compile-time value as a number T: a type where it is 0, 1 or -1, else a constant of T.
 /// `literal<float>([] { return Robot::chain.links[0].a; })`.

@@ -13,16 +13,18 @@ namespace axial {
 /// Specialise it to add a number system: `is_number`, `constant(double)`, `epsilon()`.
 template <class T, class = void>
 struct NumberTraits {
-  static constexpr bool is_number = false;
+  static constexpr bool is_number = false;  ///< whether kernels compute with T: not unless specialised
 };
 
+/// Floating point: constants are rounded to T by the compiler.
 template <class T>
 struct NumberTraits<T, std::enable_if_t<std::is_floating_point_v<T>>> {
-  static constexpr bool is_number = true;
-  static constexpr T constant(double value) { return static_cast<T>(value); }
-  static constexpr T epsilon() { return std::numeric_limits<T>::epsilon(); }
+  static constexpr bool is_number = true;                                      ///< t is a number
+  static constexpr T constant(double value) { return static_cast<T>(value); }  ///< the nearest T
+  static constexpr T epsilon() { return std::numeric_limits<T>::epsilon(); }   ///< distance from 1 to the next T
 };
 
+/// True where kernels compute with T.
 template <class T>
 inline constexpr bool is_number_v = NumberTraits<T>::is_number;
 
