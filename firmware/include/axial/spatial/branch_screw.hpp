@@ -10,8 +10,8 @@ namespace axial {
 /// full: the constant z-screw takes 38M 40A of it, 28M 34A where it has a zero row, as McMillan and Orin 1995 count it.
 template <class Z, class X>
 struct BranchScrew {
-  Z z{};
-  X x{};
+  Z z{};  ///< about z of the parent's frame: gamma, b
+  X x{};  ///< about x behind it: alpha, a
 };
 template <class Z, class X>
 BranchScrew(Z, X) -> BranchScrew<Z, X>;
@@ -34,6 +34,7 @@ template <class Axis, class C, class S, class L, class Turn>
 AXIAL_INLINE constexpr auto translation(const AxialScrew<Axis, C, S, L, Turn>& x) {
   return Axis::out(along_z(x.shift));
 }
+/// Through both screws, in axes of the parent's frame.
 template <class Z, class X>
 AXIAL_INLINE constexpr auto translation(const BranchScrew<Z, X>& branch) {
   return to_parent(branch.z, translation(branch.x)) + translation(branch.z);

@@ -13,11 +13,11 @@ namespace axial {
 /// rotor's reflected inertia of 1e-6 survives a quarter turn beside inertias of 1.
 template <class X, class W, class C2, class SC, class SC2>
 struct DoubleAngle {
-  X exchange{};
-  W small{};
-  C2 cc_ss{};
-  SC sc{};
-  SC2 two_sc{};
+  X exchange{};  ///< whether the axes are exchanged: a bool or a type
+  W small{};     ///< s^2, or -c^2 behind an exchange
+  C2 cc_ss{};    ///< c^2 - s^2
+  SC sc{};       ///< s c
+  SC2 two_sc{};  ///< 2 s c
 };
 template <class X, class W, class A, class B, class C>
 DoubleAngle(X, W, A, B, C) -> DoubleAngle<X, W, A, B, C>;

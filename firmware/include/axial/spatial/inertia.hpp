@@ -10,14 +10,16 @@ namespace axial {
 /// As a 6x6 matrix: [ J, (m c)~ ; (m c)~^T, m 1 ], theory of McMillan and Orin 1995, eq. (2).
 template <class M, class H, class J>
 struct RigidInertia {
-  M mass{};
-  H first_moment{};
-  J inertia{};
+  M mass{};          ///< kg
+  H first_moment{};  ///< kg m, m c in axes of the frame
+  J inertia{};       ///< kg m^2, a Sym3 about the frame's origin
 
+  /// Structural elements become numbers where the target has numbers.
   template <class A, class B, class C>
   AXIAL_INLINE constexpr operator RigidInertia<A, B, C>() const {
     return {mass, first_moment, inertia};
   }  // NOLINT(google-explicit-constructor)
+  /// The same body as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     using Mass = Kept<T, quantity::Mass>;
@@ -28,6 +30,7 @@ struct RigidInertia {
 template <class M, class H, class J>
 RigidInertia(M, H, J) -> RigidInertia<M, H, J>;
 
+/// Two bodies of one frame as one.
 template <class A, class B, class C, class D, class E, class F>
 AXIAL_INLINE constexpr auto operator+(const RigidInertia<A, B, C>& a, const RigidInertia<D, E, F>& b) {
   return RigidInertia{a.mass + b.mass, a.first_moment + b.first_moment, a.inertia + b.inertia};
@@ -37,14 +40,16 @@ AXIAL_INLINE constexpr auto operator+(const RigidInertia<A, B, C>& a, const Rigi
 /// column = linear acceleration) and linear (kg).
 template <class A11, class A12, class A22>
 struct ArticulatedInertia {
-  A11 angular{};
-  A12 coupling{};
-  A22 linear{};
+  A11 angular{};   ///< kg m^2, a Sym3
+  A12 coupling{};  ///< kg m, a Mat3
+  A22 linear{};    ///< kg, a Sym3
 
+  /// Structural elements become numbers where the target has numbers.
   template <class A, class B, class C>
   AXIAL_INLINE constexpr operator ArticulatedInertia<A, B, C>() const {
     return {angular, coupling, linear};
   }  // NOLINT(google-explicit-constructor)
+  /// The same inertia as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return axial::ArticulatedInertia{angular.template dense<Kept<T, quantity::RotationalInertia>>(),
@@ -55,6 +60,7 @@ struct ArticulatedInertia {
 template <class A11, class A12, class A22>
 ArticulatedInertia(A11, A12, A22) -> ArticulatedInertia<A11, A12, A22>;
 
+/// Sum of inertias about the origin of one frame.
 template <class A, class B, class C, class D, class E, class F>
 AXIAL_INLINE constexpr auto operator+(const ArticulatedInertia<A, B, C>& a, const ArticulatedInertia<D, E, F>& b) {
   return ArticulatedInertia{a.angular + b.angular, a.coupling + b.coupling, a.linear + b.linear};

@@ -10,13 +10,15 @@ namespace axial {
 /// the context names.
 template <class R, class P>
 struct Pose {
-  R rotation{};
-  P position{};
+  R rotation{};  ///< axes of the frame as columns
+  P position{};  ///< m, origin of the frame
 
+  /// Structural elements become numbers where the target has numbers.
   template <class A, class B>
   AXIAL_INLINE constexpr operator Pose<A, B>() const {
     return {rotation, position};
   }  // NOLINT(google-explicit-constructor)
+  /// The same pose as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return axial::Pose{rotation.template dense<Kept<T, quantity::Turn>>(),

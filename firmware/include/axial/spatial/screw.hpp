@@ -9,10 +9,12 @@ namespace axial {
 
 /// The z axis as the axis of a screw: operands stay as they are.
 struct ZAxis {
+  /// An operand in the order in which the screw's axis is z.
   template <class V>
   AXIAL_INLINE static constexpr const V& in(const V& v) {
     return v;
   }
+  /// Back from that order.
   template <class V>
   AXIAL_INLINE static constexpr const V& out(const V& v) {
     return v;
@@ -22,6 +24,8 @@ struct ZAxis {
 /// The x axis as the axis of a screw: a cyclic exchange (x, y, z) -> (y, z, x) makes it the z axis, so that every
 /// operator is written once.
 struct XAxis {
+  /// An operand in the order in which the screw's axis is z (`in`), and back (`out`).
+  ///@{
   template <class A, class B, class C>
   AXIAL_INLINE static constexpr auto in(const Vec3<A, B, C>& v) {
     return Vec3{v.y, v.z, v.x};
@@ -46,6 +50,7 @@ struct XAxis {
   AXIAL_INLINE static constexpr auto out(const Sym3<A, B, C, D, E, F>& s) {
     return Sym3{s.zz, s.xx, s.yy, s.xz, s.yz, s.xy};
   }
+  ///@}
 };
 
 /// A turn that is known at run time only.
@@ -55,13 +60,14 @@ struct AnyTurn {};
 /// what is known of a constant turn: std::true_type beyond 45 degrees (sin^2 > 1/2), std::false_type up to there.
 template <class Axis, class C, class S, class L, class Turn = AnyTurn>
 struct AxialScrew {
-  C cos{};
-  S sin{};
-  L shift{};
+  C cos{};    ///< cosine of the turn
+  S sin{};    ///< sine of the turn
+  L shift{};  ///< m, along the axis
 
   /// True where neither turn nor shift exists: operators then cost nothing.
   static constexpr bool is_identity = std::is_same_v<C, One> && is_zero_v<S> && is_zero_v<L>;
 
+  /// The same screw as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     using Turned = Kept<T, quantity::Turn>;
@@ -69,20 +75,25 @@ struct AxialScrew {
     return AxialScrew<Axis, Turned, Turned, Length>{Holding<Turned>::of(cos), Holding<Turned>::of(sin),
                                                     Holding<Length>::of(shift)};
   }
+  /// The same screw of which that much is known of the turn.
   template <class Known>
   AXIAL_INLINE constexpr AxialScrew<Axis, C, S, L, Known> with_turn(Known) const {
     return {cos, sin, shift};
   }
 };
+/// A screw about the x axis: alpha and a of a link.
 template <class C, class S, class L>
 using XScrew = AxialScrew<XAxis, C, S, L>;
+/// A screw about the z axis: theta and d of a link.
 template <class C, class S, class L>
 using ZScrew = AxialScrew<ZAxis, C, S, L>;
 
+/// A screw about x from the cosine and sine of its turn and its shift (m).
 template <class C, class S, class L>
 AXIAL_INLINE constexpr XScrew<C, S, L> x_screw(const C& cos, const S& sin, const L& shift) {
   return {cos, sin, shift};
 }
+/// A screw about z from the cosine and sine of its turn and its shift (m).
 template <class C, class S, class L>
 AXIAL_INLINE constexpr ZScrew<C, S, L> z_screw(const C& cos, const S& sin, const L& shift) {
   return {cos, sin, shift};

@@ -11,9 +11,10 @@ namespace axial {
 /// acceleration.
 template <class W, class V>
 struct MotionVector {
-  W angular{};
-  V linear{};
+  W angular{};  ///< rad/s or rad/s^2
+  V linear{};   ///< m/s or m/s^2
 
+  /// Structural elements become numbers where the target has numbers.
   template <class A, class B>
   AXIAL_INLINE constexpr operator MotionVector<A, B>() const {
     return {angular, linear};
@@ -31,13 +32,15 @@ MotionVector(W, V) -> MotionVector<W, V>;
 /// A force: moment (N m) about the origin of a frame and force (N), in its axes.
 template <class N, class F>
 struct ForceVector {
-  N moment{};
-  F force{};
+  N moment{};  ///< n m, about the frame's origin
+  F force{};   ///< N
 
+  /// Structural elements become numbers where the target has numbers.
   template <class A, class B>
   AXIAL_INLINE constexpr operator ForceVector<A, B>() const {
     return {moment, force};
   }  // NOLINT(google-explicit-constructor)
+  /// The same force as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return axial::ForceVector{moment.template dense<Kept<T, quantity::Moment>>(),
@@ -47,14 +50,17 @@ struct ForceVector {
 template <class N, class F>
 ForceVector(N, F) -> ForceVector<N, F>;
 
+/// Sum of motions in the same frame.
 template <class A, class B, class C, class D>
 AXIAL_INLINE constexpr auto operator+(const MotionVector<A, B>& u, const MotionVector<C, D>& v) {
   return MotionVector{u.angular + v.angular, u.linear + v.linear};
 }
+/// Sum of forces in the same frame.
 template <class A, class B, class C, class D>
 AXIAL_INLINE constexpr auto operator+(const ForceVector<A, B>& u, const ForceVector<C, D>& v) {
   return ForceVector{u.moment + v.moment, u.force + v.force};
 }
+/// Difference of forces in the same frame.
 template <class A, class B, class C, class D>
 AXIAL_INLINE constexpr auto operator-(const ForceVector<A, B>& u, const ForceVector<C, D>& v) {
   return ForceVector{u.moment - v.moment, u.force - v.force};
