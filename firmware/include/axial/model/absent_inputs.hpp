@@ -10,27 +10,35 @@ namespace axial {
 /// 'axial::absent::add_the_feature_axial_Payload_to_the_scene'". They hold nothing and cost no byte.
 namespace absent {
 
+/// Add RuntimeGravity for in.gravity.
 class add_the_feature_axial_RuntimeGravity_to_the_scene {
   static void gravity();
 };
+/// Add BaseMotion, or FloatingBase, for in.base_motion.
 class add_the_feature_axial_BaseMotion_to_the_scene {
   static void base_motion();
 };
+/// Add BaseWrench for in.base_wrench.
 class add_the_feature_axial_BaseWrench_to_the_scene {
   static void base_wrench();
 };
+/// Add VelocityThroughWater for in.velocity_through_water.
 class add_the_feature_axial_VelocityThroughWater_to_the_scene {
   static void velocity_through_water();
 };
+/// Add TipWrench for in.tip_wrench.
 class add_the_feature_axial_TipWrench_to_the_scene {
   static void tip_wrench();
 };
+/// Add ExternalWrenches for in.wrenches.
 class add_the_feature_axial_ExternalWrenches_to_the_scene {
   static void wrenches();
 };
+/// Add Payload for in.payload.
 class add_the_feature_axial_Payload_to_the_scene {
   static void payload();
 };
+/// Add SineCosines for in.turns.
 class add_the_feature_axial_SineCosines_to_the_scene {
   static void turns();
 };

@@ -7,9 +7,9 @@ namespace axial {
 
 /// A constant angle: its value in radians and its sine-cosine pair.
 struct Angle {
-  double radians = 0.0;
-  double cos = 1.0;
-  double sin = 0.0;
+  double radians = 0.0;  ///< its value
+  double cos = 1.0;      ///< its cosine
+  double sin = 0.0;      ///< its sine
 
   /// From radians; sine and cosine are the library's own, within 1 ulp.
   static constexpr Angle from_radians(double radians) {

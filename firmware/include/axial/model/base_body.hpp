@@ -10,7 +10,7 @@ class BaseBody {
  public:
   constexpr BaseBody() = default;
 
-  constexpr const LinkParameters& parameters() const { return body_.parameters(); }
+  constexpr const LinkParameters& parameters() const { return body_.parameters(); }  ///< the description as fields
 
   /// Mass in kg.
   constexpr BaseBody mass(double kg) const { return BaseBody(body_.mass(kg)); }
@@ -31,13 +31,16 @@ class BaseBody {
                                 double iz = 0.0) const {
     return BaseBody(body_.added_mass(mx, my, mz, ix, iy, iz));
   }
+  /// Mass of the water that it displaces (kg) and its centre of buoyancy (m, frame 0).
   constexpr BaseBody buoyancy(double displaced_kg, double x, double y, double z) const {
     return BaseBody(body_.buoyancy(displaced_kg, x, y, z));
   }
+  /// Linear drag along (N s/m) and about (N m s/rad) the axes, at the centre of buoyancy.
   constexpr BaseBody drag_linear(double x, double y, double z, double rx = 0.0, double ry = 0.0,
                                  double rz = 0.0) const {
     return BaseBody(body_.drag_linear(x, y, z, rx, ry, rz));
   }
+  /// Quadratic drag along (N s^2/m^2) and about (N m s^2/rad^2) the axes, at the centre of buoyancy.
   constexpr BaseBody drag_quadratic(double x, double y, double z, double rx = 0.0, double ry = 0.0,
                                     double rz = 0.0) const {
     return BaseBody(body_.drag_quadratic(x, y, z, rx, ry, rz));

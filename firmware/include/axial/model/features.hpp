@@ -32,18 +32,18 @@ struct Feature {
 /// inertia about that centre (kg m^2, axes of the last link's frame).
 template <class T>
 struct PayloadBody {
-  T mass{};
-  Vec3<T> com{};
-  Sym3<T> inertia_com{};
+  T mass{};               ///< kg
+  Vec3<T> com{};          ///< m, in the last link's frame
+  Sym3<T> inertia_com{};  ///< kg m^2 about com, axes of the last link's frame
 };
 
 /// Given motion of frame 0, in its own axes: angular velocity (rad/s), angular acceleration (rad/s^2), and the
 /// acceleration of its origin (m/s^2, without gravity).
 template <class T>
 struct GivenMotion {
-  Vec3<T> angular_velocity{};
-  Vec3<T> angular_acceleration{};
-  Vec3<T> linear_acceleration{};
+  Vec3<T> angular_velocity{};      ///< rad/s, axes of frame 0
+  Vec3<T> angular_acceleration{};  ///< rad/s^2, axes of frame 0
+  Vec3<T> linear_acceleration{};   ///< m/s^2, of frame 0's origin, without gravity
 };
 
 /// Gravity as the robot declares it.
@@ -52,9 +52,10 @@ struct Gravity : Feature<Gravity> {};
 /// Gravity known at run time, for a tilted or moving base: input `gravity`, acceleration of free fall in axes of frame
 /// 0, m/s^2. Starts as the robot declares it; for a run-time model as NaN, until given.
 struct RuntimeGravity : Feature<RuntimeGravity> {
+  /// Its run-time input.
   template <class Robot, class T>
   struct Input {
-    Vec3<T> gravity = declared<Robot>(0);
+    Vec3<T> gravity = declared<Robot>(0);  ///< m/s^2, axes of frame 0
 
    private:
     template <class R>
@@ -72,9 +73,10 @@ struct RuntimeGravity : Feature<RuntimeGravity> {
 
 /// A base that moves as it is told: input `base_motion`. Torques and accelerations follow; M(q) does not change.
 struct BaseMotion : Feature<BaseMotion> {
+  /// Its run-time input.
   template <class Robot, class T>
   struct Input {
-    GivenMotion<T> base_motion{};
+    GivenMotion<T> base_motion{};  ///< starts at rest
   };
 };
 
@@ -82,18 +84,20 @@ struct BaseMotion : Feature<BaseMotion> {
 /// Input `base_motion` as for BaseMotion: forward dynamics takes the angular velocity from it and finds the
 /// accelerations; inverse dynamics and base_wrench take all. doc/moving_base.md.
 struct FloatingBase : Feature<FloatingBase> {
+  /// Its run-time input.
   template <class Robot, class T>
   struct Input {
-    GivenMotion<T> base_motion{};
+    GivenMotion<T> base_motion{};  ///< starts at rest
   };
 };
 
 /// Force that the environment (thrusters, a contact) exerts on a floating base: axes and origin of frame 0, input
 /// `base_wrench`.
 struct BaseWrench : Feature<BaseWrench> {
+  /// Its run-time input.
   template <class Robot, class T>
   struct Input {
-    ForceVector<Vec3<T>, Vec3<T>> base_wrench{};
+    ForceVector<Vec3<T>, Vec3<T>> base_wrench{};  ///< n m, N; starts as 0
   };
 };
 
@@ -104,9 +108,10 @@ struct Underwater : Feature<Underwater> {};
 /// Velocity of the origin of frame 0 through the water, input `velocity_through_water`, m/s in axes of frame 0: its own
 /// less that of a steady, uniform current. For an underwater base that moves, or a fixed one in a current.
 struct VelocityThroughWater : Feature<VelocityThroughWater> {
+  /// Its run-time input.
   template <class Robot, class T>
   struct Input {
-    Vec3<T> velocity_through_water{};
+    Vec3<T> velocity_through_water{};  ///< m/s, starts as 0
   };
 };
 
@@ -121,25 +126,28 @@ struct JointSprings : Feature<JointSprings> {};
 
 /// Force that the environment exerts on the last link: axes and origin of its frame, input `tip_wrench`.
 struct TipWrench : Feature<TipWrench> {
+  /// Its run-time input.
   template <class Robot, class T>
   struct Input {
-    ForceVector<Vec3<T>, Vec3<T>> tip_wrench{};
+    ForceVector<Vec3<T>, Vec3<T>> tip_wrench{};  ///< n m, N; starts as 0
   };
 };
 
 /// Forces that the environment exerts on every link i: axes and origin of its frame, input `wrenches[i]`.
 struct ExternalWrenches : Feature<ExternalWrenches> {
+  /// Its run-time input.
   template <class Robot, class T>
   struct Input {
-    Joints<Robot, ForceVector<Vec3<T>, Vec3<T>>> wrenches{};
+    Joints<Robot, ForceVector<Vec3<T>, Vec3<T>>> wrenches{};  ///< n m, N; start as 0
   };
 };
 
 /// A run-time load on the last link, input `payload`.
 struct Payload : Feature<Payload> {
+  /// Its run-time input.
   template <class Robot, class T>
   struct Input {
-    PayloadBody<T> payload{};
+    PayloadBody<T> payload{};  ///< starts as none
   };
 };
 
@@ -147,9 +155,10 @@ struct Payload : Feature<Payload> {
 /// algorithms): input `turns[i]`, of q without the offset theta; ignored for prismatic joints. NaN until given
 /// (in fixed point, with the exponent InputFormats::sine_cosine, 0).
 struct SineCosines : Feature<SineCosines> {
+  /// Its run-time input.
   template <class Robot, class T>
   struct Input {
-    Joints<Robot, SinCos<T>> turns = unknown();
+    Joints<Robot, SinCos<T>> turns = unknown();  ///< one a joint
 
    private:
     static constexpr auto unknown() {

@@ -9,17 +9,21 @@ namespace axial {
 /// Exponents of the words that `Inputs<Scene, Stored<Word>>` holds: value = raw 2^-exponent, SI.
 template <class Robot, class T>
 struct InputFormats {
+  /// largest raw value of a word
   static constexpr double capacity = static_cast<double>(std::numeric_limits<typename T::Word>::max());
+  /// The exponent of what reaches `most` (SI).
   static constexpr int of(double most) { return detail::fitting_exponent(most, capacity); }
-  static constexpr PayloadLimit load = Robot::chain.payload_limit;
+  static constexpr PayloadLimit load = Robot::chain.payload_limit;  ///< as declared
+  /// of a run-time payload: kg, m, kg m^2
   static constexpr int payload_mass = of(load.mass), payload_com = of(load.com_reach),
                        payload_inertia = of(load.inertia);
-  static constexpr TipWrenchLimit wrench = Robot::chain.tip_wrench_limit;
+  static constexpr TipWrenchLimit wrench = Robot::chain.tip_wrench_limit;  ///< as declared
+  /// of a wrench at the tip: N, N m
   static constexpr int tip_force = of(wrench.force), tip_moment = of(wrench.moment);
   /// A gravity vector given at run time may be as long as the declared one.
   static constexpr int gravity =
       of(detail::length_of(Robot::chain.gravity.x, Robot::chain.gravity.y, Robot::chain.gravity.z));
-  static constexpr int sine_cosine = 8 * static_cast<int>(sizeof(typename T::Word)) - 2;
+  static constexpr int sine_cosine = 8 * static_cast<int>(sizeof(typename T::Word)) - 2;  ///< of sines and cosines
 };
 
 namespace detail {
@@ -58,6 +62,7 @@ template <class Scene, class Scalar, class T>
 AXIAL_INLINE constexpr const PayloadBody<T>& read_payload(const PayloadBody<T>& load) {
   return load;
 }
+/// A payload's words with their formats.
 template <class Scene, class Scalar, class Word>
 AXIAL_INLINE constexpr auto read_payload(const PayloadBody<Stored<Word>>& load) {
   using F = detail::FormatsOfInputs<Scene, Word>;
@@ -65,28 +70,34 @@ AXIAL_INLINE constexpr auto read_payload(const PayloadBody<Stored<Word>>& load) 
                                   detail::in_format<F::payload_com, Scalar>(load.com),
                                   detail::in_format<F::payload_inertia, Scalar>(load.inertia_com)};
 }
+/// Floating point: the wrench as it is.
 template <class Scene, class Scalar, class T>
 AXIAL_INLINE constexpr const ForceVector<Vec3<T>, Vec3<T>>& read_wrench(const ForceVector<Vec3<T>, Vec3<T>>& wrench) {
   return wrench;
 }
+/// A wrench's words with their formats.
 template <class Scene, class Scalar, class Word>
 AXIAL_INLINE constexpr auto read_wrench(const ForceVector<Vec3<Stored<Word>>, Vec3<Stored<Word>>>& wrench) {
   using F = detail::FormatsOfInputs<Scene, Word>;
   return ForceVector{detail::in_format<F::tip_moment, Scalar>(wrench.moment),
                      detail::in_format<F::tip_force, Scalar>(wrench.force)};
 }
+/// Floating point: the vector as it is.
 template <class Scene, class Scalar, class T>
 AXIAL_INLINE constexpr const Vec3<T>& read_gravity(const Vec3<T>& g) {
   return g;
 }
+/// A gravity vector's words with their format.
 template <class Scene, class Scalar, class Word>
 AXIAL_INLINE constexpr auto read_gravity(const Vec3<Stored<Word>>& g) {
   return detail::in_format<detail::FormatsOfInputs<Scene, Word>::gravity, Scalar>(g);
 }
+/// Floating point: the pair as it is.
 template <class Scene, class Scalar, class T>
 AXIAL_INLINE constexpr const SinCos<T>& read_turn(const SinCos<T>& turn) {
   return turn;
 }
+/// A pair's words with their format.
 template <class Scene, class Scalar, class Word>
 AXIAL_INLINE constexpr auto read_turn(const SinCos<Stored<Word>>& turn) {
   return SinCos<Fx<Scalar::unit, Scalar>>{{turn.sin.raw}, {turn.cos.raw}};

@@ -85,13 +85,15 @@ inline constexpr auto exponents_of = role_exponents<S, Word, Role>();
 /// angle = raw * 2 pi / 2^32, in 32 bits whatever the word.
 template <class S, class Word, class Role>
 struct Joints<S, Stored<Word>, Role> {
+  /// a stored word; positions have 32 bits
   using Value = std::conditional_t<std::is_same_v<Role, role::Position>, Fixed32, Stored<Word>>;
-  static constexpr int size = joint_count<S>;
-  Value values[size];
+  static constexpr int size = joint_count<S>;  ///< number of joints
+  Value values[size];                          ///< from the base outwards
 
+  /// Exponent of joint i's value; 0 for revolute positions.
   static constexpr int exponent(int i) { return detail::exponents_of<S, typename Value::Word, Role>.of[i]; }
-  constexpr Value& operator[](int i) { return values[i]; }
-  constexpr const Value& operator[](int i) const { return values[i]; }
+  constexpr Value& operator[](int i) { return values[i]; }              ///< value of joint i; the index is not checked
+  constexpr const Value& operator[](int i) const { return values[i]; }  ///< value of joint i; the index is not checked
 };
 
 }  // namespace axial

@@ -124,15 +124,17 @@ class FixedTableLink
   using Table = detail::FixedTable<Formats>;
 
  public:
-  using Scene = SceneType;
-  using Scalar = S;
-  static constexpr bool adds_angles = true;
+  using Scene = SceneType;                   ///< what the links belong to
+  using Scalar = S;                          ///< arithmetic
+  static constexpr bool adds_angles = true;  ///< a theta that is no quarter turn is added to the angle of a joint
   using Base::Base;
 
+  /// A word of the table as a number at its column's exponent.
   template <auto M>
   AXIAL_INLINE static constexpr auto number(detail::TableWord x) {
     return Fx<Formats::columns.of(M), S>{static_cast<typename S::Word>(x)};
   }
+  /// A constant of the drive; zero by type where no link has any.
   template <detail::DriveMember<detail::TableWord> M>
   AXIAL_INLINE constexpr auto drive() const {
     constexpr std::size_t column = Table::drive_column(M);
@@ -153,20 +155,24 @@ class FixedTableLink
 /// The links of a scene over a constexpr table of integers.
 template <class SceneType, class S, class ParametersType, class FormatsType>
 struct FixedTableLinks {
-  using Scene = SceneType;
-  using Robot = typename Scene::Robot;
-  using Scalar = S;
-  using Formats = FormatsType;
-  using Dense = detail::InSharedFormats<Formats>;
+  using Scene = SceneType;                         ///< what the links belong to
+  using Robot = typename Scene::Robot;             ///< of the scene
+  using Scalar = S;                                ///< arithmetic
+  using Formats = FormatsType;                     ///< shared by all links
+  using Dense = detail::InSharedFormats<Formats>;  ///< what kernels keep
+  /// what all links have in common
   using SharedColumns = detail::KnownColumns<detail::RobotConstants<Robot, ParametersType>>;
-  using Link = FixedTableLink<Scene, S, SharedColumns, Formats>;
-  static constexpr bool unrolled = false;
-  static constexpr int capacity = Robot::chain.size;
+  using Link = FixedTableLink<Scene, S, SharedColumns, Formats>;  ///< one type for all
+  static constexpr bool unrolled = false;                         ///< a loop walks over them
+  static constexpr int capacity = Robot::chain.size;              ///< number of links
 
-  AXIAL_INLINE static constexpr int size() { return capacity; }
+  AXIAL_INLINE static constexpr int size() { return capacity; }  ///< number of links
+  /// Link i as algorithms see it.
   AXIAL_INLINE static constexpr auto link(int i) { return Link(rows().links[i], drives(i), i + 1 == capacity); }
+  /// index of the link that carries joint i, negative for the base
   AXIAL_INLINE static constexpr int parent_index(int i) { return rows().links[i].parent; }
-  AXIAL_INLINE static constexpr int last() { return capacity - 1; }
+  AXIAL_INLINE static constexpr int last() { return capacity - 1; }  ///< index of the last link
+  /// Acceleration of the base that stands for gravity, -g in frame 0.
   AXIAL_INLINE static constexpr auto base_acceleration() {
     using A = Kept<Dense, quantity::LinearAcceleration>;
     using N = NumberTraits<A>;
@@ -176,9 +182,11 @@ struct FixedTableLinks {
     else
       return ZeroVec3{};
   }
+  /// Pose of frame 0 in the world.
   AXIAL_INLINE static constexpr auto base_pose() {
     return detail::constant_pose<Scalar>([] { return Robot::chain.base.pose; });
   }
+  /// Pose of the tool in the last link's frame.
   AXIAL_INLINE static constexpr auto tool_pose() {
     return detail::constant_pose<Scalar>([] { return Robot::chain.tool.pose; });
   }

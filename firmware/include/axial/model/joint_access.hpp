@@ -12,6 +12,7 @@ template <class Links, class Values>
 AXIAL_INLINE constexpr const Values& read(const Links&, const Values& values) {
   return values;
 }
+/// Fixed point: words with their formats, indexed as the links are.
 template <class Links, class S, class Word, class Role>
 AXIAL_INLINE constexpr auto read(const Links&, const Joints<S, Stored<Word>, Role>& values) {
   using Values = Joints<S, Stored<Word>, Role>;
@@ -82,6 +83,7 @@ AXIAL_INLINE constexpr auto stored(const Links& links, const Pose<R, P>& pose) {
                 detail::stored_at<length, S>(pose.position)};
   }
 }
+/// A motion in the formats of a Jacobian's columns.
 template <class Links, class W, class V>
 AXIAL_INLINE constexpr auto stored(const Links& links, const MotionVector<W, V>& motion) {
   using S = typename Links::Scalar;

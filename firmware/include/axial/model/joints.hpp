@@ -9,11 +9,11 @@ namespace axial {
 /// `Role` is void where the numbers carry their own scale; fixed point has one type a role (fixed_joints.hpp).
 template <class S, class T, class Role>
 struct Joints {
-  static constexpr int size = joint_count<S>;
-  T values[size];
+  static constexpr int size = joint_count<S>;  ///< number of joints
+  T values[size];                              ///< from the base outwards
 
-  constexpr T& operator[](int i) { return values[i]; }
-  constexpr const T& operator[](int i) const { return values[i]; }
+  constexpr T& operator[](int i) { return values[i]; }              ///< value of joint i; the index is not checked
+  constexpr const T& operator[](int i) const { return values[i]; }  ///< value of joint i; the index is not checked
 };
 
 /// What the values of joints can be.
@@ -37,16 +37,20 @@ struct RoleOf {
 /// Roles: rad or m; rad/s or m/s; rad/s^2 or m/s^2; N m or N. One type in floating point.
 template <class S, class T>
 using Positions = Joints<S, T, typename detail::RoleOf<T, role::Position>::type>;
+/// Joint values of that role.
+///@{
 template <class S, class T>
 using Velocities = Joints<S, T, typename detail::RoleOf<T, role::Velocity>::type>;
 template <class S, class T>
 using Accelerations = Joints<S, T, typename detail::RoleOf<T, role::Acceleration>::type>;
 template <class S, class T>
 using Efforts = Joints<S, T, typename detail::RoleOf<T, role::Effort>::type>;
+///@}
 /// Of a scene: in fixed point their formats follow from what the scene puts on the robot.
 template <class S, class T>
 using EffortsOf =
     Efforts<std::conditional_t<std::is_void_v<typename detail::RoleOf<T, role::Effort>::type>, robot_of<S>, S>, T>;
+/// What forward dynamics answers: rad/s^2 or m/s^2.
 template <class S, class T>
 using FreeAccelerations = Joints<S, T, typename detail::RoleOf<T, role::FreeAcceleration>::type>;
 
@@ -62,7 +66,7 @@ using MomentumRatesOf =
 
 /// Joint values that are zero by type: a query that leaves them out does not pay for them.
 struct NoMotion {
-  constexpr Zero operator[](int) const { return {}; }
+  constexpr Zero operator[](int) const { return {}; }  ///< zero, for every joint
 };
 
 }  // namespace axial

@@ -10,11 +10,13 @@ namespace axial {
 template <class Self>
 class LinkBuilder {
  public:
+  /// With all else at the defaults of LinkParameters.
   constexpr explicit LinkBuilder(JointType type) { p_.type = type; }
 
-  constexpr const LinkParameters& parameters() const { return p_; }
+  constexpr const LinkParameters& parameters() const { return p_; }  ///< the description as fields
 
  protected:
+  /// A copy that `change`, called with its fields, has changed.
   template <class Change>
   constexpr Self with(Change change) const {
     Self changed = static_cast<const Self&>(*this);

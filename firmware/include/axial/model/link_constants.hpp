@@ -12,8 +12,8 @@ struct Prismatic {};
 /// Constants of one link in its own frame, SI.
 template <class T>
 struct LinkConstants {
-  bool prismatic = false;
-  int parent = -1;
+  bool prismatic = false;                      ///< whether its joint slides
+  int parent = -1;                             ///< index of the link that carries its joint, negative for the base
   T cos_alpha{}, sin_alpha{}, a{};             ///< x-screw
   T cos_theta{}, sin_theta{}, theta{}, d{};    ///< constant part of the z-screw
   T mass{}, hx{}, hy{}, hz{};                  ///< kg, first moment in kg m
@@ -25,13 +25,13 @@ struct LinkConstants {
 /// The z-screw of a branch, along the parent's z axis: before the x-screw.
 template <class T>
 struct BranchConstants {
-  T cos_gamma{}, sin_gamma{}, b{};
+  T cos_gamma{}, sin_gamma{}, b{};  ///< turn (its cosine and sine), shift in m
 };
 
 /// Constants of a link in a tree. Looped tables of robots without a branch hold LinkConstants only.
 template <class T>
 struct TreeLinkConstants : LinkConstants<T> {
-  BranchConstants<T> branch{};
+  BranchConstants<T> branch{};  ///< the identity where there is no branch
   /// Whether there is anything before the x-screw.
   constexpr bool branches() const {
     return branch.sin_gamma < T(0) || branch.sin_gamma > T(0) || branch.cos_gamma < T(0) || branch.b < T(0) ||
@@ -84,12 +84,14 @@ constexpr void convert(const TreeLinkConstants<double>& c, LinkConstants<T>& res
   for (std::size_t i = 0; i < sizeof(link_numbers<T>) / sizeof(link_numbers<T>[0]); ++i)
     result.*link_numbers<T>[i] = NumberTraits<T>::constant(c.*link_numbers<double>[i]);
 }
+/// With those of the branch.
 template <class T>
 constexpr void convert(const TreeLinkConstants<double>& c, TreeLinkConstants<T>& result) {
   convert(c, static_cast<LinkConstants<T>&>(result));
   for (std::size_t i = 0; i < sizeof(branch_numbers<T>) / sizeof(branch_numbers<T>[0]); ++i)
     result.branch.*branch_numbers<T>[i] = NumberTraits<T>::constant(c.branch.*branch_numbers<double>[i]);
 }
+/// As a row of a table of either kind.
 template <class Row>
 constexpr Row converted_row(const TreeLinkConstants<double>& c) {
   Row row{};

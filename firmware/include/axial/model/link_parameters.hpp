@@ -6,6 +6,7 @@
 
 namespace axial {
 
+/// How a joint moves its link: about or along its z axis.
 enum class JointType : unsigned char { revolute, prismatic };
 
 /// What a link is, in SI units and radians. Frame i is fixed to link i, its z axis is joint i's axis; the transform
@@ -13,20 +14,20 @@ enum class JointType : unsigned char { revolute, prismatic };
 /// the parent's frame, and Rz(gamma) Tz(b) may come before it. All fields are inputs as written by the author of the
 /// robot; the algorithms use LinkConstants, derived from them.
 struct LinkParameters {
-  static constexpr double unlimited = std::numeric_limits<double>::infinity();
-  static constexpr int previous = -2;  ///< parent: the link before this one
-  static constexpr int base = -1;      ///< parent: the fixed base
+  static constexpr double unlimited = std::numeric_limits<double>::infinity();  ///< no limit
+  static constexpr int previous = -2;                                           ///< parent: the link before this one
+  static constexpr int base = -1;                                               ///< parent: the fixed base
 
-  JointType type = JointType::revolute;
-  int parent = previous;            ///< index of the link that carries this joint, or base
-  double b = 0.0;                   ///< m, along z of the parent's frame, before all else
-  Angle gamma;                      ///< rad, about z of the parent's frame
-  double a = 0.0;                   ///< m, along x of frame i-1
-  Angle alpha;                      ///< rad, about x of frame i-1
-  double d = 0.0;                   ///< m, along z of frame i; a prismatic joint's offset
-  Angle theta;                      ///< rad, about z of frame i; a revolute joint's offset
-  double mass = 0.0;                ///< kg
-  double com[3] = {0.0, 0.0, 0.0};  ///< m, centre of mass in frame i
+  JointType type = JointType::revolute;  ///< of the joint that moves this link
+  int parent = previous;                 ///< index of the link that carries this joint, or base
+  double b = 0.0;                        ///< m, along z of the parent's frame, before all else
+  Angle gamma;                           ///< rad, about z of the parent's frame
+  double a = 0.0;                        ///< m, along x of frame i-1
+  Angle alpha;                           ///< rad, about x of frame i-1
+  double d = 0.0;                        ///< m, along z of frame i; a prismatic joint's offset
+  Angle theta;                           ///< rad, about z of frame i; a revolute joint's offset
+  double mass = 0.0;                     ///< kg
+  double com[3] = {0.0, 0.0, 0.0};       ///< m, centre of mass in frame i
   double inertia_com[6] = {
       0.0, 0.0, 0.0, 0.0, 0.0, 0.0};      ///< kg m^2: xx yy zz xy xz yz about the centre of mass,
                                           ///< tensor entries (products with their sign), axes of frame i

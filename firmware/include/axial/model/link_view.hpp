@@ -186,21 +186,26 @@ template <class SceneType, int I, class T, class Parameters, class Rounding = Pl
 class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Parameters, Rounding>, double>,
                    public Rounding {
  public:
-  using Scene = SceneType;
-  using Scalar = T;
-  static constexpr bool unrolled = true;
-  static constexpr bool adds_angles = true;
+  using Scene = SceneType;                   ///< what the link belongs to
+  using Scalar = T;                          ///< the number, or arithmetic of fixed point
+  static constexpr bool unrolled = true;     ///< every link has its own type
+  static constexpr bool adds_angles = true;  ///< a theta that is no quarter turn is added to the angle of a joint
+  /// whether it is the chain's last link, which bears payload and tip wrench
   static constexpr bool is_last = I + 1 == Scene::Robot::chain.size;
 
+  /// A constant of the link, as a type or a literal.
   template <detail::Member<double> M>
   AXIAL_INLINE static constexpr auto get() {
     return literal<T>([] { return detail::robot_constants<typename Scene::Robot, Parameters>.links[I].*M; });
   }
+  /// whether it has a branch's z-screw
   static constexpr bool branches = detail::robot_constants<typename Scene::Robot, Parameters>.links[I].branches();
+  /// A constant of its branch, likewise.
   template <detail::BranchMember<double> M>
   AXIAL_INLINE static constexpr auto branch() {
     return literal<T>([] { return detail::robot_constants<typename Scene::Robot, Parameters>.links[I].branch.*M; });
   }
+  /// A constant of its drive, likewise.
   template <detail::DriveMember<double> M>
   AXIAL_INLINE static constexpr auto drive() {
     return literal<T>([] { return detail::robot_drives<typename Scene::Robot, double>.links[I].*M; });
@@ -216,6 +221,7 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
     constexpr double sine = detail::robot_constants<typename Scene::Robot, Parameters>.links[I].*Sine;
     return std::bool_constant<(sine * sine > 0.5)>{};
   }
+  /// The same of a branch's turn.
   template <detail::BranchMember<double> Sine>
   AXIAL_INLINE static constexpr auto branch_beyond_45_degrees() {
     constexpr double sine = detail::robot_constants<typename Scene::Robot, Parameters>.links[I].branch.*Sine;

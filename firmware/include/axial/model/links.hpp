@@ -10,6 +10,7 @@ namespace axial {
 
 /// How links round in floating point.
 struct Unformatted {
+  /// of every link
   template <int>
   using Of = Plain;
 };
@@ -17,22 +18,27 @@ struct Unformatted {
 /// All links of a scene's robot, each with its own type. `Scalar` is the number, or the arithmetic of fixed point.
 template <class SceneType, class ScalarType, class ParametersType, class FormatsType = Unformatted>
 struct StaticLinks {
-  using Scene = SceneType;
-  using Scalar = ScalarType;
-  using Parameters = ParametersType;
-  static constexpr bool unrolled = true;
-  static constexpr int capacity = Scene::Robot::chain.size;
-  using Indices = std::make_integer_sequence<int, capacity>;
+  using Scene = SceneType;                ///< what the links belong to
+  using Scalar = ScalarType;              ///< the number, or arithmetic of fixed point
+  using Parameters = ParametersType;      ///< fullParameters, or base parameters with or without rotors
+  static constexpr bool unrolled = true;  ///< every link has its own type
+  static constexpr int capacity = Scene::Robot::chain.size;   ///< number of links
+  using Indices = std::make_integer_sequence<int, capacity>;  ///< of all links
 
-  AXIAL_INLINE static constexpr int size() { return capacity; }
+  AXIAL_INLINE static constexpr int size() { return capacity; }  ///< number of links
+  /// Link I as algorithms see it.
   template <int I>
   AXIAL_INLINE static constexpr auto link(Index<I>) {
     return StaticLink<Scene, I, Scalar, Parameters, typename FormatsType::template Of<I>>{};
   }
+  /// index of the link that carries joint I, negative for the base
   template <int I>
   static constexpr int parent_of = Scene::Robot::chain.parent(I);
+  /// index of the link that carries joint i, negative for the base
   AXIAL_INLINE static constexpr int parent_index(int i) { return Scene::Robot::chain.parent(i); }
+  /// Fixed point: whether forward dynamics solves twice, see split_form.hpp.
   static constexpr bool second_solve() { return FormatsType::second_solve(); }
+  /// Fixed point: what drives joint I at most without halvings, as a raw value at an exponent.
   template <int I>
   static constexpr std::int64_t drive_limit(int exponent) {
     return FormatsType::drive_limit(I, exponent);
@@ -51,17 +57,18 @@ struct StaticLinks {
   AXIAL_INLINE static constexpr auto base_pose() {
     return detail::constant_pose<Scalar>([] { return Scene::Robot::chain.base.pose; });
   }
+  /// Pose of the tool in the last link's frame.
   AXIAL_INLINE static constexpr auto tool_pose() {
     return detail::constant_pose<Scalar>([] { return Scene::Robot::chain.tool.pose; });
   }
-  AXIAL_INLINE static constexpr auto last() { return Index<capacity - 1>{}; }
+  AXIAL_INLINE static constexpr auto last() { return Index<capacity - 1>{}; }  ///< index of the last link
 };
 
 /// What a table of links stands on and carries: gravity, base and tool, as written by the robot's author.
 struct Mounting {
-  GravityVector gravity{};
-  FixedPose base{};
-  FixedPose tool{};
+  GravityVector gravity{};  ///< m/s^2, axes of frame 0
+  FixedPose base{};         ///< of frame 0 in the world
+  FixedPose tool{};         ///< in the last link's frame
 };
 
 /// A constant pose as plain numbers.
@@ -80,25 +87,28 @@ template <class SceneType, class ScalarType, class Source, int Capacity,
           class Columns = detail::UnknownColumns<!SceneType::template has<Unbranched>>>
 class TableLinks {
  public:
-  using Scene = SceneType;
-  using Scalar = ScalarType;
-  using Dense = Scalar;  ///< what kernels keep
-  static constexpr bool unrolled = false;
-  static constexpr int capacity = Capacity;
-  using SharedColumns = Columns;
-  using Constants = typename Columns::template Row<Source>;
+  using Scene = SceneType;                                   ///< what the links belong to
+  using Scalar = ScalarType;                                 ///< the number that kernels compute with
+  using Dense = Scalar;                                      ///< what kernels keep
+  static constexpr bool unrolled = false;                    ///< a loop walks over them
+  static constexpr int capacity = Capacity;                  ///< number of links, at most
+  using SharedColumns = Columns;                             ///< what all links have in common
+  using Constants = typename Columns::template Row<Source>;  ///< row of the table
 
   /// `drives` may be null where the scene names neither Friction nor JointSprings.
   AXIAL_INLINE constexpr TableLinks(const Constants* table, const DriveConstants<Source>* drives, int size,
                                     const Mounting& mounting)
       : table_(table), drives_(drives), size_(size), mounting_(mounting) {}
 
-  AXIAL_INLINE constexpr int size() const { return size_; }
+  AXIAL_INLINE constexpr int size() const { return size_; }  ///< number of links
+  /// Link i as algorithms see it.
   AXIAL_INLINE constexpr auto link(int i) const {
     return TableLink<Scene, Scalar, Source, Columns>(table_[i], drives_ == nullptr ? nullptr : drives_ + i,
                                                      i + 1 == size_);
   }
+  /// index of the link that carries joint i, negative for the base
   AXIAL_INLINE constexpr int parent_index(int i) const { return table_[i].parent; }
+  /// Acceleration of the base that stands for gravity, -g in frame 0.
   AXIAL_INLINE constexpr Vec3<Scalar> base_acceleration() const {
     using N = NumberTraits<Scalar>;
     const auto& g = mounting_.gravity;
@@ -107,9 +117,11 @@ class TableLinks {
     else
       return ZeroVec3{};
   }
+  /// of frame 0 in the world
   AXIAL_INLINE constexpr auto base_pose() const { return pose_of<Scalar>(mounting_.base); }
+  /// in the last link's frame
   AXIAL_INLINE constexpr auto tool_pose() const { return pose_of<Scalar>(mounting_.tool); }
-  AXIAL_INLINE constexpr int last() const { return size_ - 1; }
+  AXIAL_INLINE constexpr int last() const { return size_ - 1; }  ///< index of the last link
 
  private:
   const Constants* table_;

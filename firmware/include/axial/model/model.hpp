@@ -16,10 +16,12 @@ class ModelLinks : public TableLinks<SceneType, ScalarType, double, N> {
                                     const WaterConstants<double>* waters)
       : Table(table), base_(base), waters_(waters) {}
 
+  /// The base body as a link without a joint.
   AXIAL_INLINE constexpr auto base_link() const {
     return TableLink<SceneType, ScalarType, double, typename Table::SharedColumns>(base_, nullptr, false);
   }
-  AXIAL_INLINE constexpr const WaterConstants<double>& water(int i) const { return waters_[i]; }
+  AXIAL_INLINE constexpr const WaterConstants<double>& water(int i) const { return waters_[i]; }  ///< about link i
+  /// about the base body
   AXIAL_INLINE constexpr const WaterConstants<double>& base_water() const { return waters_[N]; }
 
  private:
@@ -34,14 +36,17 @@ class ModelLinks : public TableLinks<SceneType, ScalarType, double, N> {
 template <int N, class... Features>
 class Model {
  public:
-  using Robot = Model;
+  using Robot = Model;  ///< where a robot's type stands
+  /// What is known of its chain at compile time.
   struct Size {
-    int size = N;
+    int size = N;  ///< number of links, at most
   };
-  static constexpr Size chain{};
+  static constexpr Size chain{};  ///< stands where a robot's chain stands
+  /// the model with its features
   using Scene = std::conditional_t<sizeof...(Features) == 0, axial::Scene<Model, Gravity, RotorInertia>,
                                    axial::Scene<Model, Features...>>;
 
+  /// Adds a link whose parent is before it; false where it is refused.
   constexpr bool add(const LinkParameters& link) {
     const int parent = link.parent == LinkParameters::previous ? size_ - 1 : link.parent;
     if (Scene::template has<Unbranched> && link_constants(link, parent).branches()) return false;
@@ -51,21 +56,24 @@ class Model {
     table_[size_++] = link_constants(link, parent);
     return true;
   }
-  constexpr bool add(const Link& link) { return add(link.parameters()); }
+  constexpr bool add(const Link& link) { return add(link.parameters()); }  ///< as revolute() or prismatic() describe it
   /// Acceleration of free fall in frame 0, m/s^2.
   constexpr void set_gravity(double x, double y, double z) { mounting_.gravity = {x, y, z}; }
   /// Pose of frame 0 in the world, and of the tool in the last link's frame: only kinematics sees them.
   constexpr void set_base(const FixedPose& pose) { mounting_.base = pose; }
+  /// pose of the tool in the last link's frame
   constexpr void set_tool(const FixedPose& pose) { mounting_.tool = pose; }
   /// The body that is fixed to frame 0, for the feature FloatingBase.
   constexpr void set_base_body(const LinkParameters& body) {
     base_body_ = link_constants(body, LinkParameters::base);
     waters_[N] = water_constants(body.water);
   }
+  /// as base_body() describes it
   constexpr void set_base_body(const BaseBody& body) { set_base_body(body.parameters()); }
-  constexpr int size() const { return size_; }
-  constexpr const TreeLinkConstants<double>& constants(int i) const { return table_[i]; }
+  constexpr int size() const { return size_; }  ///< number of links added so far
+  constexpr const TreeLinkConstants<double>& constants(int i) const { return table_[i]; }  ///< of link i
 
+  /// The links over numbers T, as algorithms walk over them; they refer to the model.
   template <class T>
   constexpr auto links() const {
     return ModelLinks<Scene, T, N>(TableLinks<Scene, T, double, N>(table_, drives_, size_, mounting_), base_body_,

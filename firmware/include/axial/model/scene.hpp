@@ -10,9 +10,11 @@ namespace axial {
 /// Robot with exactly the named features (features.hpp; doc/scenes.md is the table of them).
 template <class RobotType, class... Features>
 struct Scene {
-  using Robot = RobotType;
+  using Robot = RobotType;  ///< the robot alone
+  /// How often the features have a tag.
   template <class Tag>
   static constexpr int times_named = (0 + ... + static_cast<int>(std::is_same_v<Tag, Features>));
+  /// Whether the scene names a feature.
   template <class Tag>
   static constexpr bool has = times_named<Tag> > 0;
 
@@ -68,6 +70,7 @@ struct SceneOf<S, true> {
 /// A bare robot stands for its scene with gravity and the rotor inertia that it declares, without friction.
 template <class S>
 using scene_of = typename detail::SceneOf<S>::type;
+/// The robot of a scene, or the robot itself.
 template <class S>
 using robot_of = typename scene_of<S>::Robot;
 

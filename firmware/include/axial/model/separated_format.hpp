@@ -47,8 +47,9 @@ using SeparatedExponents = detail::SeparatedFormat<S, typename T::Word>;
 /// arithmetic.
 template <class S, class T, class Scalar, class Out>
 struct Collected {
-  Out& out;
+  Out& out;  ///< what is filled
 
+  /// Sets A(i, j) and A(j, i).
   template <class I, class J, class V>
   AXIAL_INLINE constexpr void inertia(I i, J j, const V& value) const {
     if constexpr (std::is_base_of_v<SeparatedA<S, T>, Out>) {
@@ -59,6 +60,7 @@ struct Collected {
       out.A[j][i] = out.A[i][j];
     }
   }
+  /// Sets the coefficient of qd_j qd_k in joint i's effort.
   template <class I, class J, class K, class V>
   AXIAL_INLINE constexpr void product(I i, J j, K k, const V& value) const {
     if constexpr (std::is_base_of_v<SeparatedB<S, T>, Out>) {
@@ -69,6 +71,7 @@ struct Collected {
         entry = static_cast<T>(value);
     }
   }
+  /// Sets the coefficient of qd_j^2 in joint i's effort.
   template <class I, class J, class V>
   AXIAL_INLINE constexpr void square(I i, J j, const V& value) const {
     if constexpr (std::is_base_of_v<SeparatedC<S, T>, Out>) {
@@ -78,6 +81,7 @@ struct Collected {
         out.C[i][j] = static_cast<T>(value);
     }
   }
+  /// Sets joint i's effort at rest.
   template <class I, class V>
   AXIAL_INLINE constexpr void rest(I i, const V& value) const {
     if constexpr (std::is_base_of_v<SeparatedG<S, T>, Out>) {

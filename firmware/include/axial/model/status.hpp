@@ -5,6 +5,7 @@ namespace axial {
 
 /// Result of a check. `joint` names the joint that it is about, -1 for none.
 struct Status {
+  /// What was found.
   enum class Code : unsigned char {
     ok = 0,
     near_singular = 1,   ///< forward dynamics: the joint's inertia is lost in rounding
@@ -20,10 +21,10 @@ struct Status {
     input_limit = 11,   ///< fixed point: tip wrench or gravity beyond the declared ones, or no sine-cosine pair; about
                         ///< no joint
   };
-  Code code = Code::ok;
-  int joint = -1;
+  Code code = Code::ok;  ///< what was found
+  int joint = -1;        ///< counted from 0 at the base; -1 for none
 
-  constexpr bool ok() const { return code == Code::ok; }
+  constexpr bool ok() const { return code == Code::ok; }  ///< true where nothing was found
 };
 
 }  // namespace axial

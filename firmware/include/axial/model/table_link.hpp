@@ -69,11 +69,12 @@ class TableLink : public detail::TableRow<TableLink<SceneType, T, Source, Column
   using Base = detail::TableRow<TableLink, Source, Columns>;
 
  public:
-  using Scene = SceneType;
-  using Scalar = T;
-  static constexpr bool adds_angles = false;
+  using Scene = SceneType;                    ///< what the link belongs to
+  using Scalar = T;                           ///< the number that kernels compute with
+  static constexpr bool adds_angles = false;  ///< theta is added by turning the pair of q, not to the angle
   using Base::Base;
 
+  /// A number of the table.
   template <auto M>
   AXIAL_INLINE static constexpr T number(const Source& x) {
     if constexpr (std::is_same_v<T, Source>)
@@ -81,6 +82,7 @@ class TableLink : public detail::TableRow<TableLink<SceneType, T, Source, Column
     else
       return NumberTraits<T>::constant(x);
   }
+  /// A constant of the drive; zero by type where no link of the robot has any.
   template <detail::DriveMember<Source> M>
   AXIAL_INLINE constexpr auto drive() const {
     if constexpr (detail::any_drive_has<typename Scene::Robot, Source, M>(0))
@@ -88,6 +90,7 @@ class TableLink : public detail::TableRow<TableLink<SceneType, T, Source, Column
     else
       return Zero{};
   }
+  /// The form in which this view keeps a result: as plain numbers.
   template <class V>
   AXIAL_INLINE static constexpr auto shape(const V& v) {
     if constexpr (is_scalar_v<V>)

@@ -69,6 +69,7 @@ inline constexpr auto robot_waters = all_waters<Robot, T>(std::make_integer_sequ
 /// The water about link I of a robot, or about its base body where I is the number of its links.
 template <class Robot, int I, class T>
 struct StaticWater : detail::WaterAccess<StaticWater<Robot, I, T>, double> {
+  /// A constant, as a type or a literal.
   template <detail::WaterMember<double> M>
   AXIAL_INLINE static constexpr auto get() {
     return literal<T>([] { return detail::robot_waters<Robot, double>.links[I].*M; });
@@ -78,9 +79,11 @@ struct StaticWater : detail::WaterAccess<StaticWater<Robot, I, T>, double> {
 /// The same from a table.
 template <class T, class Source>
 struct TableWater : detail::WaterAccess<TableWater<T, Source>, Source> {
-  const WaterConstants<Source>& row;
+  const WaterConstants<Source>& row;  ///< of the table
 
+  /// Refers to the row.
   AXIAL_INLINE constexpr explicit TableWater(const WaterConstants<Source>& constants) : row(constants) {}
+  /// A constant of the row.
   template <detail::WaterMember<Source> M>
   AXIAL_INLINE constexpr T get() const {
     if constexpr (std::is_same_v<T, Source>)

@@ -9,13 +9,15 @@ namespace axial {
 /// A vector or number of at most `size` (its norm), computed within `error` (the norm of the difference). Both are
 /// worst cases, products hold the second order too: whatever is computed with Balls is proved.
 struct Ball {
-  double size = 0.0, error = 0.0;
+  double size = 0.0, error = 0.0;  ///< norm of the value, and of its error, at most
 
   /// What the computed value can reach.
   constexpr double reach() const { return size + error; }
 };
 
+/// Bounds of a sum.
 constexpr Ball operator+(const Ball& a, const Ball& b) { return {a.size + b.size, a.error + b.error}; }
+/// Bounds of a product, its error's second order included.
 constexpr Ball operator*(const Ball& a, const Ball& b) {
   return {a.size * b.size, a.size * b.error + b.size * a.error + a.error * b.error};
 }
@@ -23,24 +25,25 @@ constexpr Ball operator*(const Ball& a, const Ball& b) {
 constexpr Ball operator*(double c, const Ball& b) { return {magnitude(c) * b.size, magnitude(c) * b.error}; }
 /// A constant factor of a variable at exponent `format` that reaches `size`; what a literal's own rounding costs.
 struct Factor {
-  double constant = 0.0;
-  int format = 0;
-  double size = 0.0;
+  double constant = 0.0;  ///< as the robot declares it
+  int format = 0;         ///< exponent of the variable
+  double size = 0.0;      ///< what the variable reaches
 };
 
 /// How an arithmetic rounds, for the analysis: its word, its modes, and the error of a sine or cosine.
 struct Rounding {
-  int bits;
-  bool nearest, high_word;
-  double turn_error;    ///< of one sine or cosine of a joint
-  bool tabled = false;  ///< constants come from a table, each column at one exponent: the looped form
+  int bits;                 ///< of a word
+  bool nearest, high_word;  ///< results to nearest or down; products exact or by their upper word
+  double turn_error;        ///< of one sine or cosine of a joint
+  bool tabled = false;      ///< constants come from a table, each column at one exponent: the looped form
 
-  constexpr double capacity() const { return detail::power_of_two(bits - 1) - 1.0; }
+  constexpr double capacity() const { return detail::power_of_two(bits - 1) - 1.0; }  ///< largest raw value of a word
   /// The exponent of a quantity that reaches at most `size`, with a little room for its rounding errors.
   constexpr int exponent(double size) const {
     const double room = 1.0 + 256.0 / detail::power_of_two(bits - 1);
     return detail::fitting_exponent(size * room, capacity());
   }
+  /// Unit of numbers at an exponent.
   static constexpr double ulp(int exponent) { return detail::power_of_two(-exponent); }
   /// Of one stored component at an exponent.
   constexpr double store(int exponent) const { return (nearest ? 0.5 : 1.0) * ulp(exponent); }

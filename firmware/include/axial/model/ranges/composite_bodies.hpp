@@ -9,16 +9,19 @@ namespace axial {
 /// Mass, first moment and inertia (norms) of all that a link carries: about its own origin, and behind its joint's
 /// shift.
 struct CompositeRange {
-  double mass = 0.0, moment = 0.0, inertia = 0.0;
+  double mass = 0.0, moment = 0.0, inertia = 0.0;  ///< kg, kg m, kg m^2
 
+  /// About a point at a distance of r (m) at most.
   constexpr CompositeRange seen_from(double r) const {
     return {mass, moment + r * mass, inertia + r * (2.0 * moment + r * mass)};
   }
 };
+/// Two bodies about one point.
 constexpr CompositeRange operator+(const CompositeRange& a, const CompositeRange& b) {
   return {a.mass + b.mass, a.moment + b.moment, a.inertia + b.inertia};
 }
 
+/// One composite body a link.
 template <int N>
 struct CompositeRanges {
   CompositeRange own[N] = {};     ///< about the link's origin, everything outboard included

@@ -8,26 +8,31 @@ namespace axial {
 
 /// What limits a robot's joint: as its author declared it. Travel is the largest |d + q| of a slide.
 struct JointRange {
+  /// rad/s or m/s, rad/s^2 or m/s^2, m, N m or N; at most
   double speed = 0.0, acceleration = 0.0, travel = 0.0, effort = 0.0;
-  int effort_format = unknown;  ///< exponent of its effort where that is given (fixed_joints.hpp)
-  static constexpr int unknown = -1000;
+  int effort_format = unknown;           ///< exponent of its effort where that is given (fixed_joints.hpp)
+  static constexpr int unknown = -1000;  ///< no exponent is given
 };
 
 /// What a scene puts on a robot besides its links.
 struct LoadRange {
   double gravity_across = 0.0, gravity_along = 0.0;  ///< m/s^2, across and along z of frame 0
+  /// kg, kg m, kg m^2; about the origin of the last link's frame
   double payload_mass = 0.0, payload_moment = 0.0, payload_inertia = 0.0;
-  double tip_force = 0.0, tip_moment = 0.0;
+  double tip_force = 0.0, tip_moment = 0.0;     ///< N, N m
   double base_offset = 0.0, tool_offset = 0.0;  ///< m, of frame 0 in the world and of the tool on the last link
-  bool rotors = false, friction = false, springs = false;
+  bool rotors = false, friction = false, springs = false;  ///< whether the scene names them
 };
 
 /// Bounds of the quantities of one link: how large they can be and how exact they are.
 struct LinkRange {
+  /// Bound of a quantity of the link, in its own frame, SI; named as in axial::quantity.
+  ///@{
   Ball angular_velocity{}, angular_acceleration{}, linear_acceleration{};
   Ball moment{}, force{};
   Ball rotational_inertia{}, first_moment{}, mass{};
   Ball joint_inertia{}, angular_gain{}, linear_gain{}, joint_effort{}, joint_acceleration{}, length{}, rotation{};
+  ///@}
   bool turns_across = false;  ///< whether the link turns about more than its joint's axis
   double drive = 0.0;         ///< effort that drives a joint besides the bias, at most
   double share = 0.0;         ///< of a joint in qdd^T M qdd, at most
@@ -35,12 +40,17 @@ struct LinkRange {
 
 /// Exponents of the quantities of one link.
 struct LinkFormat {
+  /// Exponent of a quantity of the link: value = raw 2^-exponent.
+  ///@{
   int angular_velocity = 0, angular_acceleration = 0, linear_acceleration = 0;
   int moment = 0, force = 0;
   int rotational_inertia = 0, first_moment = 0, mass = 0;
   int joint_inertia = 0, angular_gain = 0, linear_gain = 0, joint_effort = 0, joint_acceleration = 0, length = 0,
       gravity = 0;
+  ///@}
 
+  /// The exponent of a quantity.
+  ///@{
   constexpr int of(quantity::AngularVelocity) const { return angular_velocity; }
   constexpr int of(quantity::AngularAcceleration) const { return angular_acceleration; }
   constexpr int of(quantity::LinearAcceleration) const { return linear_acceleration; }
@@ -56,8 +66,10 @@ struct LinkFormat {
   constexpr int of(quantity::JointAcceleration) const { return joint_acceleration; }
   constexpr int of(quantity::Length) const { return length; }
   constexpr int of(quantity::GravityAcceleration) const { return gravity; }
+  ///@}
 };
 
+/// All exponents of a link, in the order of their declaration.
 inline constexpr int LinkFormat::*all_formats[] = {&LinkFormat::angular_velocity,
                                                    &LinkFormat::angular_acceleration,
                                                    &LinkFormat::linear_acceleration,
@@ -77,27 +89,29 @@ inline constexpr int LinkFormat::*all_formats[] = {&LinkFormat::angular_velocity
 /// One of each a link.
 template <int N>
 struct Ranges {
-  LinkRange range[N] = {};
-  LinkFormat format[N] = {};
+  LinkRange range[N] = {};    ///< of the quantities of each link
+  LinkFormat format[N] = {};  ///< of the same quantities
 };
 
 /// What one step for all links makes of a robot: one format a quantity, constants in columns of one exponent each.
 struct SharedSteps {
-  bool shared = false;
-  LinkFormat format{};
+  bool shared = false;                  ///< whether one format serves all links
+  LinkFormat format{};                  ///< of all links
   TreeLinkConstants<double> columns{};  ///< the largest number that a column's exponent can hold; 0 where it is 0
+  /// largest of all joints: N m s/rad or N s/m, rad/s or m/s, rad/s^2 or m/s^2
   double viscous = 0.0, speed = 0.0, acceleration = 0.0;
 };
 
 /// Everything that an analysis looks at.
 template <int N>
 struct Mechanism {
-  TreeLinkConstants<double> links[N];
-  JointRange joints[N];
-  DriveConstants<double> drives[N];
-  LoadRange loads;
-  SharedSteps steps{};
+  TreeLinkConstants<double> links[N];  ///< constants of each link
+  JointRange joints[N];                ///< declared limits of each joint
+  DriveConstants<double> drives[N];    ///< friction and spring of each joint
+  LoadRange loads;                     ///< what the scene puts on the robot
+  SharedSteps steps{};                 ///< in the looped form
 
+  /// Index of the link that carries joint i, negative for the base.
   constexpr int parent(int i) const { return links[i].parent; }
   /// Distance of a link's origin from its parent's: a and d are at right angles, whatever the joint's angle.
   constexpr double reach(int i) const {
@@ -108,18 +122,23 @@ struct Mechanism {
 
   /// Constants of a link as its products round them.
   constexpr const TreeLinkConstants<double>& factors(int i) const { return steps.shared ? steps.columns : links[i]; }
+  /// Viscous friction as its product with a speed rounds it.
   constexpr double viscous_factor(int i) const { return steps.shared ? steps.viscous : drives[i].viscous; }
   /// The exponent of a quantity that reaches `size` on one link, or of all links.
   constexpr int format(const Rounding& r, int LinkFormat::*quantity, double size) const {
     return steps.shared ? steps.format.*quantity : r.exponent(size);
   }
+  /// Exponents of the base's motion.
   constexpr LinkFormat base_format() const { return steps.shared ? steps.format : LinkFormat{}; }
+  /// Speed that a joint's format has room for, rad/s or m/s.
   constexpr double speed_reach(int i) const { return steps.shared ? steps.speed : joints[i].speed; }
+  /// Acceleration that a joint's format has room for, rad/s^2 or m/s^2.
   constexpr double acceleration_reach(int i) const {
     return steps.shared ? steps.acceleration : joints[i].acceleration;
   }
   /// Joint values move to an exponent of all joints where they are read.
   constexpr Ball speed(const Rounding& r, int i) const { return read(r, joints[i].speed, speed_reach(i)); }
+  /// An acceleration as it is read, likewise.
   constexpr Ball acceleration(const Rounding& r, int i) const {
     return read(r, joints[i].acceleration, acceleration_reach(i));
   }

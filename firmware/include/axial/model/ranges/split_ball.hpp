@@ -7,7 +7,7 @@ namespace axial {
 
 /// A vector: its part across the z axis, its part along it, and the whole.
 struct SplitBall {
-  Ball across{}, along{}, whole{};
+  Ball across{}, along{}, whole{};  ///< bound of that part, and of the whole
 };
 
 namespace detail {
@@ -30,9 +30,11 @@ constexpr SplitBall split(const Ball& across, const Ball& along) { return {acros
 
 }  // namespace detail
 
+/// Bounds of a sum of vectors.
 constexpr SplitBall operator+(const SplitBall& u, const SplitBall& v) {
   return detail::tightened({u.across + v.across, u.along + v.along, u.whole + v.whole});
 }
+/// Bounds of a constant multiple.
 constexpr SplitBall operator*(double c, const SplitBall& v) { return {c * v.across, c * v.along, c * v.whole}; }
 
 /// A vector after a rounding of `step` in each component.
@@ -53,6 +55,7 @@ constexpr SplitBall turned_about_x(const SplitBall& v, double sine, double cosin
 }
 /// r x f for r along z, and for r along x.
 constexpr SplitBall cross_along_z(double r, const SplitBall& f) { return detail::split(r * f.across, Ball{}); }
+/// For r along x.
 constexpr SplitBall cross_along_x(double r, const SplitBall& f) {
   return detail::tightened({magnitude(r) * f.along, magnitude(r) * f.across, magnitude(r) * f.whole});
 }
@@ -60,8 +63,8 @@ constexpr SplitBall cross_along_x(double r, const SplitBall& f) {
 /// What a body's rotation does to the points of it: U = dw~ + w~ w~ (gyration.hpp). `entry` is the rounding of one
 /// entry of U beyond what w and dw carry.
 struct SpinBall {
-  SplitBall w{}, dw{};
-  double entry = 0.0;
+  SplitBall w{}, dw{};  ///< of angular velocity (rad/s) and angular acceleration (rad/s^2)
+  double entry = 0.0;   ///< rad^2/s^2
 
   /// U r for r = (x, y, z) with |(x, y)| = side and |z| = height.
   constexpr SplitBall times(double side, double height) const {
