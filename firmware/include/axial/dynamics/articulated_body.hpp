@@ -14,10 +14,11 @@ namespace aba {
 /// of size m |v|^2 has to cancel.
 template <class W, class P, class U, class Z>
 struct Velocity {
-  W w{};
-  P p{};
-  U u{};
-  Z zeta{};
+  W w{};     ///< rad/s
+  P p{};     ///< (wy wz, wx wz, wx wy)
+  U u{};     ///< w~ w~: how points of the link accelerate
+  Z zeta{};  ///< rad/s^2, m/s^2
+  /// The same as plain numbers.
   template <class T>
   AXIAL_INLINE constexpr Velocity<Vec3<T>, Vec3<T>, Mat3<Vec3<T>>, MotionVector<Vec3<T>, Vec3<T>>> dense() const {
     return {w, p, u, zeta};
@@ -36,6 +37,7 @@ AXIAL_INLINE constexpr auto base_velocity(const Links& links, const Input& in) {
   return Velocity{w, p, rotation_acceleration(w, o, p, first), MotionVector{o, o}};
 }
 
+/// Of a revolute link from its parent's; both in their own frames. qd in rad/s.
 template <class Link, class Screw, class Parent, class V>
 AXIAL_INLINE constexpr auto move(Revolute, const Link& link, const Screw& screw, const Parent& parent, const V& qd) {
   using namespace quantity;
@@ -52,6 +54,7 @@ AXIAL_INLINE constexpr auto move(Revolute, const Link& link, const Screw& screw,
   auto linear = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, at_axis)), on_axis);
   return Velocity{w, p, u, MotionVector{angular, linear}};
 }
+/// Of a prismatic link from its parent's; both in their own frames. qd in m/s.
 template <class Link, class Screw, class Parent, class V>
 AXIAL_INLINE constexpr auto move(Prismatic, const Link& link, const Screw& screw, const Parent& parent, const V& qd) {
   using namespace quantity;
@@ -69,9 +72,10 @@ AXIAL_INLINE constexpr auto move(Prismatic, const Link& link, const Screw& screw
 /// What a subtree shows to the link that carries it: inertia, bias force, and the scale of singularity.
 template <class I, class P, class R>
 struct Subtree {
-  I inertia{};
-  P bias{};
-  R reach{};
+  I inertia{};  ///< an ArticulatedInertia
+  P bias{};     ///< a ForceVector, N m and N
+  R reach{};    ///< a Reach, or Unscaled
+  /// The same as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return Subtree<decltype(inertia.template dense<T>()), decltype(bias.template dense<T>()),
@@ -82,6 +86,7 @@ struct Subtree {
 template <class I, class P, class R>
 Subtree(I, P, R) -> Subtree<I, P, R>;
 
+/// Two subtrees of one link as one.
 template <class A, class B, class C, class D, class E, class F>
 AXIAL_INLINE constexpr auto operator+(const Subtree<A, B, C>& a, const Subtree<D, E, F>& b) {
   return Subtree{a.inertia + b.inertia, a.bias + b.bias, a.reach + b.reach};
@@ -104,6 +109,7 @@ template <class Water, class Tree>
 AXIAL_INLINE constexpr auto immersed(const Water& water, const Tree& tree) {
   return Subtree{tree.inertia + water.inertia(), tree.bias, tree.reach + reach_of(water)};
 }
+/// A dry link is as it was.
 template <class Tree>
 AXIAL_INLINE constexpr auto immersed(const Dry&, const Tree& tree) {
   return tree;
@@ -112,15 +118,16 @@ AXIAL_INLINE constexpr auto immersed(const Dry&, const Tree& tree) {
 /// What the outward pass needs of a joint, and what the parent gets.
 template <class G, class U, class Z, class S>
 struct Left {
-  G gain{};  ///< K = U / D
-  U free{};  ///< u / D: the acceleration of the joint if its parent did not accelerate
-  Z zeta{};
-  bool singular = false;
-  S sent{};
+  G gain{};               ///< K = U / D
+  U free{};               ///< u / D: the acceleration of the joint if its parent did not accelerate
+  Z zeta{};               ///< bias acceleration of its motion
+  bool singular = false;  ///< whether D is lost in rounding
+  S sent{};               ///< subtree that its parent bears, in the parent's frame
 };
 template <class G, class U, class Z, class S>
 Left(G, U, Z, bool, S) -> Left<G, U, Z, S>;
 
+/// The same in the form in which the link keeps results.
 template <class Link, class G, class U, class Z, class S>
 AXIAL_INLINE constexpr auto shaped(const Link& link, const Left<G, U, Z, S>& left) {
   return Left{link.shape(left.gain), link.shape(left.free), link.shape(left.zeta), left.singular,
@@ -142,16 +149,18 @@ AXIAL_INLINE constexpr auto reflect(Kind joint, const Link& link, const Screw& s
 /// What drives a moving structure: joint speeds, the base's motion, forces from outside, friction and springs.
 template <class Links, class Input, class Q, class V, class Water>
 struct InMotion {
-  const Links& links;
-  const Input& in;
-  const Q& q;
-  const V& qd;
-  const Water& water;
+  const Links& links;  ///< of the scene
+  const Input& in;     ///< run-time inputs
+  const Q& q;          ///< rad or m
+  const V& qd;         ///< rad/s or m/s
+  const Water& water;  ///< immersion of each link, or Dry
 
+  /// Effort of joint i less what friction and spring take of it, N m or N.
   template <class I, class Link, class Tau>
   AXIAL_INLINE constexpr auto effort(I i, const Link& link, const Tau& tau) const {
     return link.sum(quantity::JointEffort{}, tau, -passive_effort(link, q[i], qd[i]));
   }
+  /// Velocity-dependent part of every link's motion.
   template <class Screws>
   AXIAL_INLINE constexpr auto velocities(const Screws& screws) const {
     return outward(links, base_velocity(links, in), [&](auto i, const auto& parent) AXIAL_INLINE {
@@ -160,6 +169,7 @@ struct InMotion {
                                AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i])); });
     });
   }
+  /// Force that acts on link i from outside, water included: N m and N.
   template <class I, class Link, class Body, class Vel>
   AXIAL_INLINE constexpr auto external(I i, const Link& link, const Body& body, const Vel& velocity) const {
     constexpr ZeroVec3 still;

@@ -63,8 +63,8 @@ AXIAL_INLINE constexpr auto complement(const Round& round, const S& s, const W& 
 /// Acceleration of a free body, and whether its inertia is lost in rounding.
 template <class M>
 struct FreeMotion {
-  M acceleration{};
-  bool singular = false;
+  M acceleration{};       ///< rad/s^2 and m/s^2, of the frame's origin
+  bool singular = false;  ///< whether a pivot is lost in rounding
 };
 template <class M>
 FreeMotion(M, bool) -> FreeMotion<M>;

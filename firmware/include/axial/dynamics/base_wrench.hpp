@@ -50,6 +50,7 @@ constexpr Wrench<T> base_wrench(const Positions<robot_of<S>, T>& q, const Veloci
                 "BaseParameters out of the scene");
   return rnea::force_on_base(links_of<S, T>(), in, q, qd, qdd);
 }
+/// The same for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr Wrench<T> base_wrench(const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd,
                                 const Accelerations<M, T>& qdd, const Inputs<M, T>& in = {}) {

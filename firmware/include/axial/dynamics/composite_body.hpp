@@ -11,9 +11,10 @@ namespace crba {
 /// Which entries of M (lower triangle), and of its elimination, are not zero by structure.
 template <int N>
 struct Structure {
-  bool present[N][N] = {};
+  bool present[N][N] = {};  ///< by row and column
 
-  constexpr void set(int, int, Zero) {}
+  constexpr void set(int, int, Zero) {}  ///< what is zero by type stays absent
+  /// Anything else is present.
   template <class V>
   constexpr void set(int i, int j, const V&) {
     present[i][j] = true;
@@ -37,6 +38,7 @@ constexpr auto structure_of() {
   structure.fill();
   return structure;
 }
+/// of the matrix of these links
 template <class Links>
 inline constexpr auto structure = structure_of<Links>();
 

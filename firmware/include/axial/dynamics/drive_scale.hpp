@@ -66,11 +66,13 @@ AXIAL_INLINE constexpr auto drive_over(const Links& links, const Tau& tau, const
 /// as large: then less is lost to rounding.
 class Headroom {
  public:
-  static constexpr int most = detail::most_doublings;
+  static constexpr int most = detail::most_doublings;  ///< largest magnification, as an exponent of 2
 
   /// Of a drive that is magnified already.
   AXIAL_INLINE constexpr explicit Headroom(int magnified) : magnified_(magnified) {}
+  /// the drive's magnification, as an exponent of 2
   AXIAL_INLINE constexpr int magnified() const { return magnified_; }
+  /// Sees vectors of one link.
   template <class... V>
   AXIAL_INLINE constexpr void operator()(const V&... vectors) {
     (see(vectors), ...);

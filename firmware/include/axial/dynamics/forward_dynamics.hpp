@@ -66,6 +66,7 @@ constexpr ForwardDynamicsOf<S, T> forward_dynamics(const Positions<robot_of<S>, 
   result.status = detail::solve<detail::route_over<S, T>, scene_of<S>, T>(in, q, qd, tau, result);
   return result;
 }
+/// The same for a run-time model: ABA, unless its features name another form.
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr ForwardDynamicsOf<M, T> forward_dynamics(const Model<N, F...>& model, const Positions<M, T>& q,
                                                    const Velocities<M, T>& qd, const Efforts<M, T>& tau,

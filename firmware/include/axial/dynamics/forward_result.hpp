@@ -10,14 +10,15 @@ namespace axial {
 /// Accelerations, one a joint, and what the solver has to say about them.
 template <class S, class T>
 struct ForwardDynamics : FreeAccelerations<S, T> {
-  Status status{};
+  Status status{};  ///< first joint that is near singular, or beyond its formats
 };
 /// On a floating base also the base's own acceleration: angular (rad/s^2) and of the origin of frame 0 (m/s^2, gravity
 /// included), in axes of frame 0. The status names joint -1 where the base itself is near singular.
 template <class S, class T>
 struct FloatingDynamics : ForwardDynamics<S, T> {
-  MotionVector<Vec3<T>, Vec3<T>> base_acceleration{};
+  MotionVector<Vec3<T>, Vec3<T>> base_acceleration{};  ///< in axes of frame 0
 };
+/// What forward_dynamics<S> over numbers T answers.
 template <class S, class T>
 using ForwardDynamicsOf =
     std::conditional_t<is_stored_v<T>, ForwardDynamics<S, T>,

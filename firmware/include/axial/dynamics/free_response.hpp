@@ -15,8 +15,9 @@ namespace aba {
 /// A subtree's inertia and the scale of its singularity.
 template <class I, class R>
 struct Weight {
-  I inertia{};
-  R reach{};
+  I inertia{};  ///< an ArticulatedInertia
+  R reach{};    ///< a Reach, or Unscaled
+  /// The same as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return aba::Weight{inertia.template dense<T>(), reach.template dense<T>()};
@@ -24,14 +25,17 @@ struct Weight {
 };
 template <class I, class R>
 Weight(I, R) -> Weight<I, R>;
+/// Two subtrees of one link as one.
 template <class I, class R, class J, class S>
 AXIAL_INLINE constexpr auto operator+(const Weight<I, R>& a, const Weight<J, S>& b) {
   return Weight{a.inertia + b.inertia, a.reach + b.reach};
 }
+/// With the mass of the water that moves with it.
 template <class Water, class W>
 AXIAL_INLINE constexpr auto submerged(const Water& water, const W& weight) {
   return Weight{weight.inertia + water.inertia(), weight.reach + reach_of(water)};
 }
+/// A dry link is as it was.
 template <class W>
 AXIAL_INLINE constexpr const W& submerged(const Dry&, const W& weight) {
   return weight;
@@ -40,11 +44,11 @@ AXIAL_INLINE constexpr const W& submerged(const Dry&, const W& weight) {
 /// What the structure keeps of a joint: its gain K, D and 1/D; and what its parent bears.
 template <class K, class D, class R, class W>
 struct AtRest {
-  K gain{};
-  D resistance{};
-  R inverse{};
-  bool singular = false;
-  W sent{};
+  K gain{};               ///< k = U / D
+  D resistance{};         ///< D, kg m^2 or kg
+  R inverse{};            ///< 1 / D
+  bool singular = false;  ///< whether D is lost in rounding
+  W sent{};               ///< weight that its parent bears, in the parent's frame
 };
 template <class K, class D, class R, class W>
 AtRest(K, D, R, bool, W) -> AtRest<K, D, R, W>;
@@ -74,18 +78,19 @@ AXIAL_INLINE constexpr auto structure_at_rest(const Links& links, const Input& i
 /// What the outward pass needs of a joint's drive, and what the parent gets.
 template <class U, class F>
 struct Driven {
-  U free{};
-  bool lost = false;
-  F sent{};
+  U free{};           ///< u / D, rad/s^2 or m/s^2
+  bool lost = false;  ///< whether D is lost, or the drive is beyond its format
+  F sent{};           ///< n m and N, on the parent, in its frame
 };
 template <class U, class F>
 Driven(U, bool, F) -> Driven<U, F>;
 
 /// Nothing to watch: numbers that do not leave their range.
 struct Unwatched {
+  /// looks at nothing
   template <class... V>
   AXIAL_INLINE constexpr void operator()(const V&...) {}
-  AXIAL_INLINE static constexpr Zero magnified() { return {}; }
+  AXIAL_INLINE static constexpr Zero magnified() { return {}; }  ///< the drive is taken as it is
 };
 
 /// Accelerations of the structure under efforts alone; take(i, qdd_i) gets one a joint. `watch` sees every vector on

@@ -17,11 +17,12 @@ namespace rnea {
 /// the products p and matrix U that they give (gyration.hpp).
 template <class W, class DW, class A, class P, class U>
 struct Motion {
-  W w{};
-  DW dw{};
-  A a{};
-  P p{};
-  U u{};
+  W w{};    ///< rad/s
+  DW dw{};  ///< rad/s^2
+  A a{};    ///< m/s^2, gravity as an upward acceleration of the base
+  P p{};    ///< rad^2/s^2
+  U u{};    ///< rad^2/s^2 and rad/s^2
+  /// The same as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     using Rate = Kept<T, quantity::AngularVelocity>;
@@ -151,9 +152,10 @@ AXIAL_INLINE constexpr auto sent_force(const Links& links, const Screws& screws,
   return link.shape(to_parent(link.x(), to_parent(screws[i], force, link), link.outer()));
 }
 
+/// What the inward pass keeps of a link.
 template <class F>
 struct Left {
-  F sent{};
+  F sent{};  ///< n m and N, on its parent, in the parent's frame
 };
 template <class F>
 Left(F) -> Left<F>;
@@ -171,6 +173,7 @@ AXIAL_INLINE constexpr void efforts(const Links& links, const Input& in, const Q
   };
   inward(links, own, joint);
 }
+/// The same from q itself, whatever the form in which joint values stand.
 template <class Links, class Input, class Q, class V, class A, class Tau>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Tau& tau) {
   auto at = read(links, q);
@@ -219,6 +222,7 @@ constexpr Efforts<M, T> inverse_dynamics(const Model<N, F...>& model, const Posi
   rnea::run(model.template links<T>(), in, q, qd, qdd, tau);
   return tau;
 }
+/// The same for a run-time model, in the looped form.
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr Efforts<M, T> gravity_torque(const Model<N, F...>& model, const Positions<M, T>& q,
                                        const Inputs<M, T>& in = {}) {
@@ -226,6 +230,7 @@ constexpr Efforts<M, T> gravity_torque(const Model<N, F...>& model, const Positi
   rnea::run(model.template links<T>(), in, q, NoMotion{}, NoMotion{}, tau);
   return tau;
 }
+/// The same for a run-time model, in the looped form.
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr Efforts<M, T> bias_torque(const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd,
                                     const Inputs<M, T>& in = {}) {

@@ -8,6 +8,7 @@ namespace axial {
 
 /// The motion that a joint gives to a link which it does not move.
 struct Unmoved {
+  /// No motion, as numbers.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return MotionVector<Vec3<T>, Vec3<T>>{};

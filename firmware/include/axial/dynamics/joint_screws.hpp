@@ -90,6 +90,7 @@ constexpr Joints<robot_of<S>, SinCos<T>> sine_cosines(const Positions<robot_of<S
   detail::fill_turns(links_of<S, T>(), q, turns);
   return turns;
 }
+/// The same for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr Joints<M, SinCos<T>> sine_cosines(const Model<N, F...>& model, const Positions<M, T>& q) {
   Joints<M, SinCos<T>> turns{};

@@ -7,18 +7,21 @@ namespace axial {
 namespace rnea {
 
 // Force that joint I bears, from the tips of its own branch: recursion over a tree of types.
+/// Force that joint I bears, from the tips of its own branch.
 template <class Links, class Input, class Screws, class Motions, class Water>
 struct Branch {
-  const Links& links;
-  const Input& in;
-  const Screws& screws;
-  const Motions& motions;
-  const Water& water;
+  const Links& links;      ///< of the scene
+  const Input& in;         ///< run-time inputs
+  const Screws& screws;    ///< z-screw of each joint
+  const Motions& motions;  ///< motion of each link
+  const Water& water;      ///< immersion of each link, or Dry
 
+  /// Of link I and all that it carries: N m and N, in its frame.
   template <int I>
   AXIAL_INLINE constexpr auto force(Index<I> i) const {
     return detail::loaded(own_force(links, in, motions, water, i), children<I, I + 1>());
   }
+  /// What the children of link I, from link C on, send to it, in its frame.
   template <int I, int C>
   AXIAL_INLINE constexpr auto children() const {
     if constexpr (C >= Links::capacity)
@@ -41,6 +44,7 @@ struct Branch {
   }
 };
 
+/// Effort of one joint over any form of links, N m or N.
 template <class Links, class Input, class I, class Q, class V, class A>
 AXIAL_INLINE constexpr auto run_joint(const Links& links, const Input& in, I joint, const Q& q, const V& qd,
                                       const A& qdd) {
@@ -55,6 +59,7 @@ AXIAL_INLINE constexpr auto run_joint(const Links& links, const Input& in, I joi
     return joint_effort(links, int{joint}, branch.force(int{joint}), q, qd, qdd);
 }
 
+/// Refuses a joint that the robot does not have.
 template <class S, int Joint>
 constexpr void check_joint() {
   static_assert(Joint >= 0 && Joint < joint_count<S>,
@@ -84,6 +89,7 @@ constexpr T joint_torque(const Model<N, F...>& model, int joint, const Positions
                          const Accelerations<M, T>& qdd, const Inputs<M, T>& in = {}) {
   return rnea::run_joint(model.template links<T>(), in, joint, q, qd, qdd);
 }
+/// The same for a run-time model, 0 <= joint < model.size().
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr T gravity_torque(const Model<N, F...>& model, int joint, const Positions<M, T>& q,
                            const Inputs<M, T>& in = {}) {

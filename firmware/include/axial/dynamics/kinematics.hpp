@@ -5,22 +5,25 @@
 
 namespace axial {
 
+/// A pose in the world as plain numbers.
 template <class T>
 using WorldPose = Pose<Mat3<Vec3<T>>, Vec3<T>>;
 
 /// Poses in the world (m, rotation matrices): of every link's frame, and of the tool.
 template <class S, class T>
 struct ForwardKinematics {
-  WorldPose<T> frames[joint_count<S>];
-  WorldPose<T> tool;
+  WorldPose<T> frames[joint_count<S>];  ///< of every link
+  WorldPose<T> tool;                    ///< of the tool
 };
 
 /// Geometric Jacobian of the tool's origin: column j is the motion (angular; linear), in world axes, that a unit speed
 /// of joint j gives the tool.
 template <class S, class T>
 struct Jacobian {
-  MotionVector<Vec3<T>, Vec3<T>> columns[joint_count<S>];
+  MotionVector<Vec3<T>, Vec3<T>> columns[joint_count<S>];  ///< one a joint, from the base outwards
+  /// Column of joint j; the index is not checked.
   AXIAL_INLINE constexpr auto& operator[](int j) { return columns[j]; }
+  /// Column of joint j; the index is not checked.
   AXIAL_INLINE constexpr const auto& operator[](int j) const { return columns[j]; }
 };
 
@@ -31,6 +34,7 @@ template <class Axis, class C, class S, class L, class Turn, class R>
 AXIAL_INLINE constexpr auto way(const AxialScrew<Axis, C, S, L, Turn>& x, const R& rotation) {
   return x.shift * x_column(rotation);
 }
+/// The same across a branch.
 template <class Z, class X, class R>
 AXIAL_INLINE constexpr auto way(const BranchScrew<Z, X>& branch, const R& rotation) {
   auto row = [&](const auto& r) AXIAL_INLINE { return to_child(branch.z, r); };
@@ -57,6 +61,7 @@ AXIAL_INLINE constexpr auto frames(const Links& links, const Input& in, const Q&
   });
 }
 
+/// Writes the poses of all frames and of the tool.
 template <class Links, class Input, class Q, class Result>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Result& result) {
   auto poses = frames(links, in, read(links, q));
@@ -64,10 +69,12 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
   result.tool = stored(links, poses[links.last()] * links.tool_pose());
 }
 
+/// Motion of a point at `arm` (m) from a revolute joint's axis, at 1 rad/s.
 template <class Axis, class Arm>
 AXIAL_INLINE constexpr auto column(Revolute, const Axis& axis, const Arm& arm) {
   return MotionVector{axis, cross(axis, arm)};
 }
+/// Motion of any point beyond a prismatic joint, at 1 m/s.
 template <class Axis, class Arm>
 AXIAL_INLINE constexpr auto column(Prismatic, const Axis& axis, const Arm&) {
   return MotionVector{ZeroVec3{}, axis};
@@ -86,12 +93,14 @@ AXIAL_INLINE constexpr void columns(const Links& links, const Poses& poses, K k,
   write(k);
   for_each_ancestor(links, k, write);
 }
+/// Columns for the tool's origin.
 template <class Links, class Input, class Q, class Result>
 AXIAL_INLINE constexpr void tool_columns(const Links& links, const Input& in, const Q& q, Result& jacobian) {
   auto poses = frames(links, in, read(links, q));
   auto tool = poses[links.last()] * links.tool_pose();
   columns(links, poses, links.last(), links.link(links.last()).sum(quantity::Length{}, tool.position), jacobian);
 }
+/// Columns for the origin of link k's frame.
 template <class Links, class Input, class K, class Q, class Result>
 AXIAL_INLINE constexpr void link_columns(const Links& links, const Input& in, K k, const Q& q, Result& jacobian) {
   auto poses = frames(links, in, read(links, q));
@@ -104,6 +113,7 @@ AXIAL_INLINE constexpr void link_columns(const Links& links, const Input& in, K 
 template <class S, class T>
 inline constexpr int length_exponent =
     decltype(links_of<S, T, FullParameters, recursion::Kinematics>().link(Index<0>{}))::format.length;
+/// The same of entries of rotations and directions.
 template <class T>
 inline constexpr int direction_exponent = 8 * static_cast<int>(sizeof(typename T::Word)) - 2;
 
@@ -115,6 +125,7 @@ constexpr ForwardKinematics<robot_of<S>, T> forward_kinematics(const Positions<r
   kinematics::run(links_of<S, T, FullParameters, recursion::Kinematics>(), in, q, result);
   return result;
 }
+/// The same for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr ForwardKinematics<M, T> forward_kinematics(const Model<N, F...>& model, const Positions<M, T>& q,
                                                      const Inputs<M, T>& in = {}) {
@@ -143,6 +154,7 @@ constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q, 
     kinematics::link_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, Index<Link>{}, q, result);
   return result;
 }
+/// The same for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {}) {
   Jacobian<M, T> result{};

@@ -23,7 +23,7 @@ AXIAL_INLINE constexpr auto payload_inertia(const Link& link, const Load& load) 
 template <class Scene, class Input>
 class TipLoads {
  public:
-  constexpr explicit TipLoads(const Input& in) : in_(in) {}
+  constexpr explicit TipLoads(const Input& in) : in_(in) {}  ///< `in` is referred to
 
   /// Inertia of a link with its payload.
   template <class Link>

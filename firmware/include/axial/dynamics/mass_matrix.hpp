@@ -11,14 +11,16 @@ namespace axial {
 /// between prismatic ones.
 template <class S, class T>
 struct MassMatrix {
-  static constexpr int size = joint_count<S>;
-  T values[size * (size + 1) / 2];
+  static constexpr int size = joint_count<S>;  ///< number of joints
+  T values[size * (size + 1) / 2];             ///< lower triangle, row by row
 
-  AXIAL_INLINE constexpr T& operator()(int i, int j) { return values[at(i, j)]; }
+  AXIAL_INLINE constexpr T& operator()(int i, int j) { return values[at(i, j)]; }  ///< entry (i, j), either way round
+  /// Sets entry (i, j); structural zeros become numbers.
   template <class V>
   AXIAL_INLINE constexpr void set(int i, int j, const V& value) {
     values[at(i, j)] = static_cast<T>(value);
   }
+  /// Entry (i, j), either way round.
   AXIAL_INLINE constexpr const T& operator()(int i, int j) const { return values[at(i, j)]; }
 
  private:
@@ -70,12 +72,16 @@ inline constexpr auto matrix_shifts = MatrixShifts<S, Word, E>::chosen();
 /// In fixed point M(i, j) = raw 2^-exponent(i, j).
 template <class S, class Word>
 struct MassMatrix<S, Stored<Word>> {
-  static constexpr int size = joint_count<S>;
-  Stored<Word> values[size * (size + 1) / 2];
+  static constexpr int size = joint_count<S>;  ///< number of joints
+  Stored<Word> values[size * (size + 1) / 2];  ///< lower triangle, row by row
 
+  /// of entry (i, j)
   static constexpr int exponent(int i, int j) { return detail::mass_matrix_format<S, Word>.of[i][j]; }
+  /// Entry (i, j), either way round.
   AXIAL_INLINE constexpr Stored<Word>& operator()(int i, int j) { return values[at(i, j)]; }
+  /// Entry (i, j), either way round.
   AXIAL_INLINE constexpr const Stored<Word>& operator()(int i, int j) const { return values[at(i, j)]; }
+  /// Rounds into the format of entry (I, J).
   template <int I, int J, class V>
   AXIAL_INLINE constexpr void set(Index<I>, Index<J>, const V& value) {
     if constexpr (!is_zero_v<V>) values[at(I, J)] = {round_to<exponent(I, J)>(value).raw};
@@ -86,7 +92,7 @@ struct MassMatrix<S, Stored<Word>> {
     constexpr const auto& shifts = detail::matrix_shifts<S, Word, E>;
     values[at(i, j)] = {detail::moved_either_way<A>(value.raw, shifts.down[at(i, j)], shifts.up[at(i, j)])};
   }
-  AXIAL_INLINE constexpr void set(int, int, Zero) {}
+  AXIAL_INLINE constexpr void set(int, int, Zero) {}  ///< what is zero by type is zero already
 
  private:
   AXIAL_INLINE static constexpr int at(int i, int j) { return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i; }
@@ -101,8 +107,8 @@ namespace crba {
 /// and as its parent bears it.
 template <class B, class P>
 struct Left {
-  B turned{};
-  P sent{};
+  B turned{};  ///< beyond its joint
+  P sent{};    ///< in the parent's frame
 };
 template <class B, class P>
 Left(B, P) -> Left<B, P>;
@@ -114,6 +120,7 @@ AXIAL_INLINE constexpr auto unit_force(Revolute, const B& body) {
   const auto& h = body.first_moment;
   return ForceVector{Vec3{body.inertia.xz, body.inertia.yz, body.inertia.zz}, Vec3{-h.y, h.x, Zero{}}};
 }
+/// Of a prismatic joint.
 template <class B>
 AXIAL_INLINE constexpr auto unit_force(Prismatic, const B& body) {
   const auto& h = body.first_moment;
@@ -126,6 +133,7 @@ AXIAL_INLINE constexpr auto unit_force(Revolute joint, const ArticulatedInertia<
   auto column = joint_column(joint, body);
   return ForceVector{column.angular, column.linear};
 }
+/// Likewise of a prismatic joint.
 template <class A, class C, class L>
 AXIAL_INLINE constexpr auto unit_force(Prismatic joint, const ArticulatedInertia<A, C, L>& body) {
   auto column = joint_column(joint, body);
@@ -195,6 +203,7 @@ AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const S
     climb(links, screws, force, i, i, m);
   });
 }
+/// The same from q itself, whatever the form in which joint values stand.
 template <class Links, class Input, class Q, class Matrix>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Matrix& m) {
   entries(links, in, joint_screws(links, in, read(links, q)), m);
@@ -211,6 +220,7 @@ constexpr MassMatrixOf<S, T> mass_matrix(const Positions<robot_of<S>, T>& q, con
   crba::run(links_of<S, T, BaseParameters, recursion::CompositeBodies>(), in, q, m);
   return m;
 }
+/// The same for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr MassMatrix<M, T> mass_matrix(const Model<N, F...>& model, const Positions<M, T>& q,
                                        const Inputs<M, T>& in = {}) {

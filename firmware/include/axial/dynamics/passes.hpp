@@ -39,6 +39,7 @@ struct SlotsOf<std::integer_sequence<int, I...>, V...> : Slot<I, V>... {
 /// One value a link, each of its own type; `slots[Index<2>{}]`.
 template <class... V>
 struct Slots : detail::SlotsOf<std::make_integer_sequence<int, sizeof...(V)>, V...> {
+  /// slots with one more
   template <class Next>
   using Append = Slots<V..., Next>;
 };
@@ -46,8 +47,9 @@ struct Slots : detail::SlotsOf<std::make_integer_sequence<int, sizeof...(V)>, V.
 /// One value a link, all of one type.
 template <class V, int N>
 struct Row {
-  V values[N] = {};
-  AXIAL_INLINE constexpr V& operator[](int i) { return values[i]; }
+  V values[N] = {};                                                  ///< one a link
+  AXIAL_INLINE constexpr V& operator[](int i) { return values[i]; }  ///< value of link i; the index is not checked
+  /// Value of link i; the index is not checked.
   AXIAL_INLINE constexpr const V& operator[](int i) const { return values[i]; }
 };
 

@@ -10,9 +10,10 @@ namespace axial {
 /// Of constants, so the compiler folds it; it scales with masses and lengths, so no absolute threshold hides in it.
 template <class M, class H, class P>
 struct Reach {
-  M mass{};
-  H moment{};
-  P polar{};
+  M mass{};    ///< kg
+  H moment{};  ///< kg m
+  P polar{};   ///< kg m^2
+  /// The same as plain numbers.
   template <class T>
   AXIAL_INLINE constexpr Reach<T, T, T> dense() const {
     return {mass, moment, polar};
@@ -21,6 +22,7 @@ struct Reach {
 template <class M, class H, class P>
 Reach(M, H, P) -> Reach<M, H, P>;
 
+/// Two bodies about one point.
 template <class A, class B, class C, class D, class E, class F>
 AXIAL_INLINE constexpr auto operator+(const Reach<A, B, C>& a, const Reach<D, E, F>& b) {
   return Reach{a.mass + b.mass, a.moment + b.moment, a.polar + b.polar};
@@ -41,6 +43,7 @@ template <class Axis, class C, class S, class L, class Turn>
 AXIAL_INLINE constexpr auto shift_length(const AxialScrew<Axis, C, S, L, Turn>& screw) {
   return detail::absolute(screw.shift);
 }
+/// Of a branch: both screws.
 template <class Z, class X>
 AXIAL_INLINE constexpr auto shift_length(const BranchScrew<Z, X>& branch) {
   return shift_length(branch.z) + shift_length(branch.x);
@@ -65,16 +68,19 @@ AXIAL_INLINE constexpr auto seen_from(const Reach<M, H, P>& r, const L& shift) {
 
 /// Where ranges are proved no joint is near singular, so that no scale is needed.
 struct Unscaled {
+  /// As any other scale; nothing to convert.
   template <class T>
   AXIAL_INLINE constexpr Unscaled dense() const {
     return {};
   }
 };
-AXIAL_INLINE constexpr Unscaled operator+(Unscaled, Unscaled) { return {}; }
+AXIAL_INLINE constexpr Unscaled operator+(Unscaled, Unscaled) { return {}; }  ///< none beside none
+/// from anywhere
 template <class L>
 AXIAL_INLINE constexpr Unscaled seen_from(Unscaled, const L&) {
   return {};
 }
+/// The scale of a link's own body: Unscaled where ranges are proved.
 template <class Link, class Body>
 AXIAL_INLINE constexpr auto scale_of(const Link&, const Body& body) {
   if constexpr (Link::ranged)

@@ -14,6 +14,7 @@ template <class I>
 AXIAL_INLINE constexpr auto joint_column(Revolute, const I& i) {
   return MotionVector{Vec3{i.angular.xz, i.angular.yz, i.angular.zz}, i.coupling.z};
 }
+/// Of a prismatic joint.
 template <class I>
 AXIAL_INLINE constexpr auto joint_column(Prismatic, const I& i) {
   return MotionVector{Vec3{i.coupling.x.z, i.coupling.y.z, i.coupling.z.z},
@@ -73,6 +74,7 @@ AXIAL_INLINE constexpr auto reflected(Revolute, const Link& link, const I& i, co
       Mat3{row(i.coupling.x, u.angular.x), row(i.coupling.y, u.angular.y), link.sum(FirstMoment{}, rotor * k.linear)},
       detail::reduced(link, Mass{}, i.linear, u.linear, k.linear)};
 }
+/// Of a prismatic joint.
 template <class Link, class I, class U, class K, class KS, class J>
 AXIAL_INLINE constexpr auto reflected(Prismatic, const Link& link, const I& i, const U& u, const K& k, const KS& axis,
                                       const J& rotor) {
@@ -91,13 +93,14 @@ AXIAL_INLINE constexpr auto reflected(Prismatic, const Link& link, const I& i, c
 /// N zeta, in the products that it is summed from: of both parts of zeta, moments and forces.
 template <class A, class B, class C, class D>
 struct Swept {
-  A turning_moment{};
-  B moment{};
-  C turning_force{};
-  D force{};
+  A turning_moment{};  ///< of the angular part: N m
+  B moment{};          ///< of the linear part: N m
+  C turning_force{};   ///< of the angular part: N
+  D force{};           ///< of the linear part: N
 };
 template <class A, class B, class C, class D>
 Swept(A, B, C, D) -> Swept<A, B, C, D>;
+/// Those products for an inertia N and a bias acceleration zeta.
 template <class N, class Z>
 AXIAL_INLINE constexpr auto swept(const N& n, const Z& zeta) {
   return Swept{n.angular * zeta.angular, n.coupling * zeta.linear, transpose_times(n.coupling, zeta.angular),
@@ -116,6 +119,7 @@ AXIAL_INLINE constexpr auto passed_bias(Revolute, const Link& link, const P& p, 
   return ForceVector{link.sum(Moment{}, carried, n.turning_moment, n.moment, gained),
                      link.sum(Force{}, p.force, n.turning_force, n.force, u * k.linear)};
 }
+/// Of a prismatic joint.
 template <class Link, class P, class N, class K, class U, class S>
 AXIAL_INLINE constexpr auto passed_bias(Prismatic, const Link& link, const P& p, const N& n, const K& k, const U& u,
                                         const S& axis) {
@@ -140,11 +144,13 @@ Reflection(I, P, K, U, bool) -> Reflection<I, P, K, U>;
 
 /// Composite inertia that a joint's D is compared with: about the axis (bounded by the polar moment), or the mass.
 AXIAL_INLINE constexpr Unscaled singularity_scale(Revolute, Unscaled) { return {}; }
-AXIAL_INLINE constexpr Unscaled singularity_scale(Prismatic, Unscaled) { return {}; }
+AXIAL_INLINE constexpr Unscaled singularity_scale(Prismatic, Unscaled) { return {}; }  ///< nor of a slide
+/// Of a revolute joint, kg m^2.
 template <class R>
 AXIAL_INLINE constexpr auto singularity_scale(Revolute, const R& reach) {
   return reach.polar;
 }
+/// Of a prismatic joint, kg.
 template <class R>
 AXIAL_INLINE constexpr auto singularity_scale(Prismatic, const R& reach) {
   return reach.mass;
@@ -166,8 +172,8 @@ AXIAL_INLINE constexpr auto gain_vector(Prismatic, const K& k, const KS& axis) {
 /// 1/D, and whether D is lost in the rounding of the composite inertia that it was subtracted from.
 template <class R>
 struct Resistance {
-  R inverse;
-  bool singular;
+  R inverse;      ///< 1 / D
+  bool singular;  ///< whether D is lost
 };
 
 /// In floating point: D below 16 eps times the composite inertia `scale` is singular; where not even eps^2 of it is
@@ -195,15 +201,16 @@ AXIAL_INLINE constexpr Resistance<One> resistance(One, const Scale&) {
 /// What a joint makes of an articulated body's inertia, whatever drives it: N, D and its inverse, and K.
 template <class N, class D, class R, class K>
 struct Hinge {
-  N inertia;
-  D resistance;
-  R inverse;
-  K gain;
-  bool singular;
+  N inertia;      ///< N, an ArticulatedInertia
+  D resistance;   ///< d = I_ss + rotor, kg m^2 or kg
+  R inverse;      ///< 1 / D
+  K gain;         ///< k = U / D with K_s = I_ss / D
+  bool singular;  ///< whether D is lost in the rounding of the composite inertia
 };
 template <class N, class D, class R, class K>
 Hinge(N, D, R, K, bool) -> Hinge<N, D, R, K>;
 
+/// Of an articulated body's inertia at its joint; `scale` is what D is compared with.
 template <class Joint, class Link, class I, class Scale>
 AXIAL_INLINE constexpr auto hinge(Joint joint, const Link& link, const I& inertia, const Scale& scale) {
   using namespace quantity;
@@ -233,8 +240,8 @@ AXIAL_INLINE constexpr const auto& along_axis_of(Prismatic, const K& gain) {
 /// What a force p and the effort tau do at a joint: the force that passes, and u / D.
 template <class P, class U>
 struct Passage {
-  P bias;
-  U free;
+  P bias;  ///< n m and N, on the inboard side
+  U free;  ///< u / D, rad/s^2 or m/s^2
 };
 template <class P, class U>
 Passage(P, U) -> Passage<P, U>;

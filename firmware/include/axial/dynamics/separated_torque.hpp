@@ -9,24 +9,25 @@ namespace separation {
 /// Which coefficients of a scene are not zero for every q.
 template <class S>
 struct Present : Separated<S, bool> {
+  /// whether a value differs from zero by type
   template <class V>
   static constexpr bool is = !is_zero_v<V>;
   template <class V>
   constexpr void inertia(int i, int j, const V&) {
     this->A[i][j] = this->A[j][i] = is<V>;
-  }
+  }  ///< notes A(i, j)
   template <class V>
   constexpr void product(int i, int j, int k, const V&) {
     this->B[i][this->pair(j, k)] = is<V>;
-  }
+  }  ///< notes B(i; j k)
   template <class V>
   constexpr void square(int i, int j, const V&) {
     this->C[i][j] = is<V>;
-  }
+  }  ///< notes C(i, j)
   template <class V>
   constexpr void rest(int i, const V&) {
     this->G[i] = is<V>;
-  }
+  }  ///< notes G(i)
 };
 
 /// Found by types alone, so at any q: the compiler runs the algorithm once over zeros.
@@ -38,6 +39,7 @@ constexpr auto present_terms() {
       map_links(links, [&](auto i) { return links.link(i).z(0.0); }), found);
   return found;
 }
+/// Of a scene, for every q.
 template <class S>
 inline constexpr auto present = present_terms<S>();
 
@@ -53,6 +55,7 @@ constexpr bool has_inertia() {
   else
     return present<S>.A[I::value][J::value];
 }
+/// Likewise of qd_j^2.
 template <class S, class I, class J>
 constexpr bool has_square() {
   if constexpr (is_table<S>)
@@ -60,6 +63,7 @@ constexpr bool has_square() {
   else
     return present<S>.C[I::value][J::value];
 }
+/// Likewise of qd_j qd_k.
 template <class S, class I, class J, class K>
 constexpr bool has_product() {
   if constexpr (is_table<S>)
@@ -71,7 +75,7 @@ constexpr bool has_product() {
 template <int First, class F, int... I>
 AXIAL_INLINE constexpr void each_index(const F& f, std::integer_sequence<int, I...>) {
   (f(Index<First + I>{}), ...);
-}
+}  ///< f(Index) of First and those that follow it
 /// f(i) for every joint from joint `first` on.
 template <class S, class First, class F>
 AXIAL_INLINE constexpr void for_each_joint(First first, const F& f) {
@@ -85,7 +89,7 @@ AXIAL_INLINE constexpr void for_each_joint(First first, const F& f) {
 template <class S, class F>
 AXIAL_INLINE constexpr void for_each_joint(const F& f) {
   for_each_joint<S>(Index<0>{}, f);
-}
+}  ///< all of them
 /// f(j, k) for every pair of joints, j < k.
 template <class S, class F>
 AXIAL_INLINE constexpr void for_each_pair(const F& f) {
@@ -100,13 +104,13 @@ AXIAL_INLINE constexpr void for_each_pair(const F& f) {
 /// Products of two rates, each once.
 template <class S, class T>
 struct RateProducts {
-  T pairs[SeparatedB<S, T>::pairs] = {};
-  T squares[joint_count<S>] = {};
+  T pairs[SeparatedB<S, T>::pairs] = {};  ///< rad^2/s^2 or the like, in the order of SeparatedB
+  T squares[joint_count<S>] = {};         ///< one a joint
 
   AXIAL_INLINE constexpr explicit RateProducts(const Velocities<robot_of<S>, T>& qd) {
     for_each_joint<S>([&](auto j) AXIAL_INLINE { squares[j] = qd[j] * qd[j]; });
     for_each_pair<S>([&](auto j, auto k) AXIAL_INLINE { pairs[SeparatedB<S, T>::pair(j, k)] = qd[j] * qd[k]; });
-  }
+  }  ///< of velocities in rad/s or m/s
 };
 
 template <class S, class T, class I>
@@ -115,7 +119,7 @@ AXIAL_INLINE constexpr void add_inertial(const SeparatedA<S, T>& s, const Accele
   for_each_joint<S>([&](auto j) AXIAL_INLINE {
     if constexpr (has_inertia<S, I, decltype(j)>()) sum = sum + s.A[i][j] * qdd[j];
   });
-}
+}  ///< adds joint i's row of A qdd
 template <class S, class T, class I>
 AXIAL_INLINE constexpr void add_products(const Separated<S, T>& s, const RateProducts<S, T>& rates, I i, T& sum) {
   for_each_joint<S>([&](auto j) AXIAL_INLINE {
@@ -126,8 +130,9 @@ AXIAL_INLINE constexpr void add_products(const Separated<S, T>& s, const RatePro
     if constexpr (has_product<S, I, decltype(j), decltype(k)>())
       sum = sum + s.B[i][pair(j, k)] * rates.pairs[pair(j, k)];
   });
-}
+}  ///< adds joint i's rows of B [qd qd] and C [qd^2]
 
+/// Efforts in floating point, friction included where the scene names it.
 template <class Links, class S, class T>
 AXIAL_INLINE constexpr EffortsOf<S, T> torque(const Links& links, const Separated<S, T>& s,
                                               const Velocities<robot_of<S>, T>& qd,
@@ -146,6 +151,7 @@ AXIAL_INLINE constexpr EffortsOf<S, T> torque(const Links& links, const Separate
 /// Products of two rates in fixed point, in the format of their limits.
 template <class Robot, class A>
 struct FixedRates {
+  /// qd_j qd_k, rounded once.
   template <int J, int K, class Values>
   AXIAL_INLINE static constexpr auto product(const Values& qd) {
     constexpr Rounding rounding = rounding_of<A>();
@@ -158,15 +164,16 @@ struct FixedRates {
 /// The terms of one joint in fixed point, each with its format: one exact sum, rounded once into the effort.
 template <class Links, class S, class Word>
 struct FixedTerms {
-  using A = typename Links::Scalar;
-  using T = Stored<Word>;
-  using Format = SeparatedExponents<S, T>;
-  using Rates = FixedRates<robot_of<S>, A>;
-  static constexpr int size = joint_count<S>;
-  const Separated<S, T>& s;
-  const Velocities<robot_of<S>, T>& qd;
-  const Accelerations<robot_of<S>, T>& qdd;
+  using A = typename Links::Scalar;            ///< arithmetic
+  using T = Stored<Word>;                      ///< stored word
+  using Format = SeparatedExponents<S, T>;     ///< of the coefficients
+  using Rates = FixedRates<robot_of<S>, A>;    ///< products of rates
+  static constexpr int size = joint_count<S>;  ///< number of joints
+  const Separated<S, T>& s;                    ///< coefficients
+  const Velocities<robot_of<S>, T>& qd;        ///< at the exponents of their role
+  const Accelerations<robot_of<S>, T>& qdd;    ///< at the exponents of their role
 
+  /// A(i, j) qdd_j, not rounded yet.
   template <int I, int J>
   AXIAL_INLINE constexpr auto inertial() const {
     if constexpr (has_inertia<S, Index<I>, Index<J>>())
@@ -174,6 +181,7 @@ struct FixedTerms {
     else
       return Zero{};
   }
+  /// C(i, j) qd_j^2, likewise.
   template <int I, int J>
   AXIAL_INLINE constexpr auto square() const {
     if constexpr (has_square<S, Index<I>, Index<J>>())
@@ -181,6 +189,7 @@ struct FixedTerms {
     else
       return Zero{};
   }
+  /// B(i; j k) qd_j qd_k, likewise; of each pair once, j < k.
   template <int I, int J, int K>
   AXIAL_INLINE constexpr auto product() const {
     if constexpr (J >= K)
@@ -191,6 +200,7 @@ struct FixedTerms {
       return Fx<Format::product(I, J, K), A>{s.B[I][Separated<S, T>::pair(J, K)].raw} *
              Rates::template product<J, K>(qd);
   }
+  /// All terms of joint i as a lazy sum.
   template <int I, int... J>
   AXIAL_INLINE constexpr auto effort(std::integer_sequence<int, J...> all) const {
     return detail::lazy_sum(Fx<Format::rest(I), A>{s.G[I].raw}, inertial<I, J>()..., square<I, J>()...,
@@ -204,6 +214,7 @@ struct FixedTerms {
   }
 };
 
+/// Efforts in fixed point, friction included where the scene names it.
 template <class Links, class S, class Word>
 AXIAL_INLINE constexpr EffortsOf<S, Stored<Word>> torque(const Links& links, const Separated<S, Stored<Word>>& s,
                                                          const Velocities<robot_of<S>, Stored<Word>>& qd,
@@ -228,6 +239,7 @@ constexpr EffortsOf<S, T> torque(const Separated<S, T>& separated, const Velocit
                                  const Accelerations<robot_of<S>, T>& qdd) {
   return separation::torque(links_of<S, T, BaseParameters, recursion::Separation>(), separated, qd, qdd);
 }
+/// The same for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr Efforts<M, T> torque(const Model<N, F...>& model, const Separated<M, T>& separated,
                                const Velocities<M, T>& qd, const Accelerations<M, T>& qdd) {

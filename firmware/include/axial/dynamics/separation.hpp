@@ -11,8 +11,9 @@ namespace separation {
 /// Gravity's stand-in, the acceleration of the base, in a link's frame before and after its own z-screw.
 template <class B, class A>
 struct Fall {
-  B before{};
-  A after{};
+  B before{};  ///< m/s^2, before it
+  A after{};   ///< m/s^2, behind it
+  /// The same as plain numbers.
   template <class T>
   AXIAL_INLINE constexpr Fall<Vec3<T>, Vec3<T>> dense() const {
     return {before, after};
@@ -21,6 +22,7 @@ struct Fall {
 template <class B, class A>
 Fall(B, A) -> Fall<B, A>;
 
+/// Of all links, from the base outwards.
 template <class Links, class Input, class Screws>
 AXIAL_INLINE constexpr auto falls(const Links& links, const Input& in, const Screws& screws) {
   return outward(links, Fall{ZeroVec3{}, base_acceleration(links, in)}, [&](auto i, const auto& parent) AXIAL_INLINE {
@@ -35,6 +37,7 @@ template <class B, class A>
 AXIAL_INLINE constexpr auto weight(Revolute, const B& body, const A& a) {
   return body.first_moment.x * a.y - body.first_moment.y * a.x;
 }
+/// Of a prismatic joint.
 template <class B, class A>
 AXIAL_INLINE constexpr auto weight(Prismatic, const B& body, const A& a) {
   return body.mass * a.z;
@@ -47,6 +50,7 @@ AXIAL_INLINE constexpr auto square_force(Revolute, const B& body) {
   const auto& j = body.inertia;
   return ForceVector{Vec3{-j.yz, j.xz, Zero{}}, Vec3{-h.x, -h.y, Zero{}}};
 }
+/// Of a prismatic joint: none.
 template <class B>
 AXIAL_INLINE constexpr auto square_force(Prismatic, const B&) {
   return ForceVector<ZeroVec3, ZeroVec3>{};
@@ -71,6 +75,7 @@ AXIAL_INLINE constexpr auto product_force(Revolute, const Link& link, const B& b
            Zero{}},
       Vec3{link.sum(Force{}, -(w.z * hx)), link.sum(Force{}, -(w.z * hy)), link.sum(Force{}, w.x * hx, w.y * hy)}};
 }
+/// Of a prismatic joint.
 template <class Link, class B, class W>
 AXIAL_INLINE constexpr auto product_force(Prismatic, const Link& link, const B& body, const W& w) {
   using namespace quantity;
@@ -152,6 +157,7 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
   rest_terms(links, in, screws, q, bodies, terms);
 }
 
+/// What Out has room for, at q.
 template <class Out, class S, class T, class Links, class Input, class Q>
 AXIAL_INLINE constexpr Out collected(const Links& links, const Input& in, const Q& q) {
   Out out{};
@@ -176,18 +182,22 @@ template <class S, class T>
 constexpr SeparatedA<S, T> separate_A(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   return separation::collected<SeparatedA<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
+/// B alone.
 template <class S, class T>
 constexpr SeparatedB<S, T> separate_B(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   return separation::collected<SeparatedB<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
+/// C alone.
 template <class S, class T>
 constexpr SeparatedC<S, T> separate_C(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   return separation::collected<SeparatedC<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
+/// G alone.
 template <class S, class T>
 constexpr SeparatedG<S, T> separate_G(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   return separation::collected<SeparatedG<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
+/// All four for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr Separated<M, T> separate(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {}) {
   return separation::collected<Separated<M, T>, M, T>(model.template links<T>(), in, q);

@@ -22,10 +22,11 @@ AXIAL_INLINE constexpr Status answer(const Links& links, const Screws& screws, c
 /// Joint accelerations of one solve as words, each at the exponent of its link.
 template <class Links>
 struct Solved {
-  std::int32_t raw[Links::capacity] = {};
-  int lost = -1;
+  std::int32_t raw[Links::capacity] = {};  ///< one a joint
+  int lost = -1;                           ///< first joint that is near singular or beyond its formats, -1 for none
 };
 
+/// One solve of (tau - bias) / 2^halvings; `room` sees its vectors.
 template <class Links, class Screws, class Structure, class Tau, class Bias>
 AXIAL_INLINE constexpr Solved<Links> solved(const Links& links, const Screws& screws, const Structure& structure,
                                             const Tau& tau, const Bias& bias, int halvings, Headroom& room) {
@@ -69,6 +70,7 @@ AXIAL_INLINE constexpr Status answer_in_ranges(const Links& links, const Screws&
   return status_of<Links>(lost, halvings > 0);
 }
 
+/// The algorithm over any form of links; `bias_links` are those of the bias torque, which may be of base parameters.
 template <class Links, class BiasLinks, class Input, class Q, class V, class Tau, class A>
 AXIAL_INLINE constexpr Status run_split(const Links& links, const BiasLinks& bias_links, const Input& in, const Q& q,
                                         const V& qd, const Tau& tau, A& qdd) {

@@ -13,8 +13,9 @@ namespace axial {
 /// A frame's velocity through the water (angular rad/s, linear m/s at its origin) and gravity (m/s^2), in its axes.
 template <class V, class G>
 struct Immersion {
-  V velocity{};
-  G gravity{};
+  V velocity{};  ///< through the water
+  G gravity{};   ///< in the frame's axes
+  /// The same as plain numbers.
   template <class T>
   AXIAL_INLINE constexpr Immersion<MotionVector<Vec3<T>, Vec3<T>>, Vec3<T>> dense() const {
     return {velocity.template dense<T>(), gravity.template dense<T>()};
@@ -25,6 +26,7 @@ Immersion(V, G) -> Immersion<V, G>;
 
 /// What stands for the immersion of all links where the scene is dry.
 struct Dry {
+  /// dry, whichever link
   template <class I>
   AXIAL_INLINE constexpr Dry operator[](I) const {
     return {};
