@@ -12,8 +12,8 @@ namespace axial::c_interface {
 
 /// Numbers by the names that AXIAL_C_DECLARE takes.
 using as_float = float;
-using as_double = double;
-using as_fixed32 = Fixed32;
+using as_double = double;    ///< AXIAL_C_DECLARE(..., double)
+using as_fixed32 = Fixed32;  ///< AXIAL_C_DECLARE(..., fixed32)
 
 /// What C holds a number T in.
 template <class T>
@@ -23,9 +23,11 @@ constexpr auto c_number() {
   else
     return T{};
 }
+/// What C holds a number T in: of fixed point the word.
 template <class T>
 using CNumber = decltype(c_number<T>());
 
+/// A number as C holds it.
 template <class T>
 constexpr CNumber<T> to_c(const T& x) {
   if constexpr (is_stored_v<T>)
@@ -33,6 +35,7 @@ constexpr CNumber<T> to_c(const T& x) {
   else
     return x;
 }
+/// Joint values of a C array.
 template <class Values, class CValues>
 constexpr Values from_c(const CValues& values) {
   Values result{};
@@ -40,18 +43,21 @@ constexpr Values from_c(const CValues& values) {
     result[i] = {values.of[i]};
   return result;
 }
+/// Joint values into a C array.
 template <class Values, class CValues>
 constexpr void write_c(const Values& values, CValues& result) {
   for (int i = 0; i < Values::size; ++i)
     result.of[i] = to_c(values[i]);
 }
 
+/// with the codes of axial_code
 constexpr axial_status to_c(const Status& status) { return {static_cast<int>(status.code), status.joint}; }
+/// Whether any of the pointers is null.
 template <class... Pointers>
 constexpr bool any_null(const Pointers*... pointers) {
   return (false || ... || (pointers == nullptr));
 }
-inline constexpr axial_status ok{AXIAL_OK, -1}, null_argument{AXIAL_NULL_ARGUMENT, -1};
+inline constexpr axial_status ok{AXIAL_OK, -1}, null_argument{AXIAL_NULL_ARGUMENT, -1};  ///< a status without a joint
 
 /// First joint with a value that is not finite.
 template <class... Values>
@@ -64,14 +70,15 @@ constexpr Status check_finite(int size, const Values&... values) {
 /// The functions of one scene over numbers T. Pointers are not null.
 template <class S, class T>
 struct Calls {
-  using Robot = robot_of<S>;
-  using Q = Positions<Robot, T>;
-  using V = Velocities<Robot, T>;
-  using A = Accelerations<Robot, T>;
-  using Tau = EffortsOf<S, T>;
-  static constexpr int size = joint_count<S>;
+  using Robot = robot_of<S>;                   ///< the robot alone
+  using Q = Positions<Robot, T>;               ///< rad or m
+  using V = Velocities<Robot, T>;              ///< rad/s or m/s
+  using A = Accelerations<Robot, T>;           ///< rad/s^2 or m/s^2
+  using Tau = EffortsOf<S, T>;                 ///< n m or N
+  static constexpr int size = joint_count<S>;  ///< number of joints
 
   // Floating point may be asked beyond the limits; formats of fixed point end there.
+  /// First value that is not finite; in fixed point also the first outside the declared limits.
   static constexpr Status check(const Q& q, const V& qd = {}, const A& qdd = {}) {
     if constexpr (is_stored_v<T>)
       return check_request<S>(q, qd, qdd);
@@ -79,6 +86,7 @@ struct Calls {
       return check_finite(size, q, qd, qdd);
   }
 
+  /// axial::feedforward(): its state in `state`, efforts in `tau` whatever the status.
   template <class CState, class C>
   static axial_status feedforward(CState& state, const C& q, const C& qd, const C& qdd, C& tau) {
     FeedforwardState<S, T> memory{from_c<Tau>(state.last_safe)};
@@ -88,6 +96,7 @@ struct Calls {
     return to_c(result.status);
   }
 
+  /// axial::inverse_dynamics(): `tau` is written where the status is ok.
   template <class C>
   static axial_status inverse_dynamics(const C& c_q, const C& c_qd, const C& c_qdd, C& tau) {
     const auto q = from_c<Q>(c_q);
@@ -98,6 +107,7 @@ struct Calls {
     return to_c(status);
   }
 
+  /// axial::gravity_torque(): `tau` is written where the status is ok.
   template <class C>
   static axial_status gravity(const C& c_q, C& tau) {
     const auto q = from_c<Q>(c_q);
@@ -106,6 +116,7 @@ struct Calls {
     return to_c(status);
   }
 
+  /// axial::forward_dynamics(): `qdd` is written unless an input is refused; the status is the solver's.
   template <class C>
   static axial_status forward_dynamics(const C& c_q, const C& c_qd, const C& c_tau, C& qdd) {
     const auto q = from_c<Q>(c_q);
@@ -119,6 +130,7 @@ struct Calls {
     return to_c(result.status);
   }
 
+  /// axial::mass_matrix(): `matrix` is written where the status is ok.
   template <class C, class CMatrix>
   static axial_status mass_matrix(const C& c_q, CMatrix& matrix) {
     const auto q = from_c<Q>(c_q);
@@ -131,6 +143,7 @@ struct Calls {
     return to_c(status);
   }
 
+  /// axial::forward_kinematics(), the tool alone: `pose` is written where the status is ok.
   template <class C, class CPose>
   static axial_status tool_pose(const C& c_q, CPose& pose) {
     const auto q = from_c<Q>(c_q);

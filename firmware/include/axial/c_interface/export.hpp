@@ -8,9 +8,11 @@ namespace axial::c_interface {
 /// Joints of a struct that AXIAL_C_DECLARE made, and what it holds them in.
 template <class CJoints>
 inline constexpr int declared_joints = sizeof(CJoints{}.of) / sizeof(CJoints{}.of[0]);
+/// What such a struct holds a value in.
 template <class CJoints>
 using DeclaredNumber = std::decay_t<decltype(CJoints{}.of[0])>;
 
+/// Whether a scene has inputs, for which C has no place.
 template <class S, class T>
 inline constexpr bool has_run_time_inputs = !std::is_empty_v<detail::InputsOf<scene_of<S>, T>>;
 

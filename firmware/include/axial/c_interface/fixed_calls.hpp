@@ -8,13 +8,17 @@ namespace axial::c_interface {
 /// Of one scene over words T. Pointers are not null.
 template <class S, class T>
 struct FixedCalls : Calls<S, T> {
-  using Base = Calls<S, T>;
+  using Base = Calls<S, T>;  ///< what floating point has too
+  /// Types of the values, as in Calls.
+  ///@{
   using typename Base::A;
   using typename Base::Q;
   using typename Base::Robot;
   using typename Base::Tau;
   using typename Base::V;
+  ///@}
 
+  /// Exponents of all values, and which joints are revolute.
   template <class CFormats>
   static axial_status get_formats(CFormats& formats) {
     for (int i = 0; i < Base::size; ++i) {
@@ -44,6 +48,7 @@ struct FixedCalls : Calls<S, T> {
     return to_c(request.status);
   }
 
+  /// Efforts as real numbers, N m or N.
   template <class C, class CReal>
   static axial_status efforts_to_real(const C& tau, CReal& real_tau) {
     write_c(to_real<float>(from_c<Tau>(tau)), real_tau);

@@ -10,8 +10,8 @@ namespace axial {
 /// One joint's value after a conversion.
 template <class Value>
 struct ConvertedValue {
-  Value value{};
-  Status status{};
+  Value value{};    ///< in its format
+  Status status{};  ///< names the joint where the value had to be limited
 };
 
 namespace detail {

@@ -9,14 +9,14 @@ namespace axial {
 /// Memory of a feed-forward, owned by the caller; start with `{}`: the first safe output is no effort.
 template <class S, class T>
 struct FeedforwardState {
-  EffortsOf<S, T> last_safe{};
+  EffortsOf<S, T> last_safe{};  ///< n m or N, answered where a request is refused
 };
 
 /// Efforts to apply, and whether the request was met.
 template <class S, class T>
 struct FeedforwardResult {
-  EffortsOf<S, T> tau{};
-  Status status{};
+  EffortsOf<S, T> tau{};  ///< n m or N, within the declared effort limits
+  Status status{};        ///< what was wrong with the request, and with which joint
 };
 
 namespace detail {

@@ -9,12 +9,13 @@ namespace axial {
 /// Largest magnitude of a speed, an acceleration or an effort, raw.
 template <class Word>
 struct RawMost {
-  Word raw{};
+  Word raw{};  ///< at the exponent of the role
   /// -1 where |x| is larger, else 0; a subtraction, which no compiler makes a branch.
   constexpr std::int32_t outside(const Stored<Word>& x) const {
     const std::uint32_t up = static_cast<std::uint32_t>(x.raw) + static_cast<std::uint32_t>(raw);
     return static_cast<std::int32_t>((2 * std::int64_t{raw} - std::int64_t{up}) >> 32);
   }
+  /// Whether |x| is no larger.
   constexpr bool allows(const Stored<Word>& x) const { return x.raw <= raw && x.raw >= -raw; }
   /// x, or the nearer end.
   constexpr Stored<Word> nearest(const Stored<Word>& x) const {
@@ -25,9 +26,9 @@ struct RawMost {
 
 /// Range of a position, raw: for a revolute joint an arc, on which min to max counts upwards and may pass half a turn.
 struct RawReach {
-  std::int32_t min = 0, max = 0;
-  std::uint32_t span = 0;  ///< max - min; all ones where every angle is allowed
-  bool wraps = false;
+  std::int32_t min = 0, max = 0;  ///< ends of the range; angles in 2^-32 turns
+  std::uint32_t span = 0;         ///< max - min; all ones where every angle is allowed
+  bool wraps = false;             ///< whether it is an arc of a circle
 
   /// One comparison for slides and arcs alike: what is below min is beyond any span.
   constexpr bool reaches(const Fixed32& q) const { return beyond(q.raw, min) <= span; }
@@ -49,10 +50,11 @@ struct RawReach {
 /// range of a whole turn or more is no limit in a binary angle.
 template <class S, class Word>
 struct FixedLimits {
+  /// Limits of one joint; the base is those of its position.
   struct Joint : RawReach {
-    RawMost<Word> speed, acceleration, effort;
+    RawMost<Word> speed, acceleration, effort;  ///< in either direction
   };
-  Joint joints[joint_count<S>];
+  Joint joints[joint_count<S>];  ///< from the base outwards
 };
 
 namespace detail {

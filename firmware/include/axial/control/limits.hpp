@@ -34,12 +34,14 @@ constexpr T limit(double value) {
 /// Declared limits of a robot as numbers T.
 template <class Robot, class T>
 struct Limits {
+  /// Limits of one joint.
   struct Joint {
-    T position_min, position_max, speed, acceleration, effort;
+    T position_min, position_max, speed, acceleration, effort;  ///< rad or m, rad/s or m/s, rad/s^2 or m/s^2, N m or N
   };
-  Joint joints[Robot::chain.size];
+  Joint joints[Robot::chain.size];  ///< from the base outwards
 };
 
+/// The limits that a robot's links declare; unlimited ones as the largest number T.
 template <class Robot, class T>
 constexpr Limits<Robot, T> declared_limits() {
   Limits<Robot, T> all{};
@@ -140,10 +142,10 @@ constexpr Status check_request(const Positions<robot_of<S>, T>& q, const Velocit
 /// A desired motion, and what was wrong with it.
 template <class S, class T>
 struct Request {
-  Positions<robot_of<S>, T> q{};
-  Velocities<robot_of<S>, T> qd{};
-  Accelerations<robot_of<S>, T> qdd{};
-  Status status{};
+  Positions<robot_of<S>, T> q{};        ///< rad or m
+  Velocities<robot_of<S>, T> qd{};      ///< rad/s or m/s
+  Accelerations<robot_of<S>, T> qdd{};  ///< rad/s^2 or m/s^2
+  Status status{};                      ///< first joint with which something was wrong, and what
 };
 
 /// The nearest motion within the declared limits, joint by joint and quantity by quantity; the status is that of
@@ -181,6 +183,7 @@ constexpr Status check_payload(const PayloadBody<T>& load) {
   return {within ? Status::Code::ok : Status::Code::payload_limit, -1};
 }
 
+/// The same in fixed point, on raw words in the formats of InputFormats.
 template <class S, class Word>
 constexpr Status check_payload(const PayloadBody<Stored<Word>>& load) {
   return {detail::payload_within<S>(load) ? Status::Code::ok : Status::Code::payload_limit, -1};

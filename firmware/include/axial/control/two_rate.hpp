@@ -9,10 +9,10 @@ namespace axial {
 /// Memory of a two-rate feed-forward, owned by the caller; start with `{}`.
 template <class S, class T>
 struct TwoRateState {
-  Separated<S, T> terms{};
-  Positions<robot_of<S>, T> q{};  ///< where the terms were separated
-  bool ready = false;
-  FeedforwardState<S, T> output{};
+  Separated<S, T> terms{};          ///< as last separated
+  Positions<robot_of<S>, T> q{};    ///< where the terms were separated
+  bool ready = false;               ///< whether they ever were
+  FeedforwardState<S, T> output{};  ///< memory of the efforts
 };
 
 namespace detail {

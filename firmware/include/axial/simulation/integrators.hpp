@@ -8,16 +8,17 @@ namespace axial {
 /// Where an integrator asks for efforts.
 template <class S, class T>
 struct Instant {
-  const Positions<robot_of<S>, T>& q;
-  const Velocities<robot_of<S>, T>& qd;
-  T time;  ///< s since step 0
+  const Positions<robot_of<S>, T>& q;    ///< rad or m
+  const Velocities<robot_of<S>, T>& qd;  ///< rad/s or m/s
+  T time;                                ///< s since step 0
 };
 
 /// Efforts and inputs that do not change during a step: what a controller holds. Without any, the robot moves freely.
 template <class S, class T>
 struct Held {
-  EffortsOf<S, T> tau{};
-  Inputs<S, T> in{};
+  EffortsOf<S, T> tau{};  ///< n m or N
+  Inputs<S, T> in{};      ///< run-time inputs that the scene names
+  /// Fills both at any instant.
   template <class Where>
   constexpr void operator()(const Where&, EffortsOf<S, T>& effort, Inputs<S, T>& input) const {
     effort = tau, input = in;
@@ -56,8 +57,10 @@ constexpr Status first_trouble(const Status& a, const Status& b) { return a.ok()
 /// Semi-implicit (symplectic) Euler: qd' = qd + h a(q, qd), q' = q + h qd'. First order, one evaluation; its energy
 /// error stays bounded where there is no friction.
 struct SemiImplicitEuler {
+  /// order of its error in h, and how often it asks for accelerations
   static constexpr int order = 1, evaluations = 1;
 
+  /// One step of h seconds; `system` answers accelerations. Out: status of forward dynamics.
   template <class System, class X, class T, class Drive>
   static constexpr Status step(const System& system, X& x, T h, const Drive& drive) {
     using S = typename System::Subject;
@@ -79,8 +82,10 @@ struct SemiImplicitEuler {
 
 /// The classical Runge-Kutta method of fourth order, four evaluations.
 struct RungeKutta4 {
+  /// order of its error in h, and how often it asks for accelerations
   static constexpr int order = 4, evaluations = 4;
 
+  /// One step of h seconds; `system` answers accelerations. Out: the first status of the four that was not ok.
   template <class System, class X, class T, class Drive>
   static constexpr Status step(const System& system, X& x, T h, const Drive& drive) {
     using S = typename System::Subject;
@@ -128,8 +133,10 @@ struct RungeKutta4 {
 /// step is too large for springs and dampers (of the linear part it is backward Euler), what it does not resolve it
 /// damps.
 struct LinearlyImplicitEuler {
+  /// order of its error in h, and how often it asks for accelerations
   static constexpr int order = 1, evaluations = 1;
 
+  /// One step of h seconds; `system` answers accelerations. Out: status of forward dynamics.
   template <class System, class X, class T, class Drive>
   static constexpr Status step(const System& system, X& x, T h, const Drive& drive) {
     using S = typename System::Subject;
@@ -167,6 +174,7 @@ constexpr Status advance(X& x, typename X::Scalar h, const Drive& drive) {
   ++x.steps;
   return status;
 }
+/// The same for a run-time model.
 template <class Method, int N, class... F, class X, class Drive>
 constexpr Status advance(const Model<N, F...>& model, X& x, typename X::Scalar h, const Drive& drive) {
   detail::check_fixed_base<Model<N, F...>>();

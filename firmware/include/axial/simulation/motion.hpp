@@ -11,11 +11,11 @@ template <class S, class T>
 struct Motion {
   static_assert(is_number_v<T> && std::numeric_limits<T>::is_iec559,
                 "axial: integrators move float and double; fixed point has no format for what they sum");
-  using Subject = S;
-  using Scalar = T;
-  Positions<robot_of<S>, T> q{};
-  Velocities<robot_of<S>, T> qd{};
-  std::uint64_t steps = 0;
+  using Subject = S;                ///< the robot or scene that moves
+  using Scalar = T;                 ///< float or double
+  Positions<robot_of<S>, T> q{};    ///< rad or m
+  Velocities<robot_of<S>, T> qd{};  ///< rad/s or m/s
+  std::uint64_t steps = 0;          ///< made since time 0
 
   /// Seconds after that many steps of h, rounded twice, however many there were.
   constexpr T time(T h) const { return static_cast<T>(steps) * h; }
@@ -25,8 +25,8 @@ struct Motion {
 /// need to be (Kahan 1965, by the exact sum of two numbers of Knuth 1969).
 template <class S, class T>
 struct CompensatedMotion : Motion<S, T> {
-  Positions<robot_of<S>, T> q_rest{};
-  Velocities<robot_of<S>, T> qd_rest{};
+  Positions<robot_of<S>, T> q_rest{};    ///< rad or m, what q lacks
+  Velocities<robot_of<S>, T> qd_rest{};  ///< rad/s or m/s, what qd lacks
 };
 
 namespace detail {

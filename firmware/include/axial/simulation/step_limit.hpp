@@ -126,6 +126,7 @@ template <class Method, class S, class T, class Stiffness = NoStiffness>
 constexpr T step_limit(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}, const Stiffness& drive = {}) {
   return detail::limit_of(Method{}, detail::stiff_bounds<T>(detail::StaticSystem<S>{}, q, in, drive));
 }
+/// The same for a run-time model.
 template <class Method, int N, class... F, class T, class Stiffness = NoStiffness, class M = Model<N, F...>>
 constexpr T step_limit(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {},
                        const Stiffness& drive = {}) {

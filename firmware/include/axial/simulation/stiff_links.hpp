@@ -10,14 +10,14 @@ namespace axial {
 /// joints, each on its own joint and not negative: a stiff controller, end stops.
 template <class S, class T>
 struct DriveStiffness {
-  Joints<robot_of<S>, T> stiffness{};
-  Joints<robot_of<S>, T> damping{};
+  Joints<robot_of<S>, T> stiffness{};  ///< n m/rad or N/m
+  Joints<robot_of<S>, T> damping{};    ///< n m s/rad or N s/m
 };
 
 /// Drives without any: zero by type.
 struct NoStiffness {
-  NoMotion stiffness{};
-  NoMotion damping{};
+  NoMotion stiffness{};  ///< none
+  NoMotion damping{};    ///< none
 };
 
 namespace detail {
@@ -60,7 +60,9 @@ AXIAL_INLINE constexpr auto friction_slope(const Link& link, const V& qd) {
 template <class Link, class Added>
 class HeavierLink : public Link {
  public:
+  /// `added` in kg m^2 or kg.
   AXIAL_INLINE constexpr HeavierLink(const Link& link, const Added& added) : Link(link), added_(added) {}
+  /// Inertia on the joint: the rotor's and the added.
   AXIAL_INLINE constexpr auto rotor() const { return Link::rotor() + added_; }
 
  private:
@@ -73,10 +75,12 @@ class HeavierLink : public Link {
 template <class Links, class V, class Stiffness>
 class StiffLinks : public Links {
  public:
-  using Scalar = typename Links::Scalar;
+  using Scalar = typename Links::Scalar;  ///< of the links
+  /// For a step of h seconds at the velocities qd; all three are only referred to.
   AXIAL_INLINE constexpr StiffLinks(const Links& links, Scalar h, const V& qd, const Stiffness& drive)
       : Links(links), h_(h), qd_(qd), drive_(drive) {}
 
+  /// Link i with what its springs, dampers and drive add to the inertia of its joint.
   template <class I>
   AXIAL_INLINE constexpr auto link(I i) const {
     auto link = Links::link(i);
