@@ -19,16 +19,19 @@ namespace robots {
 
 /// A joint with the limits of the comparison.
 struct Indy7Joint {
+  /// The limits of the comparison: speed 0.5 rad/s, acceleration 1 rad/s^2, +-position (rad).
   static constexpr axial::Link limited(const axial::Link& link, double position) {
     return link.position_limits(-position, position).speed_limit(0.5).acceleration_limit(1.0);
   }
 };
 
+/// Neuromeka Indy7, six revolute joints.
 struct Indy7 : Indy7Joint {
-  static constexpr const char* name = "indy7";
+  static constexpr const char* name = "indy7";  ///< on the command line, in files and in JSON
 
   // A line a group of values.
   // clang-format off
+  /// Its description; sources and assumptions stand at the top of the file.
   static constexpr auto chain = axial::chain(
       axial::gravity(0.0, 0.0, -9.81), axial::base(0.0, 0.0, 0.2995),
       limited(axial::revolute().a(0.0).alpha_deg(0)

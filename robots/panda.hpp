@@ -19,11 +19,13 @@
 
 namespace robots {
 
+/// Franka Emika Panda (FER), seven revolute joints.
 struct Panda {
-  static constexpr const char* name = "panda";
+  static constexpr const char* name = "panda";  ///< on the command line, in files and in JSON
 
   // A line a group of values.
   // clang-format off
+  /// Its description; sources and assumptions stand at the top of the file.
   static constexpr auto chain = axial::chain(
       axial::gravity(0.0, 0.0, -9.81), axial::payload_limit(3.0, 0.25, 0.05),
       axial::revolute().a(0.0).alpha_deg(0).d(0.333)

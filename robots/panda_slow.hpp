@@ -6,6 +6,7 @@
 
 namespace robots {
 
+/// A chain with other limits of speed (rad/s, m/s) and acceleration (rad/s^2, m/s^2), the same for all joints.
 template <int N>
 constexpr axial::Chain<N> limited(axial::Chain<N> chain, double speed, double acceleration) {
   for (auto& link : chain.links)
@@ -13,9 +14,10 @@ constexpr axial::Chain<N> limited(axial::Chain<N> chain, double speed, double ac
   return chain;
 }
 
+/// The Panda at +-0.5 rad/s and +-1 rad/s^2.
 struct PandaSlow {
-  static constexpr const char* name = "panda_slow";
-  static constexpr auto chain = limited(Panda::chain, 0.5, 1.0);
+  static constexpr const char* name = "panda_slow";               ///< on the command line, in files and in JSON
+  static constexpr auto chain = limited(Panda::chain, 0.5, 1.0);  ///< panda::chain but for the limits
 };
 
 }  // namespace robots

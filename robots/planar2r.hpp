@@ -11,14 +11,16 @@
 
 namespace robots {
 
+/// Craig's planar arm of two links, point masses at their ends.
 struct Planar2r {
-  static constexpr const char* name = "planar2r";
+  static constexpr const char* name = "planar2r";  ///< on the command line, in files and in JSON
 
-  static constexpr double l1 = 0.5, l2 = 0.75;  // m
-  static constexpr double m1 = 4.6, m2 = 2.3;   // kg, at the ends
+  static constexpr double l1 = 0.5, l2 = 0.75;  ///< m, lengths of the links
+  static constexpr double m1 = 4.6, m2 = 2.3;   ///< kg, at the ends
 
   // A line a group of values.
   // clang-format off
+  /// Its description; sources and assumptions stand at the top of the file.
   static constexpr auto chain = axial::chain(
       axial::gravity(0.0, -9.81, 0.0), axial::payload_limit(2.0, 0.25, 0.05),
       axial::revolute().mass(m1).com(l1, 0.0, 0.0)

@@ -18,7 +18,7 @@ namespace robots {
 
 /// Puma 560's drives: rotor and friction on the motor side, carried to the joint.
 struct Puma560Drives {
-  static constexpr double deg = 3.14159265358979323846 / 180.0;
+  static constexpr double deg = 3.14159265358979323846 / 180.0;  ///< rad in a degree
 
   /// Rotor in kg m^2; friction: viscous N m s/rad times gear^2, Coulomb N m (forward, backward) times |gear|.
   static constexpr axial::Link drive(const axial::Link& link, double rotor, double gear, double viscous, double forward,
@@ -28,11 +28,13 @@ struct Puma560Drives {
   }
 };
 
+/// Unimation Puma 560, six revolute joints.
 struct Puma560 : Puma560Drives {
-  static constexpr const char* name = "puma560";
+  static constexpr const char* name = "puma560";  ///< on the command line, in files and in JSON
 
   // A line a group of values.
   // clang-format off
+  /// Its description; sources and assumptions stand at the top of the file.
   static constexpr auto chain = axial::chain(
       axial::gravity(0.0, 0.0, -9.81), axial::payload_limit(2.5, 0.25, 0.05),
       drive(

@@ -18,11 +18,11 @@ namespace robots {
 
 /// The elbow in the description's frame of the upper arm.
 struct RoarmM2Elbow {
-  static constexpr double x = 0.236815132922094, y = 0.0300023995170449;  // m
-  static constexpr double distance = 0.23870808775089591;                 // m, of (x, y)
-  static constexpr double angle = 0.12601985357069536;                    // rad, from x towards y
-  static constexpr double less_a_quarter = -1.4447764732242013;           // angle - pi/2
-  static constexpr double c = x / distance, s = y / distance;
+  static constexpr double x = 0.236815132922094, y = 0.0300023995170449;  ///< m
+  static constexpr double distance = 0.23870808775089591;                 ///< m, of (x, y)
+  static constexpr double angle = 0.12601985357069536;                    ///< rad, from x towards y
+  static constexpr double less_a_quarter = -1.4447764732242013;           ///< angle - pi/2
+  static constexpr double c = x / distance, s = y / distance;             ///< cosine and sine of `angle`
 
   /// Centre of mass on the description's x axis, inertia about its axes, kg m^2: in axes turned by `angle`.
   static constexpr axial::Link turned(const axial::Link& link, double com, double xx, double yy, double zz) {
@@ -35,11 +35,13 @@ struct RoarmM2Elbow {
   }
 };
 
+/// Waveshare RoArm-M2, four revolute joints.
 struct RoarmM2 : RoarmM2Elbow {
-  static constexpr const char* name = "roarm_m2";
+  static constexpr const char* name = "roarm_m2";  ///< on the command line, in files and in JSON
 
   // A line a group of values.
   // clang-format off
+  /// Its description; sources and assumptions stand at the top of the file.
   static constexpr auto chain = axial::chain(
       axial::gravity(0.0, 0.0, -9.81), axial::base(0.0100000008759151, 0.0, 0.123059270461044),
       limited(axial::revolute().a(0.0).alpha_deg(0)

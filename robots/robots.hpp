@@ -17,17 +17,18 @@ namespace robots {
 /// A robot as a value, for generic lambdas: [](auto robot) { using R = typename decltype(robot)::Robot; ... }.
 template <class R>
 struct Named {
-  using Robot = R;
-  static constexpr const char* name = R::name;
+  using Robot = R;                              ///< its type
+  static constexpr const char* name = R::name;  ///< on the command line, in files and in JSON
 };
 
 /// Name of a robot on the command line, in file names and in JSON.
 template <class R>
 inline constexpr const char* name = R::name;
 
+/// Robots as a list of types.
 template <class... Rs>
 struct List {
-  static constexpr int size = sizeof...(Rs);
+  static constexpr int size = sizeof...(Rs);  ///< number of robots
 
   /// Calls visit(Named<R>{}) for every robot, in order.
   template <class Visit>
@@ -43,11 +44,13 @@ using Trees = List<TwoArm, Torso>;
 /// Serial arms on which others published bounds of fixed-point errors, at the limits of that comparison.
 using Published = List<Indy7, RoarmM2, PandaSlow>;
 
+/// Calls visit(Named<R>{}) for every robot of All, in order.
 template <class Visit>
 constexpr void for_each(Visit&& visit) {
   All::for_each(visit);
 }
 
+/// Whether two texts are equal.
 constexpr bool same_name(const char* left, const char* right) {
   while (*left != '\0' && *left == *right)
     ++left, ++right;

@@ -11,17 +11,20 @@
 
 namespace robots {
 
+/// SCARA of two revolute joints and a slide, without a tool axis.
 struct Scara {
-  static constexpr const char* name = "scara";
+  static constexpr const char* name = "scara";  ///< on the command line, in files and in JSON
 
-  static constexpr double a1 = 0.375, a2 = 0.3125, length3 = 0.25;  // m
-  static constexpr double m1 = 4.0, m2 = 2.5, m3 = 1.25;            // kg
+  static constexpr double a1 = 0.375, a2 = 0.3125, length3 = 0.25;  ///< m, lengths of the links
+  static constexpr double m1 = 4.0, m2 = 2.5, m3 = 1.25;            ///< kg, their masses
 
   // Slender rods about their centres of mass, across their length: m l^2 / 12, kg m^2.
+  /// kg m^2, slender rods about their centres of mass, across their length: m l^2 / 12
   static constexpr double rod1 = m1 * a1 * a1 / 12.0, rod2 = m2 * a2 * a2 / 12.0, rod3 = m3 * length3 * length3 / 12.0;
 
   // A line a group of values.
   // clang-format off
+  /// Its description; sources and assumptions stand at the top of the file.
   static constexpr auto chain = axial::chain(
       axial::gravity(0.0, 0.0, -9.8125), axial::payload_limit(2.0, 0.25, 0.05),
       axial::revolute().a(0.0).alpha_deg(0).d(0.5)

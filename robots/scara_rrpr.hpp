@@ -9,14 +9,16 @@
 
 namespace robots {
 
+/// Industrial SCARA, RRPR: three revolute joints and a quill.
 struct ScaraRrpr {
-  static constexpr const char* name = "scara_rrpr";
+  static constexpr const char* name = "scara_rrpr";  ///< on the command line, in files and in JSON
 
   /// Motor turns (rad) per metre of a ball screw with a lead of 20 mm.
   static constexpr double screw = 2.0 * 3.14159265358979323846 / 0.020;
 
   // A line a group of values.
   // clang-format off
+  /// Its description; sources and assumptions stand at the top of the file.
   static constexpr auto chain = axial::chain(
       axial::gravity(0.0, 0.0, -9.81), axial::payload_limit(5.0, 0.25, 0.05),
       axial::revolute().a(0.0).alpha_deg(0).d(0.320)

@@ -12,18 +12,21 @@ namespace robots {
 struct TwoArmLinks {
   // A line a group of values.
   // clang-format off
+  /// First link of an arm, on the torso.
   static constexpr axial::Link shoulder(double side) {
     return axial::revolute().parent(0).branch_deg(75.0 * side, 0.480).a(0.270).alpha_deg(0).theta_deg(-30.0 * side)
         .mass(4.6).com(0.052, 0.004 * side, 0.061).inertia_com(0.018, 0.020, 0.013, 0.0, -0.002, 0.0)
         .rotor_inertia(2.4e-5, 100.0).viscous(2.0).coulomb(1.8)
         .position_limits(-1.6, 1.6).speed_limit(2.5).acceleration_limit(12.0).effort_limit(120.0);
   }
+  /// Second link of an arm.
   static constexpr axial::Link upper_arm(double side) {
     return axial::revolute().a(0.070).alpha_deg(-90)
         .mass(4.1).com(0.171, -0.006, 0.009 * side).inertia_com(0.008, 0.047, 0.046, 0.001, 0.0, 0.0)
         .rotor_inertia(2.4e-5, 100.0).viscous(2.0).coulomb(1.8)
         .position_limits(-2.0, 1.0).speed_limit(2.5).acceleration_limit(12.0).effort_limit(120.0);
   }
+  /// Third link of an arm.
   static constexpr axial::Link forearm() {
     return axial::revolute().a(0.370)
         .mass(2.3).com(0.148, 0.0, 0.012).inertia_com(0.003, 0.024, 0.024, 0.0, 0.0004, 0.0)
@@ -33,10 +36,12 @@ struct TwoArmLinks {
   // clang-format on
 };
 
+/// A torso that turns, with two arms of three joints: a tree of seven joints.
 struct TwoArm : TwoArmLinks {
-  static constexpr const char* name = "two_arm";
+  static constexpr const char* name = "two_arm";  ///< on the command line, in files and in JSON
 
   // clang-format off
+  /// Its description; sources and assumptions stand at the top of the file.
   static constexpr auto chain = axial::chain(
       axial::gravity(0.0, 0.0, -9.81), axial::payload_limit(3.0, 0.20, 0.03),
       axial::revolute().d(0.350)                                                          // 0: torso, about the vertical
