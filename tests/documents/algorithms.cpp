@@ -1,7 +1,8 @@
-// doc/counts.md, doc/scenes.md, doc/separation.md, doc/simulation.md: lines in a control loop.
+// doc/choosing.md, doc/counts.md, doc/scenes.md, doc/separation.md, doc/simulation.md: lines in a control loop.
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
 #include <axial/cost.hpp>
+#include <axial/error_bound.hpp>
 #include <axial/simulation/integrators.hpp>
 #include <axial/simulation/step_limit.hpp>
 #include <cmath>
@@ -16,6 +17,20 @@ constexpr axial::Joints<Robot, float> q{0.1F, -0.4F, 0.3F, 0.2F, 0.5F, -0.6F}, q
 TEST(Counts, AreConstants) {
   using MyScene = Robot;
 #include "counts-1.inc"
+}
+
+TEST(Choosing, EveryFormIsTheSameTorque) {
+#include "choosing-1.inc"
+#include "choosing-2.inc"
+  axial::Inputs<Known, float> in;
+  for (int i = 0; i < 6; ++i)
+    in.turns[i] = {std::sin(q[i]), std::cos(q[i])};
+  const auto plain = axial::inverse_dynamics<Plain>(q, qd, qdd), small = axial::inverse_dynamics<Small>(q, qd, qdd),
+             known = axial::inverse_dynamics<Known>(q, qd, qdd, in);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_NEAR(small[i], plain[i], 1e-4F);
+    EXPECT_NEAR(known[i], plain[i], 1e-4F);
+  }
 }
 
 TEST(Scenes, PayloadIsAnInput) {

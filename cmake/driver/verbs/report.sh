@@ -130,6 +130,7 @@ write_work_precision() {
   mv "$doc"/data/work_precision*.{png,svg} "$doc/pictures/"
   mv "$doc/data/work_precision.html" "$doc/"
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/work_precision_tables.py" "$doc/data" "$doc/work_precision.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/choice_tables.py" "$doc/data" "$doc/choosing.md"
 }
 
 # The main job of every robot and board, as many at once as there are processors.

@@ -1,0 +1,48 @@
+"""Writes the tables of doc/choosing.md: the cheapest kernels inside an error, on every board.
+
+usage: choice_tables.py DATA_FOLDER DOCUMENT.md
+"""
+
+import pathlib
+import sys
+
+from number_systems import NAMES
+from tables import fill, grouped, load, markdown
+
+ERRORS = (1e-2, 1e-4, 1e-6, 1e-7)
+ROBOT = "puma560"
+
+
+def cheapest(rows, error):
+    """Of these, the one with the least work inside an error, or None."""
+    return min((row for row in rows if row["error"] <= error), key=lambda row: (row["work"], row["error"]), default=None)
+
+
+def cell(row):
+    if row is None:
+        return "none"
+    kernel = "" if row["subject"] == row["job"] else row["subject"].replace("_", " ") + ", "
+    variant = "" if row["variant"] == "unrolled" else ", " + row["variant"]
+    return f"{kernel}{NAMES[row['scalar']]}{variant}: {grouped(row['work'])}"
+
+
+def choices(rows, job, unit):
+    """A line a board: what is cheapest inside each error."""
+    here = [row for row in rows if (row.get("job"), row["robot"], row["unit_of_work"]) == (job, ROBOT, unit)]
+    boards = sorted({row["board"] for row in here})
+    lines = [[board] + [cell(cheapest([row for row in here if row["board"] == board], error)) for error in ERRORS] for board in boards]
+    return markdown(["board"] + [f"error at most {error:.0e}" for error in ERRORS], lines)
+
+
+def main(folder, document):
+    rows = load(pathlib.Path(folder) / "work_precision.json")
+
+    def table(name):
+        job, unit = name.rsplit("_in_", 1)
+        return choices(rows, job, unit)
+
+    fill(document, table)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
