@@ -26,7 +26,7 @@ run() {
     esac
     shift
   done
-  ensure_packages
+  ensure_packages python3-scipy # ./axial identify
   if $quick; then
     test_preset host-debug --no-tests=error "${select[@]}" --label-exclude target
   else

@@ -1,0 +1,29 @@
+# shellcheck shell=bash
+# summary: motions to record for ./axial identify: Fourier series inside the robot's limits
+
+readonly IDENTIFICATION_PACKAGES=(python3-scipy) # filters, decompositions, optimisation
+
+usage() {
+  cat <<'END_OF_USAGE'
+usage: ./axial excite --robot ROBOT [options]
+Installs and builds what is missing (python3-scipy, the first time). Optimises Fourier series for the condition number of the regressor,
+inside the limits of position, speed, acceleration and, by the robot's own parameters, torque; at rest at both ends. Writes set-points
+(time, q, qd, qdd), which ./axial demo --trajectory takes too, and a picture. The same options give the same motion (doc/identification.md).
+  --robot ROBOT       a name of robots/README.md, or a Denavit-Hartenberg table (.json, host_sim/description)
+  -o FILE.csv         default excitation.csv
+  --duration S        of the motion, one period; default 10
+  --rate HZ           of the set-points; default 1000
+  --harmonics N       default 8
+  --rounds N          of the optimisation; default 20; 0: the best of 60 random motions
+  --seed N            another motion; default 1
+  --json FILE         peaks over limits and condition numbers, an array of objects
+END_OF_USAGE
+}
+
+run() {
+  ensure_packages "${IDENTIFICATION_PACKAGES[@]}"
+  build host-release robot_regressor
+  # Matrices here are small: threads of the linear algebra would only wait for each other.
+  OPENBLAS_NUM_THREADS=1 /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/identification/excite.py" \
+    --program "$AXIAL_ROOT/build/host-release/host_sim/identification/robot_regressor" "$@"
+}

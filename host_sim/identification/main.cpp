@@ -1,0 +1,112 @@
+// robot_regressor: what identify.py and excite.py ask of the library: a robot's parameters, limits, regressor, header.
+#include <host_sim/description/header.hpp>
+#include <host_sim/description/table.hpp>
+#include <host_sim/identification/regressor.hpp>
+#include <host_sim/identification/robot_file.hpp>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+
+namespace {
+
+using namespace host_sim::identification;
+
+nlohmann::json limit(double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); }
+
+nlohmann::json joint(const axial::LinkParameters& link) {
+  return {{"prismatic", link.type == axial::JointType::prismatic},
+          {"position_min", limit(link.position_min)},
+          {"position_max", limit(link.position_max)},
+          {"speed", limit(link.speed_limit)},
+          {"acceleration", limit(link.acceleration_limit)},
+          {"effort", limit(link.effort_limit)},
+          {"parameters", to_parameters(link)}};
+}
+
+void describe(const description::Description& robot) {
+  nlohmann::json joints = nlohmann::json::array();
+  for (const description::Link& link : robot.links)
+    joints.push_back(joint(link.parameters));
+  const nlohmann::json all = {{"name", robot.name}, {"parameters", parameter_names}, {"joints", joints}};
+  std::printf("%s\n", all.dump().c_str());
+}
+
+template <class T>
+bool read(T* values, std::size_t count) {
+  return std::fread(values, sizeof(T), count, stdin) == count;
+}
+
+// A request: a count, then so many states q, qd, qdd. The answer: [Y, known] of each.
+void answer(const description::Description& robot) {
+  const Regressor regressor(robot);
+  const auto n = static_cast<std::size_t>(regressor.joints());
+  const std::size_t width = n * (static_cast<std::size_t>(regressor.columns()) + 1);
+  for (std::int64_t count = 0; read(&count, 1);) {
+    std::vector<double> states(static_cast<std::size_t>(count) * 3 * n), rows(static_cast<std::size_t>(count) * width);
+    if (!read(states.data(), states.size())) throw std::runtime_error("a request ends early");
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+      const double* state = states.data() + i * 3 * n;
+      regressor.evaluate(state, state + n, state + 2 * n, rows.data() + i * width);
+    }
+    std::fwrite(rows.data(), sizeof(double), rows.size(), stdout);
+    std::fflush(stdout);
+  }
+}
+
+// `values`: a JSON file of "name", "source", "parameters" (all links'), "notes", "figures".
+void write_header(description::Description robot, const std::string& values, const std::string& path) {
+  const auto json = nlohmann::json::parse(description::read_text(values));
+  const auto parameters = json.at("parameters").get<std::vector<double>>();
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    Parameters own{};
+    for (std::size_t p = 0; p < own.size(); ++p)
+      own[p] = parameters.at(i * own.size() + p);
+    robot.links[i].parameters = with_parameters(robot.links[i].parameters, own);
+  }
+  robot.name = json.at("name").get<std::string>();
+  robot.source += json.at("source").get<std::string>();
+  for (const auto& note : json.at("notes"))
+    robot.notes.push_back(note.get<std::string>());
+  description::write_header(path, robot, json.at("figures").get<std::vector<std::string>>());
+}
+
+int run(int count, char** arguments) {
+  std::string robot, values, path;
+  CLI::App app("a robot's parameters, limits and regressor, for identify.py and excite.py", "robot_regressor");
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.add_option("--robot", robot, "name as in robots/README.md, or a table (.json)")->required();
+  app.add_subcommand("describe", "name, limits and standard parameters as JSON")->callback([&] {
+    describe(find_robot(robot));
+  });
+  app.add_subcommand("answer", "regressors of the states that come in on standard input, in binary")->callback([&] {
+    answer(find_robot(robot));
+  });
+  CLI::App* header = app.add_subcommand("header", "writes the header of the robot with other parameters");
+  header->add_option("--values", values, "JSON: name, source, parameters, notes, figures")->required();
+  header->add_option("-o", path, "the header")->required();
+  header->callback([&] { write_header(find_robot(robot), values, path); });
+  try {
+    app.parse(count, arguments);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    return run(count, arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}

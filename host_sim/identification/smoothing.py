@@ -1,0 +1,86 @@
+"""Zero-phase smoothing and differentiation of a recording, and the same smoothing of its regressor.
+
+A Butterworth low-pass of order 4, forward and backward (no phase; attenuation 1 / (1 + (f/cutoff)^8)), on q and on the measured qd;
+derivatives by the central difference that is exact for polynomials of degree 8 (a Savitzky-Golay filter of nine points). Torque and every
+column of the regressor pass the same low-pass ("parallel filtering", M. Gautier, IEEE ICRA 1997), so that friction's jumps and harmonics of
+the motion are weakened alike on both sides; then rows are thinned to about twice the cut-off, where they are nearly independent.
+"""
+
+import dataclasses
+
+import numpy as np
+import scipy.signal
+
+ORDER = 4
+DEFAULT_CUTOFF = 10.0  # Hz
+SETTLING = 2.0  # cut-off periods that are dropped at either end
+SLOW = 0.01  # of a joint's greatest speed: below, friction's direction is not known and the joint's row is left out
+
+
+@dataclasses.dataclass
+class Motion:
+    q: np.ndarray
+    qd: np.ndarray
+    qdd: np.ndarray
+
+
+class Smoother:
+    """cutoff: Hz; None: 10 Hz, or less where the rate is low; 0: no smoothing."""
+
+    def __init__(self, rate, cutoff=None):
+        if cutoff is None:
+            cutoff = min(DEFAULT_CUTOFF, 0.1 * rate)
+        if cutoff and not 0.0 < cutoff < 0.5 * rate:
+            raise ValueError(f"--cutoff {cutoff:g}: between 0 and {0.5 * rate:g} Hz, half the log's rate")
+        self.rate, self.cutoff = rate, cutoff
+        self.sections = scipy.signal.butter(ORDER, cutoff, fs=rate, output="sos") if cutoff else None
+
+    def low_pass(self, values):
+        return values if self.sections is None else scipy.signal.sosfiltfilt(self.sections, values, axis=0)
+
+    def derivative(self, values, order=1):
+        return scipy.signal.savgol_filter(values, 9, 8, deriv=order, delta=1.0 / self.rate, axis=0)
+
+    def motion(self, recording):
+        q = self.low_pass(recording.q)
+        if recording.qd is None:
+            return Motion(q, self.derivative(q), self.derivative(q, 2))
+        qd = self.low_pass(recording.qd)
+        return Motion(q, qd, self.derivative(qd))
+
+    def kept(self, rows):
+        """Which rows stay after thinning."""
+        edge = max(8, int(np.ceil(SETTLING * self.rate / self.cutoff)) if self.cutoff else 0)
+        step = max(1, int(self.rate / (2 * self.cutoff))) if self.cutoff else 1
+        return np.arange(edge, rows - edge, step)
+
+
+@dataclasses.dataclass
+class Equations:
+    """tau = regressor @ standard parameters; [instant, joint, ...] throughout; `valid` where a row counts."""
+
+    time: np.ndarray
+    regressor: np.ndarray
+    tau: np.ndarray
+    valid: np.ndarray
+
+    def of_joint(self, joint):
+        valid = self.valid[:, joint]
+        return self.regressor[valid, joint], self.tau[valid, joint]
+
+
+def equations(robot, recording, columns, known, cutoff=None):
+    """The linear equations of a recording in the standard parameters `columns`; those in `known` are as the prior has them."""
+    smoother = Smoother(1.0 / recording.step, cutoff)
+    motion, kept = smoother.motion(recording), smoother.kept(len(recording.time))
+    if len(kept) < 10:
+        raise ValueError(f"the log is too short: of {len(recording.time)} rows {len(kept)} are left after smoothing; record longer")
+    regressor, tau = _linear(robot, motion, recording.tau, columns, known)
+    valid = np.abs(motion.qd) > SLOW * np.abs(motion.qd).max(axis=0)
+    return Equations(recording.time[kept], smoother.low_pass(regressor)[kept], smoother.low_pass(tau)[kept], valid[kept]), smoother
+
+
+def _linear(robot, motion, tau, columns, known):
+    regressor, torque = robot.regressor(motion.q, motion.qd, motion.qdd, np.concatenate([columns, known]))
+    torque = torque + regressor[:, :, len(columns):] @ robot.prior[known]
+    return np.ascontiguousarray(regressor[:, :, :len(columns)]), tau - torque

@@ -1,0 +1,187 @@
+// simulated_log: the log that an altered arm would leave, by Orocos KDL and the oracle's friction, and its parameters.
+// Nothing of the library's dynamics is used. The truth is written as the standard parameters of each link: m, m c,
+// inertia about the origin (xx yy zz xy xz yz), gear^2 J, viscous, Coulomb forward and backward.
+#include <host_sim/trajectory/files.hpp>
+#include <oracle/from_axial.hpp>
+#include <oracle/kdl_chain.hpp>
+#include <robots/robots.hpp>
+
+#include <CLI/CLI.hpp>
+#include <Eigen/Dense>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <random>
+#include <stdexcept>
+
+namespace {
+
+using Link = oracle::Link<double>;
+using Chain = oracle::Chain<double>;
+using Random = std::mt19937_64;
+
+struct Options {
+  std::string robot, motion, log, truth;
+  unsigned seed = 0;
+  double spread = 0.3;  ///< of the alterations, a share
+  double counts = 0.0;  ///< of an encoder a turn or, on a slide, a metre; 0: exact
+  double noise = 0.0;   ///< of torque, standard deviation over the joint's RMS
+};
+
+Eigen::Matrix3d matrix(const oracle::Mat3<double>& m) {
+  Eigen::Matrix3d result;
+  result << m.c0.x, m.c1.x, m.c2.x, m.c0.y, m.c1.y, m.c2.y, m.c0.z, m.c1.z, m.c2.z;
+  return result;
+}
+Eigen::Vector3d vector(const oracle::Vec3<double>& v) { return {v.x, v.y, v.z}; }
+
+// Bodies that matter has: a published set of parameters need not be one, and point masses are at the border of it.
+void make_consistent(Link& link) {
+  link.mass = std::max(link.mass, 0.5);
+  const Eigen::Matrix3d inertia = matrix(link.inertia);
+  const Eigen::Matrix3d second = 0.5 * inertia.trace() * Eigen::Matrix3d::Identity() - inertia;
+  const double least = second.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff();
+  const double missing = 2.0 * std::max(0.0, link.mass * 4e-4 - least);
+  link.inertia.c0.x += missing, link.inertia.c1.y += missing, link.inertia.c2.z += missing;
+}
+
+// Every figure off by up to `spread`; drives that declare nothing get a rotor and friction.
+void alter(Link& link, double effort, double speed, double spread, Random& random) {
+  std::uniform_real_distribution<double> uniform(1.0 - spread, 1.0 + spread);
+  make_consistent(link);
+  link.mass *= uniform(random);
+  for (double* c : {&link.com.x, &link.com.y, &link.com.z})
+    *c *= uniform(random);
+  const double inertia = uniform(random);
+  for (auto* column : {&link.inertia.c0, &link.inertia.c1, &link.inertia.c2})
+    column->x *= inertia, column->y *= inertia, column->z *= inertia;
+  if (!(link.rotor_inertia > 0.0)) link.gear = 1.0, link.rotor_inertia = 0.01 * effort / speed;
+  link.rotor_inertia *= uniform(random);
+  link.viscous = (link.viscous > 0.0 ? link.viscous : 0.02 * effort / speed) * uniform(random);
+  link.coulomb_forward = (link.coulomb_forward > 0.0 ? link.coulomb_forward : 0.02 * effort) * uniform(random);
+  link.coulomb_backward = (link.coulomb_backward < 0.0 ? link.coulomb_backward : -0.02 * effort) * uniform(random);
+}
+
+nlohmann::json parameters(const Link& link) {
+  const Eigen::Vector3d c = vector(link.com), first = link.mass * c;
+  const Eigen::Matrix3d I =
+      matrix(link.inertia) + link.mass * (c.dot(c) * Eigen::Matrix3d::Identity() - c * c.transpose());
+  return {link.mass,
+          first[0],
+          first[1],
+          first[2],
+          I(0, 0),
+          I(1, 1),
+          I(2, 2),
+          I(0, 1),
+          I(0, 2),
+          I(1, 2),
+          link.gear * link.gear * link.rotor_inertia,
+          link.viscous,
+          link.coulomb_forward,
+          link.coulomb_backward};
+}
+
+struct Arm {
+  Chain chain;
+  int joints() const { return chain.size(); }
+};
+
+Arm altered_arm(const Options& options) {
+  Arm arm;
+  Random random(options.seed);
+  const bool found = robots::visit_named(options.robot.c_str(), [&](auto robot) {
+    using Robot = typename decltype(robot)::Robot;
+    arm.chain = oracle::of_robot<double, Robot>();
+    for (int i = 0; i < arm.joints(); ++i)
+      alter(arm.chain.links[static_cast<std::size_t>(i)], Robot::chain.links[i].effort_limit,
+            Robot::chain.links[i].speed_limit, options.spread, random);
+  });
+  if (!found) throw std::runtime_error("unknown robot '" + options.robot + "'");
+  return arm;
+}
+
+std::vector<oracle::Vector<double>> torques(const Arm& arm, const host_sim::Trajectory& motion) {
+  const oracle::KdlChain kdl(arm.chain);
+  std::vector<oracle::Vector<double>> result;
+  for (const host_sim::SetPoint& point : motion) {
+    result.push_back(kdl.inverse_dynamics(point.q, point.qd, point.qdd));
+    const auto friction = oracle::friction_torque(arm.chain, point.qd);
+    for (std::size_t i = 0; i < friction.size(); ++i)
+      result.back()[i] += friction[i];
+  }
+  return result;
+}
+
+void add_noise(std::vector<oracle::Vector<double>>& torque, double share, Random& random) {
+  for (std::size_t i = 0; i < torque.front().size(); ++i) {
+    double sum = 0.0;
+    for (const auto& row : torque)
+      sum += row[i] * row[i];
+    std::normal_distribution<double> noise(0.0, share * std::sqrt(sum / static_cast<double>(torque.size())));
+    for (auto& row : torque)
+      row[i] += noise(random);
+  }
+}
+
+double encoder(const Link& link, double q, double counts) {
+  if (!(counts > 0.0)) return q;
+  const double step = (link.type == oracle::Joint::revolute ? 2.0 * std::acos(-1.0) : 1.0) / counts;
+  return step * std::round(q / step);
+}
+
+void write_log(const Options& options, const Arm& arm, const host_sim::Trajectory& motion) {
+  Random random(options.seed + 1);
+  auto torque = torques(arm, motion);
+  if (options.noise > 0.0) add_noise(torque, options.noise, random);
+  std::ofstream file(options.log);
+  file.precision(17);
+  file << "time";
+  for (const char* name : {"q", "tau"})
+    for (int i = 1; i <= arm.joints(); ++i)
+      file << ',' << name << i;
+  file << '\n';
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    file << motion[k].time;
+    for (int i = 0; i < arm.joints(); ++i)
+      file << ',' << encoder(arm.chain[i], motion[k].q[static_cast<std::size_t>(i)], options.counts);
+    for (const double value : torque[k])
+      file << ',' << value;
+    file << '\n';
+  }
+}
+
+void run(const Options& options) {
+  const Arm arm = altered_arm(options);
+  write_log(options, arm, host_sim::read_set_points(options.motion, arm.joints()));
+  nlohmann::json truth;
+  for (const Link& link : arm.chain.links)
+    for (const auto& value : parameters(link))
+      truth.push_back(value);
+  std::ofstream(options.truth) << truth.dump() << '\n';
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  Options options;
+  CLI::App app("the log of an altered arm by Orocos KDL, and its standard parameters", "simulated_log");
+  app.add_option("--robot", options.robot)->required();
+  app.add_option("--motion", options.motion, "set-points: time, q, qd, qdd")->required();
+  app.add_option("--log", options.log)->required();
+  app.add_option("--truth", options.truth)->required();
+  app.add_option("--seed", options.seed);
+  app.add_option("--spread", options.spread, "of the alterations, a share");
+  app.add_option("--counts", options.counts, "of an encoder a turn or a metre; 0: exact");
+  app.add_option("--noise", options.noise, "of torque, over the joint's RMS");
+  CLI11_PARSE(app, count, arguments);
+  try {
+    run(options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "simulated_log: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
