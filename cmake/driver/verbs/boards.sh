@@ -4,11 +4,11 @@
 usage() {
   cat <<'END'
 usage: ./axial boards [options]
-Lists every board of hal/boards: CPU, memory, the machine of QEMU that runs it, which tests every check runs there, how many rows of doc/data
-were measured there, and whether it ran on silicon. Builds and runs nothing.
+Lists every board of hal/boards: CPU, memory, the machine of QEMU that runs it, which tests every check runs there, which figures of
+doc/data were measured there, and whether it ran on silicon. Builds and runs nothing.
   --json FILE         the rows as an array of objects
   --documents         also writes the table of doc/boards.md
-  --check             instead: ends with 1 where that table is out of date
+  --check             instead: ends with 1 where that table says what is not so, or leaves a board out
 END
 }
 
