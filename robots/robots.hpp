@@ -14,7 +14,7 @@
 
 namespace robots {
 
-/// A robot as a value, for generic lambdas: [](auto robot) { using R = typename decltype(robot)::Robot; ... }.
+/// A robot as a value, for generic lambdas: the type is member `Robot` of decltype(robot).
 template <class R>
 struct Named {
   using Robot = R;                              ///< its type

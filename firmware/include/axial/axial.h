@@ -1,4 +1,5 @@
-/* The plain C interface of a robot: C99, no name mangling, nothing allocated, state in the caller's hands.
+/** \file
+ * The plain C interface of a robot: C99, no name mangling, nothing allocated, state in the caller's hands.
  * A header declares it:        AXIAL_C_DECLARE(my_arm, 6, float);                in C and in C++
  * one C++ source defines it:   AXIAL_C_EXPORT(my_arm, robots::MyArm, float)      <axial/c_interface/export.hpp>
  * doc/embedding.md has both files whole. */
@@ -7,6 +8,7 @@
 
 #include <stdint.h>
 
+/** Before every function that a header declares: it has C's name in C++ too. */
 #ifdef __cplusplus
 #define AXIAL_C_FUNCTION extern "C"
 #else
@@ -33,7 +35,8 @@ typedef enum {
 /** `code` is an axial_code (an int, whatever size a compiler gives its enums); `joint` is counted from 0 at the base,
  * -1 for none. */
 typedef struct {
-  int code, joint;
+  int code;  /**< an axial_code */
+  int joint; /**< what it is about: from 0 at the base, -1 for none */
 } axial_status;
 
 /** A sentence's worth of text for an axial_code; never a null pointer. */
@@ -70,12 +73,15 @@ static inline const char* axial_code_text(int code) {
   }
 }
 
-/* Numbers by name: what an element of an array is. */
+/** Numbers by name: what an element of an array is. */
+/**@{*/
 #define AXIAL_C_NUMBER_float float
 #define AXIAL_C_NUMBER_double double
 #define AXIAL_C_NUMBER_fixed32 int32_t
+/**@}*/
 
-/* What only fixed point has: formats, and the border to real numbers. */
+/** What only fixed point has: formats, and the border to real numbers. */
+/**@{*/
 #define AXIAL_C_DECLARE_MORE_float(prefix, joints)
 #define AXIAL_C_DECLARE_MORE_double(prefix, joints)
 #define AXIAL_C_DECLARE_MORE_fixed32(prefix, joints)                                                         \
@@ -91,6 +97,7 @@ static inline const char* axial_code_text(int code) {
                                                   const prefix##_real* real_qdd, prefix##_joints* q,         \
                                                   prefix##_joints* qd, prefix##_joints* qdd);                \
   AXIAL_C_FUNCTION axial_status prefix##_efforts_to_real(const prefix##_joints* tau, prefix##_real* real_tau);
+/**@}*/
 
 /** Declares the types and functions of a robot with so many joints; `number` is float, double or fixed32.
  * q in rad or m, qd and qdd its derivatives, tau in N m or N; M(i, j) in kg m^2, kg m, kg; the tool's pose in the

@@ -33,6 +33,7 @@ auto as_eigen(Joints<S, T>& values) {
   static_assert(detail::same_layout<Joints<S, T>, T>(n));
   return Eigen::Map<Eigen::Matrix<T, n, 1>>(values.values);
 }
+/// The same to read alone.
 template <class S, class T>
 auto as_eigen(const Joints<S, T>& values) {
   constexpr int n = Joints<S, T>::size;

@@ -46,10 +46,12 @@ static_assert(AXIAL_OK == static_cast<int>(Status::Code::ok) &&
 
 }  // namespace axial::c_interface
 
-// One C function: the call of the same name, unless a pointer is null.
+/// One C function: the call of the same name, unless a pointer is null.
 #define AXIAL_C_CALL(calls, name, pointers, values) \
   return axial::c_interface::any_null pointers ? axial::c_interface::null_argument : calls::name values
 
+/// The functions that fixed point alone has.
+///@{
 #define AXIAL_C_EXPORT_MORE_float(prefix)
 #define AXIAL_C_EXPORT_MORE_double(prefix)
 #define AXIAL_C_EXPORT_MORE_fixed32(prefix)                                                                     \
@@ -65,6 +67,7 @@ static_assert(AXIAL_OK == static_cast<int>(Status::Code::ok) &&
   AXIAL_C_FUNCTION axial_status prefix##_efforts_to_real(const prefix##_joints* tau, prefix##_real* real_tau) { \
     AXIAL_C_CALL(prefix##_calls, efforts_to_real, (tau, real_tau), (*tau, *real_tau));                          \
   }
+///@}
 
 /// Defines the functions of AXIAL_C_DECLARE(prefix, joints, number) for a robot or a scene (by an alias where its name
 /// has commas). In one source of a program, in the global namespace, without a semicolon.

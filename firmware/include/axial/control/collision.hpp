@@ -15,13 +15,14 @@ namespace axial {
 /// Thresholds of the joints, N m or N; in fixed point raw, in the residual's format.
 template <class S, class T, class Tuning>
 struct CollisionThresholds {
+  /// beyond the first a residual is a contact, below the second it is calm
   T enter[joint_count<S>] = {}, leave[joint_count<S>] = {};
 };
 
 /// Memory of a detector, owned by the caller; start with `{}`.
 struct CollisionState {
   int above = 0, below = 0;  ///< samples in a row
-  bool collision = false;
+  bool collision = false;    ///< confirmed, and not yet calm
 };
 
 /// What a detector says of a sample.

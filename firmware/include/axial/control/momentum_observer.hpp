@@ -61,12 +61,15 @@ inline constexpr auto residual_formats = ResidualFormats<S, Word, Tuning>::chose
 /// forwards. A plain number, in fixed point a word with its `exponent(i)`, which follows from the tuning too.
 template <class S, class T, class Tuning>
 struct Residuals : Joints<robot_of<S>, T> {};
+/// In fixed point: value = raw 2^-exponent(i).
 template <class S, class Word, class Tuning>
 struct Residuals<S, Stored<Word>, Tuning> {
-  static constexpr int size = joint_count<S>;
-  Stored<Word> values[size];
+  static constexpr int size = joint_count<S>;  ///< number of joints
+  Stored<Word> values[size];                   ///< from the base outwards
+  /// of joint i's residual
   static constexpr int exponent(int i) { return detail::residual_formats<S, Word, Tuning>.exponent[i]; }
-  constexpr Stored<Word>& operator[](int i) { return values[i]; }
+  constexpr Stored<Word>& operator[](int i) { return values[i]; }  ///< residual of joint i; the index is not checked
+  /// Residual of joint i; the index is not checked.
   constexpr const Stored<Word>& operator[](int i) const { return values[i]; }
 };
 
@@ -74,9 +77,9 @@ struct Residuals<S, Stored<Word>, Tuning> {
 /// next call starts anew and keeps the residual.
 template <class S, class T, class Tuning>
 struct ObserverState {
-  Residuals<S, T, Tuning> residual{};
-  MomentumTerms<S, T> last{};
-  bool ready = false;  ///< whether `last` is the previous sample's
+  Residuals<S, T, Tuning> residual{};  ///< n m or N, external efforts
+  MomentumTerms<S, T> last{};          ///< sample's terms
+  bool ready = false;                  ///< whether `last` is the previous sample's
 };
 
 namespace detail {

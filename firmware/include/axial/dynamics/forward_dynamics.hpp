@@ -46,7 +46,7 @@ AXIAL_INLINE constexpr Status solve_model(const Links& links, const Input& in, c
 
 }  // namespace detail
 
-/// Accelerations for given efforts, by the route that forward_dynamics_route<S> names: ABA on full parameters
+/// Accelerations for given efforts, by the route that `forward_dynamics_route<S>` names: ABA on full parameters
 /// (articulated_body.hpp), its split form, or composite bodies on base parameters (composite_body.hpp).
 /// In: q (rad or m), qd, tau (N m or N); `in` carries the run-time inputs that the scene names.
 /// Out: rad/s^2 or m/s^2, indexed by joint, and a status: near_singular names a joint whose articulated inertia is lost

@@ -18,7 +18,7 @@ template <class S, class T>
 struct FloatingDynamics : ForwardDynamics<S, T> {
   MotionVector<Vec3<T>, Vec3<T>> base_acceleration{};  ///< in axes of frame 0
 };
-/// What forward_dynamics<S> over numbers T answers.
+/// What `forward_dynamics<S>` over numbers T answers.
 template <class S, class T>
 using ForwardDynamicsOf =
     std::conditional_t<is_stored_v<T>, ForwardDynamics<S, T>,

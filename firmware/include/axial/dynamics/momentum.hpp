@@ -44,6 +44,7 @@ AXIAL_INLINE constexpr auto kinetic_slope(Revolute, const M& motion, const H& h)
   const auto &w = motion.dw, &v = motion.a, &n = h.moment, &l = h.force;
   return w.y * n.x - w.x * n.y + (v.y * l.x - v.x * l.y);
 }
+/// Of a prismatic joint.
 template <class M, class H>
 AXIAL_INLINE constexpr auto kinetic_slope(Prismatic, const M& motion, const H& h) {
   const auto &w = motion.dw, &l = h.force;
@@ -64,6 +65,7 @@ AXIAL_INLINE constexpr void hold(const Links& links, const Input& in, const Q& q
   });
 }
 
+/// The least exponent of values, at which all of them fit.
 template <class Values>
 constexpr int shared_exponent() {
   int least = Values::exponent(0);
@@ -72,6 +74,7 @@ constexpr int shared_exponent() {
   return least;
 }
 // values[i] = x - y, rounded once.
+/// Writes values[i] = x - y, rounded once.
 template <class Links, class Values, class I, class X, class Y>
 AXIAL_INLINE constexpr void write_difference(const Links& links, Values& values, I i, const X& x, const Y& y) {
   if constexpr (detail::shares_formats<Links>)
@@ -129,6 +132,7 @@ constexpr MomentumTerms<S, T> momentum_terms(const Positions<robot_of<S>, T>& q,
                 terms);
   return terms;
 }
+/// The same for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 constexpr MomentumTerms<M, T> momentum_terms(const Model<N, F...>& model, const Positions<M, T>& q,
                                              const Velocities<M, T>& qd, const Inputs<M, T>& in = {}) {

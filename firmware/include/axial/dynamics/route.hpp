@@ -95,7 +95,7 @@ constexpr Route chosen_route() {
 
 }  // namespace detail
 
-/// The form that forward_dynamics<S> takes: the one that the scene names (ArticulatedBody, SplitArticulatedBody,
+/// The form that `forward_dynamics<S>` takes: the one that the scene names (ArticulatedBody, SplitArticulatedBody,
 /// CompositeBody), else composite bodies where they are cheaper and the elimination can lose at most ten bits, else
 /// ABA. A floating base, an underwater scene and a run-time Model take ABA.
 template <class S>

@@ -231,9 +231,9 @@ AXIAL_INLINE constexpr EffortsOf<S, Stored<Word>> torque(const Links& links, con
 
 }  // namespace separation
 
-/// Joint efforts A qdd + B [qd qd] + C [qd^2] + G [+ friction] from terms that separate() found: inverse_dynamics<S> at
-/// the same q, to rounding. Coefficients that vanish for every q are passed over.
-/// In: qd (rad/s or m/s), qdd. Out: N m or N.
+/// Joint efforts A qdd + B [qd qd] + C [qd^2] + G [+ friction] from terms that separate() found: `inverse_dynamics<S>`
+/// at the same q, to rounding. Coefficients that vanish for every q are passed over. In: qd (rad/s or m/s), qdd. Out: N
+/// m or N.
 template <class S, class T>
 constexpr EffortsOf<S, T> torque(const Separated<S, T>& separated, const Velocities<robot_of<S>, T>& qd,
                                  const Accelerations<robot_of<S>, T>& qdd) {

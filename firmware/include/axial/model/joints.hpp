@@ -59,6 +59,7 @@ template <class S, class T>
 using MomentaOf =
     Joints<std::conditional_t<std::is_void_v<typename detail::RoleOf<T, role::Momentum>::type>, robot_of<S>, S>, T,
            typename detail::RoleOf<T, role::Momentum>::type>;
+/// What changes momenta, likewise of a scene: N m or N.
 template <class S, class T>
 using MomentumRatesOf =
     Joints<std::conditional_t<std::is_void_v<typename detail::RoleOf<T, role::MomentumRate>::type>, robot_of<S>, S>, T,

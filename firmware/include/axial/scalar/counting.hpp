@@ -21,7 +21,8 @@ struct Operations {
 /// The record of one run: every operation once, in order.
 class Trace {
  public:
-  enum class Kind : unsigned char { input, constant, mul, add, sub, div, neg, sine, cosine };  ///< what made a value
+  /// What made a value.
+  enum class Kind : unsigned char { input, constant, mul, add, sub, div, neg, sine, cosine };
   /// A value: how it was made, and of which.
   struct Node {
     Kind kind = Kind::input;    ///< what made it

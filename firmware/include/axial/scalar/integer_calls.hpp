@@ -8,7 +8,8 @@
 
 namespace axial::integer::detail {
 
-// Arguments and results lie where the procedure call standard has them, but of the registers that it gives away only
+/// Defines a product as a procedure. Arguments and results lie where the procedure call standard has them, but of the
+/// registers that it gives away only
 // those of the factors change: what surrounds a product stays in its registers.
 // clang-format off
 #define AXIAL_BY_CALL(name, add, carry) \

@@ -61,7 +61,7 @@ struct Reciprocal {
 };
 
 /// Reciprocal of d in 1..2^31 - 1; the mantissa errs at most by one unit, -1 at powers of two and 0.86 upwards
-/// (`./axial exhaustive`). 34 instructions on a Cortex-M3 or M4, 66 on a Cortex-M0, load and store included.
+/// (./axial exhaustive). 34 instructions on a Cortex-M3 or M4, 66 on a Cortex-M0, load and store included.
 AXIAL_INLINE constexpr Reciprocal reciprocal(std::int32_t d) {
   const int shift = detail::leading_zeros(static_cast<std::uint32_t>(d)) - 1;
   const std::uint32_t n = static_cast<std::uint32_t>(d) << shift;  // [2^30, 2^31)

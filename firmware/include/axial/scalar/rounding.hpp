@@ -7,22 +7,22 @@ namespace axial {
 
 /// What a stored result is: a number system with exponents looks its format up by (quantity, link).
 namespace quantity {
-struct AngularVelocity {};      // rad/s
-struct AngularAcceleration {};  // rad/s^2, and products of angular velocities
-struct LinearAcceleration {};   // m/s^2
-struct Moment {};               // N m
-struct Force {};                // N
-struct RotationalInertia {};    // kg m^2
-struct FirstMoment {};          // kg m
-struct Mass {};                 // kg
-struct JointInertia {};         // D of a joint: kg m^2 or kg
-struct AngularGain {};          // K = U / D, angular block over D
-struct LinearGain {};           // K = U / D, linear block over D
-struct JointEffort {};          // N m or N
-struct JointAcceleration {};    // rad/s^2 or m/s^2
-struct Length {};               // m
-struct GravityAcceleration {};  // m/s^2
-struct Turn {};                 // sine or cosine
+struct AngularVelocity {};      ///< rad/s
+struct AngularAcceleration {};  ///< rad/s^2, and products of angular velocities
+struct LinearAcceleration {};   ///< m/s^2
+struct Moment {};               ///< N m
+struct Force {};                ///< N
+struct RotationalInertia {};    ///< kg m^2
+struct FirstMoment {};          ///< kg m
+struct Mass {};                 ///< kg
+struct JointInertia {};         ///< D of a joint: kg m^2 or kg
+struct AngularGain {};          ///< K = U / D, angular block over D
+struct LinearGain {};           ///< K = U / D, linear block over D
+struct JointEffort {};          ///< N m or N
+struct JointAcceleration {};    ///< rad/s^2 or m/s^2
+struct Length {};               ///< m
+struct GravityAcceleration {};  ///< m/s^2
+struct Turn {};                 ///< sine or cosine
 }  // namespace quantity
 
 /// What a result of a quantity is kept as, where kernels keep plain numbers: T, unless T gives each quantity its own.
