@@ -6,7 +6,7 @@ readonly PACKAGES=(
   gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib     # firmware compiler, Arm
   gcc-riscv64-unknown-elf                                                      # firmware compiler, RISC-V
   qemu-system-arm qemu-system-misc                                             # the emulated boards
-  libgtest-dev liborocos-kdl-dev libeigen3-dev                                 # tests, independent dynamics and what it needs
+  libgtest-dev liborocos-kdl-dev libeigen3-dev liburdfdom-dev                  # tests, independent dynamics, descriptions
   nlohmann-json3-dev libcli11-dev                                              # host_sim
   python3-matplotlib python3-numpy                                             # pictures
 )

@@ -37,7 +37,8 @@ class Inspector {
       if (!usable(value))
         refuse(joint() + name + " is " + number(value) + " m", "give metres");
       else if (std::abs(value) > longest_arm)
-        warn(joint() + name + " is " + number(value, 4) + " m", "if these are millimetres, give metres");
+        warn(joint() + name + " is " + number(value, 4) + " m",
+             "if these are millimetres, give metres; if two axes were meant to be parallel, see --right-angles");
     }
     for (const auto& angle : {p_.alpha, p_.theta, p_.gamma})
       if (!usable(angle.radians)) refuse(joint() + "an angle is " + number(angle.radians) + " rad", "give radians");

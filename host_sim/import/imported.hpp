@@ -1,0 +1,25 @@
+// A description beside where the frames of its source are in it: what a verification compares.
+#pragma once
+
+#include <host_sim/description/description.hpp>
+#include <host_sim/description/findings.hpp>
+
+#include <string>
+#include <vector>
+
+namespace importer {
+
+/// A frame of the source, fixed to a link of the description.
+struct TrackedFrame {
+  std::string name;  ///< of the source's link
+  int link = axial::LinkParameters::base;
+  axial::FixedPose pose{};  ///< in that link's MDH frame; in the world where link is base
+};
+
+struct Imported {
+  description::Description robot;
+  std::vector<TrackedFrame> frames;
+  std::vector<description::Finding> warnings;
+};
+
+}  // namespace importer

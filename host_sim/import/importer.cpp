@@ -1,0 +1,141 @@
+#include <host_sim/description/table.hpp>
+#include <host_sim/import/importer.hpp>
+#include <host_sim/import/to_mdh.hpp>
+
+#include <axial/model/classical.hpp>
+
+#include <cmath>
+#include <cstring>
+
+namespace importer {
+namespace {
+
+using description::Finding;
+
+/// A file's own words before each line of a list.
+[[noreturn]] void refuse(const std::string& from, const std::string& lines) {
+  std::string text = from + ": ";
+  for (const char c : lines)
+    text += c == '\n' ? "\n" + from + ": " : std::string(1, c);
+  throw description::Refused(text);
+}
+
+void check(Imported& imported, const std::string& from, std::vector<Finding> found) {
+  const auto errors = description::lines(found, true);
+  if (!errors.empty()) refuse(from, errors);
+  for (auto& finding : found)
+    imported.warnings.push_back(finding);
+}
+
+/// Bodies as the file has them, before any is merged into another.
+std::vector<Finding> source_findings(const SourceTree& source) {
+  std::vector<Finding> found;
+  for (const auto& link : source.links) {
+    for (const double v : link.joint.origin.position)
+      if (!(std::abs(v) <= description::largest_number))
+        found.push_back({true, link.name, "joint '" + link.joint.name + "': origin is beyond 1e9 m", "give metres"});
+    if (!link.has_inertial) continue;
+    axial::LinkParameters body;
+    body.mass = link.mass;
+    std::memcpy(body.com, link.inertial.position.data(), sizeof body.com);
+    std::memcpy(body.inertia_com, link.inertia.data(), sizeof body.inertia_com);
+    for (auto& finding : description::body_findings(link.name, body))
+      found.push_back(finding);
+  }
+  return found;
+}
+
+/// Of the description: what was not said of the source's bodies one by one.
+std::vector<Finding> other_findings(const description::Description& robot, const SourceTree* source) {
+  std::vector<Finding> found;
+  for (const auto& finding : description::findings(robot)) {
+    bool said = false;
+    if (source != nullptr)
+      for (const auto& link : source->links)
+        said = said || (link.name == finding.link && link.has_inertial && finding.what.rfind("joint '", 0) != 0);
+    if (!said || finding.error) found.push_back(finding);
+  }
+  return found;
+}
+
+bool branches(const description::Description& robot) {
+  for (int i = 0; i < robot.size(); ++i)
+    if (robot.parent(i) != i - 1) return true;
+  return false;
+}
+
+/// Without --tip, on a chain: the one link at its end, if there is one and it does not move any further.
+void choose_tool(SourceTree& source, const Imported& imported) {
+  if (source.tool >= 0 || branches(imported.robot)) return;
+  const int last = imported.robot.size() - 1;
+  std::vector<bool> carries(source.links.size());
+  for (const auto& link : source.links)
+    if (link.parent >= 0) carries[static_cast<std::size_t>(link.parent)] = true;
+  int found = 0;
+  for (std::size_t i = 0; i < source.links.size(); ++i)
+    if (!carries[i] && imported.frames[i].link == last) ++found, source.tool = static_cast<int>(i);
+  if (found != 1) source.tool = -1;
+  if (source.tool >= 0)
+    source.notes.push_back("tool: frame of link '" + source.links[static_cast<std::size_t>(source.tool)].name +
+                           "', the chain's only end");
+}
+
+Result import_urdf(const std::string& text, const std::string& from, const Options& options) {
+  auto source = read_urdf(text, from, options.urdf);
+  const auto gravity = options.gravity.value_or(axial::GravityVector{});
+  Imported imported;
+  check(imported, from, source_findings(source));
+  choose_tool(source, to_mdh(source, gravity));
+  const auto warnings = imported.warnings;
+  imported = to_mdh(source, gravity);
+  imported.warnings = warnings;
+  auto& robot = imported.robot;
+  robot.source = from + " (URDF), links of '" + source.links[0].name + "'";
+  if (source.tool >= 0)
+    robot.source += " to '" + source.links[static_cast<std::size_t>(source.tool)].name + "', whose frame is the tool's";
+  if (!options.gravity)
+    robot.assumptions.push_back("gravity of 9.81 m/s^2 along -z of link '" + source.links[0].name + "'");
+  robot.assumptions.push_back("no rotor inertias: a URDF has none");
+  check(imported, from, other_findings(robot, &source));
+  std::vector<std::string> joints;
+  for (const auto& link : robot.links)
+    joints.push_back(link.joint);
+  for (std::size_t i = 0; i < imported.frames.size(); ++i)
+    imported.frames[i].name = i == 0 ? "root" : segment_name(static_cast<int>(i));
+  return {imported, verify(imported, reference_of(source, gravity, joints), options.seed, options.states)};
+}
+
+Result import_table(const std::string& text, const std::string& from, const Options& options) {
+  if (!options.urdf.root.empty() || !options.urdf.tip.empty() || options.gravity)
+    throw description::Refused(from +
+                               ": --root, --tip and --gravity are for a URDF; a table is imported whole, with its own");
+  const auto table = description::parse_table(text, from);
+  Imported imported;
+  imported.robot = description::to_mdh(table);
+  check(imported, from, description::findings(imported.robot));
+  for (int i = 0; i < imported.robot.size(); ++i) {
+    TrackedFrame tracked{segment_name(i + 1), i, {}};
+    const auto& p = table.robot.links[static_cast<std::size_t>(i)].parameters;
+    if (table.classical) tracked.pose = axial::detail::FarEnd{p.alpha, p.a}.carried({});
+    imported.frames.push_back(tracked);
+  }
+  return {imported, verify(imported, reference_of(table), options.seed, options.states)};
+}
+
+}  // namespace
+
+Result import_text(const std::string& text, const std::string& from, const Options& options) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  const bool json = first != std::string::npos && (text[first] == '{' || text[first] == '[');
+  Result result = json ? import_table(text, from, options) : import_urdf(text, from, options);
+  auto& robot = result.imported.robot;
+  if (!options.name.empty()) robot.name = options.name;
+  assume_limits(robot, options.seconds_to_speed);
+  return result;
+}
+
+Result import_file(const std::string& path, const Options& options) {
+  return import_text(description::read_text(path), path, options);
+}
+
+}  // namespace importer

@@ -1,0 +1,35 @@
+// From a file to a verified description.
+#pragma once
+
+#include <host_sim/import/imported.hpp>
+#include <host_sim/import/urdf_reader.hpp>
+#include <host_sim/import/verification.hpp>
+
+#include <optional>
+#include <string>
+
+namespace importer {
+
+struct Options {
+  UrdfOptions urdf;
+  std::string name;                             ///< empty: the source's
+  std::optional<axial::GravityVector> gravity;  ///< of a URDF, in axes of its root; (0, 0, -9.81) when not given
+  double seconds_to_speed = 0.25;               ///< where a source gives no acceleration: the time to full speed
+  unsigned seed = 1;
+  int states = 100;
+};
+
+struct Result {
+  Imported imported;
+  Figures figures;
+};
+
+/// A URDF (urdfdom), or a Denavit-Hartenberg table where the text is a JSON object. Checks, fills in what is missing as
+/// named assumptions, verifies against KDL. Throws description::Refused; figures above their bounds are the caller's.
+Result import_text(const std::string& text, const std::string& from, const Options& options);
+Result import_file(const std::string& path, const Options& options);
+
+/// Fills limits in that are missing, each named in the assumptions.
+void assume_limits(description::Description& robot, double seconds_to_speed);
+
+}  // namespace importer

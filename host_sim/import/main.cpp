@@ -1,0 +1,122 @@
+// import: a robot's description becomes a verified constexpr header.
+#include <host_sim/description/header.hpp>
+#include <host_sim/import/importer.hpp>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <fstream>
+
+namespace {
+
+struct Arguments {
+  std::string file, output, json;
+  std::vector<double> gravity;
+  bool strict = false;
+  importer::Options options;
+};
+
+nlohmann::json to_json(const importer::Result& result, const std::string& header) {
+  const auto& robot = result.imported.robot;
+  const auto& figures = result.figures;
+  nlohmann::json warnings = nlohmann::json::array(), joints = nlohmann::json::array();
+  for (const auto& warning : result.imported.warnings)
+    warnings.push_back({{"link", warning.link}, {"what", warning.what}, {"remedy", warning.remedy}});
+  for (const auto& link : robot.links)
+    joints.push_back(link.joint);
+  return {{"name", robot.name},
+          {"source", robot.source},
+          {"header", header},
+          {"joints", joints},
+          {"notes", robot.notes},
+          {"assumptions", robot.assumptions},
+          {"warnings", warnings},
+          {"states", figures.states},
+          {"seed", figures.seed},
+          {"pose_error", figures.pose},
+          {"torque_error", figures.torque},
+          {"mass_matrix_error", figures.mass_matrix},
+          {"within_bounds", figures.good()}};
+}
+
+void write_json(const std::string& path, const nlohmann::json& value) {
+  std::ofstream file(path);
+  file << value.dump(2) << '\n';
+  file.flush();
+  if (!file) throw description::Refused("can not write '" + path + "'; is there such a folder?");
+}
+
+void print(const importer::Result& result) {
+  const auto& robot = result.imported.robot;
+  std::printf("%s: %d joints\n", robot.name.c_str(), robot.size());
+  for (const auto& note : robot.notes)
+    std::printf("read:     %s\n", note.c_str());
+  for (const auto& assumption : robot.assumptions)
+    std::printf("assumed:  %s\n", assumption.c_str());
+  for (const auto& line : result.figures.lines())
+    std::printf("verified: %s\n", line.c_str());
+  for (const auto& warning : result.imported.warnings)
+    std::fprintf(stderr, "import: warning: %s\n", warning.text().c_str());
+}
+
+int import_robot(Arguments& arguments) {
+  if (!arguments.gravity.empty())
+    arguments.options.gravity = {arguments.gravity[0], arguments.gravity[1], arguments.gravity[2]};
+  const auto result = importer::import_file(arguments.file, arguments.options);
+  const auto& robot = result.imported.robot;
+  print(result);
+  const std::string output = arguments.output.empty() ? description::plain_name(robot) + ".hpp" : arguments.output;
+  if (!arguments.json.empty()) write_json(arguments.json, to_json(result, output));
+  if (!result.figures.good())
+    throw description::Refused(arguments.file +
+                               ": not written: the figures above miss their bounds; axes that are almost "
+                               "parallel put frames far away: see --right-angles");
+  if (arguments.strict && !result.imported.warnings.empty())
+    throw description::Refused(arguments.file + ": not written: there are warnings, and --strict was given");
+  description::write_header(output, robot, result.figures.lines());
+  std::printf("written:  %s (robots::%s)\n", output.c_str(), description::type_name(robot).c_str());
+  return 0;
+}
+
+int run(int count, char** given) {
+  Arguments arguments;
+  auto& options = arguments.options;
+  CLI::App app("a URDF or a Denavit-Hartenberg table as a verified header", "import");
+  app.add_option("file", arguments.file, "URDF, or JSON table")->required();
+  app.add_option("--root", options.urdf.root, "link to start from; default: the URDF's root");
+  app.add_option("--tip", options.urdf.tip, "link to end at, its frame is the tool's; default: every branch");
+  app.add_option("--name", options.name, "name of the robot; default: the file's");
+  app.add_option("-o,--output", arguments.output, "the header; default: <name>.hpp");
+  app.add_option("--json", arguments.json, "figures, assumptions, warnings");
+  app.add_option("--gravity", arguments.gravity, "m/s^2 in axes of the root link; default 0 0 -9.81")->expected(3);
+  app.add_option("--right-angles", options.urdf.right_angles, "rad within which an angle is a multiple of 90 degrees")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 0.01));
+  app.add_option("--to-speed", options.seconds_to_speed, "s to full speed, where no acceleration limit is given")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-3, 1e3));
+  app.add_option("--states", options.states, "random states to verify on")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100000));
+  app.add_option("--seed", options.seed, "of those states")->capture_default_str();
+  app.add_flag("--strict", arguments.strict, "write nothing where there are warnings");
+  try {
+    app.parse(count, given);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return import_robot(arguments);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    return run(count, arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "import: %s\n", error.what());
+    return 1;
+  }
+}

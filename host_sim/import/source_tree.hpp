@@ -1,0 +1,52 @@
+// Links and joints as a URDF has them, cut to what is imported: nothing is merged or turned yet.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace importer {
+
+using Rows = std::array<double, 9>;  ///< a rotation, row by row
+
+/// Pose of a frame in another one.
+struct Placement {
+  Rows rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  std::array<double, 3> position{};
+};
+
+enum class Kind { fixed, revolute, continuous, prismatic };
+
+struct SourceJoint {
+  std::string name;
+  Kind kind = Kind::fixed;
+  bool held = false;  ///< beside the chain: it stays where `held_at` says
+  double held_at = 0.0;
+  Placement origin;  ///< in the parent link's frame
+  std::array<double, 3> axis{};
+  bool has_limits = false;
+  double lower = 0.0, upper = 0.0, speed = 0.0, effort = 0.0;  ///< 0: none given
+  double damping = 0.0, friction = 0.0;
+
+  bool moves() const { return kind != Kind::fixed && !held; }
+};
+
+/// A link, and the joint that carries it.
+struct SourceLink {
+  std::string name;
+  int parent = -1;  ///< index of an earlier link; -1 for the root, whose joint means nothing
+  SourceJoint joint;
+  bool has_inertial = false;
+  double mass = 0.0;
+  Placement inertial;               ///< frame of the centre of mass in the link's frame
+  std::array<double, 6> inertia{};  ///< kg m^2 in the inertial frame: xx yy zz xy xz yz
+};
+
+struct SourceTree {
+  std::string name;
+  std::vector<SourceLink> links;  ///< parents first; the first is the root
+  int tool = -1;                  ///< the link whose frame is the tool's, or -1
+  std::vector<std::string> notes;
+};
+
+}  // namespace importer

@@ -1,0 +1,204 @@
+#include <host_sim/description/comment.hpp>
+#include <host_sim/description/description.hpp>
+#include <host_sim/description/numbers.hpp>
+#include <host_sim/import/right_angles.hpp>
+#include <host_sim/import/urdf_reader.hpp>
+#include <host_sim/import/urdf_text.hpp>
+
+#include <console_bridge/console.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <set>
+
+namespace importer {
+namespace {
+
+using description::number;
+using description::Refused;
+
+/// What urdfdom prints while this lives.
+class Messages : public console_bridge::OutputHandler {
+ public:
+  Messages() { console_bridge::useOutputHandler(this); }
+  ~Messages() override { console_bridge::restorePreviousOutputHandler(); }
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) text_ += (text_.empty() ? "" : "; ") + text;
+  }
+  std::string text() const { return description::harmless(text_); }
+
+ private:
+  std::string text_;
+};
+
+urdf::ModelInterfaceSharedPtr parse(const std::string& text, const std::string& from) {
+  Messages messages;
+  std::string thrown;
+  try {
+    auto model = urdf::parseURDF(text);
+    // urdfdom leaves a body out that it can not read, and goes on.
+    if (model && messages.text().find("nertia") == std::string::npos) return model;
+  } catch (const std::exception& error) {
+    thrown = description::harmless(error.what());
+  }
+  throw Refused(from + ": " + (thrown.empty() ? messages.text() : thrown) +
+                "; give what a URDF needs there, numbers as 1.5 with a point and spaces between");
+}
+
+Kind kind_of(const urdf::Joint& joint) {
+  switch (joint.type) {
+    case urdf::Joint::REVOLUTE:
+      return Kind::revolute;
+    case urdf::Joint::CONTINUOUS:
+      return Kind::continuous;
+    case urdf::Joint::PRISMATIC:
+      return Kind::prismatic;
+    default:
+      return Kind::fixed;
+  }
+}
+
+class Reader {
+ public:
+  Reader(const urdf::ModelInterface& model, const std::string& from, const UrdfOptions& options)
+      : model_(model), from_(from), angles_(options.right_angles) {
+    tree_.name = model.getName();
+    const auto root = find(options.root.empty() ? model.getRoot()->name : options.root, "--root");
+    if (!options.tip.empty()) choose_path(root, find(options.tip, "--tip"));
+    has_tip_ = !options.tip.empty();
+    add(root, -1);
+    if (has_tip_) choose_tool(options.tip);
+    if (!problems_.empty()) throw Refused(problems_);
+    say_held();
+    if (angles_.changed() > 0) tree_.notes.push_back(angles_.text());
+  }
+  SourceTree tree() const { return tree_; }
+
+ private:
+  void refuse(const std::string& what, const std::string& remedy) {
+    problems_ += (problems_.empty() ? "" : "\n") + from_ + ": " + what + "; " + remedy;
+  }
+  urdf::LinkConstSharedPtr find(const std::string& name, const std::string& option) const {
+    const auto link = model_.getLink(name);
+    if (link) return link;
+    std::string leaves;
+    for (const auto& entry : model_.links_)
+      if (entry.second->child_joints.empty() && leaves.size() < 300) leaves += " " + entry.first;
+    throw Refused(from_ + ": " + option + ": there is no link '" + name + "'; links at the ends are" + leaves);
+  }
+  void choose_path(const urdf::LinkConstSharedPtr& root, urdf::LinkConstSharedPtr tip) {
+    const std::string name = tip->name;
+    for (; tip && tip != root; tip = tip->getParent())
+      path_.insert(tip->name);
+    if (!tip)
+      throw Refused(from_ + ": link '" + name + "' does not hang on '" + root->name + "'; choose another --root");
+  }
+  void choose_tool(const std::string& tip) {
+    for (std::size_t i = 0; i < tree_.links.size(); ++i)
+      if (tree_.links[i].name == tip) tree_.tool = static_cast<int>(i);
+  }
+
+  void add(const urdf::LinkConstSharedPtr& link, int parent) {
+    SourceLink result;
+    result.name = description::harmless(link->name), result.parent = parent;
+    if (parent >= 0) result.joint = read_joint(*link->parent_joint, path_.count(link->name) != 0);
+    read_body(*link, result);
+    const int index = static_cast<int>(tree_.links.size());
+    tree_.links.push_back(result);
+    for (const auto& child : link->child_links)
+      if (!has_tip_ || parent >= 0 || path_.count(child->name) != 0) add(child, index);
+  }
+
+  SourceJoint read_joint(const urdf::Joint& joint, bool on_path) {
+    SourceJoint result;
+    result.name = description::harmless(joint.name), result.kind = kind_of(joint);
+    result.held = has_tip_ && !on_path && joint.type != urdf::Joint::FIXED;
+    result.origin = placement(joint.parent_to_joint_origin_transform);
+    if (joint.type == urdf::Joint::FIXED) return result;
+    if (result.held)
+      held_.push_back(result.name);
+    else
+      check_kind(joint, result.name);
+    read_axis(joint, result), read_limits(joint, result);
+    return result;
+  }
+  void check_kind(const urdf::Joint& joint, const std::string& name) {
+    const std::string beside = "; or choose a --tip that leaves it beside the chain, where joints are held";
+    if (joint.type == urdf::Joint::FLOATING)
+      refuse("joint '" + name + "' is floating: six freedoms",
+             "import what it carries with --root, as a fixed base" + beside);
+    if (joint.type == urdf::Joint::PLANAR)
+      refuse("joint '" + name + "' is planar: three freedoms",
+             "write two prismatic joints and a revolute one" + beside);
+    if (joint.mimic)
+      refuse("joint '" + name + "' mimics '" + description::harmless(joint.mimic->joint_name) +
+                 "': not a freedom of its own",
+             "remove <mimic> if a drive of its own moves it, or make it fixed" + beside);
+  }
+  void read_axis(const urdf::Joint& joint, SourceJoint& result) {
+    const double x = joint.axis.x, y = joint.axis.y, z = joint.axis.z, length = std::hypot(x, y, z);
+    if (!(length > 1e-9 && length < 1e9))
+      refuse("joint '" + result.name + "': axis is (" + number(x) + ", " + number(y) + ", " + number(z) + ")",
+             "give a direction, such as <axis xyz=\"0 0 1\"/>");
+    result.axis = {x, y, z};
+  }
+  void read_limits(const urdf::Joint& joint, SourceJoint& result) {
+    if (joint.dynamics) result.damping = joint.dynamics->damping, result.friction = joint.dynamics->friction;
+    if (!joint.limits) return;
+    const auto& limits = *joint.limits;
+    result.has_limits = result.kind != Kind::continuous && result.kind != Kind::fixed;
+    result.lower = limits.lower, result.upper = limits.upper;
+    result.speed = limits.velocity, result.effort = limits.effort;
+    if (result.held && result.has_limits && limits.lower <= limits.upper)
+      result.held_at = std::clamp(0.0, limits.lower, limits.upper);
+    check_limits(result);
+  }
+  void check_limits(const SourceJoint& joint) {
+    const std::string here = "joint '" + joint.name + "': ";
+    if (joint.has_limits && !joint.held && !(joint.lower < joint.upper))
+      refuse(here + "position limits are upside down: lower " + number(joint.lower) + ", upper " + number(joint.upper),
+             "give the lower one first; a joint that can not move is a fixed joint");
+    if (joint.speed < 0.0) refuse(here + "velocity limit is " + number(joint.speed), "give a value > 0");
+    if (joint.effort < 0.0) refuse(here + "effort limit is " + number(joint.effort), "give a value > 0");
+  }
+
+  void read_body(const urdf::Link& link, SourceLink& result) {
+    if (!link.inertial) return;
+    const auto& inertial = *link.inertial;
+    result.has_inertial = true, result.mass = inertial.mass;
+    result.inertial = placement(inertial.origin);
+    result.inertia = {inertial.ixx, inertial.iyy, inertial.izz, inertial.ixy, inertial.ixz, inertial.iyz};
+  }
+  Placement placement(const urdf::Pose& pose) {
+    return {angles_.rotation(pose.rotation), {pose.position.x, pose.position.y, pose.position.z}};
+  }
+  void say_held() {
+    std::string names;
+    for (const auto& name : held_)
+      names += (names.empty() ? "" : ", ") + name;
+    if (!held_.empty())
+      tree_.notes.push_back(
+          "joints beside the chain are held at 0 (or their nearest limit), their bodies carried along: " + names);
+  }
+
+  const urdf::ModelInterface& model_;
+  const std::string& from_;
+  RightAngles angles_;
+  SourceTree tree_;
+  std::set<std::string> path_;
+  std::vector<std::string> held_;
+  std::string problems_;
+  bool has_tip_ = false;
+};
+
+}  // namespace
+
+SourceTree read_urdf(const std::string& text, const std::string& from, const UrdfOptions& options) {
+  check_urdf_text(text, from);
+  const auto model = parse(text, from);
+  return Reader(*model, from, options).tree();
+}
+
+}  // namespace importer

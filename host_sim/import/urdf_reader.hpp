@@ -1,0 +1,19 @@
+// URDF by urdfdom: the tree, or the chain to one tip, as it stands in the file.
+#pragma once
+
+#include <host_sim/import/source_tree.hpp>
+
+#include <string>
+
+namespace importer {
+
+struct UrdfOptions {
+  std::string root, tip;       ///< empty: the file's root; every branch
+  double right_angles = 1e-5;  ///< rad: an angle this near to a multiple of 90 degrees is one; 0 reads what is written
+};
+
+/// Throws description::Refused with everything that is wrong, one line each: what urdfdom refuses, roots and tips that
+/// are not there, joints that can not be expressed (mimic, planar, floating), bodies with impossible numbers.
+SourceTree read_urdf(const std::string& text, const std::string& from, const UrdfOptions& options);
+
+}  // namespace importer

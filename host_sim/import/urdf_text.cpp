@@ -1,0 +1,128 @@
+#include <host_sim/description/comment.hpp>
+#include <host_sim/description/description.hpp>
+#include <host_sim/import/urdf_text.hpp>
+
+#include <tinyxml.h>
+
+#include <cctype>
+#include <map>
+#include <set>
+
+namespace importer {
+namespace {
+
+using description::harmless;
+
+/// Deepest nesting of elements, judged by brackets alone: the XML parser recurses.
+int nesting(const std::string& text) {
+  int depth = 0, deepest = 0;
+  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+    if (text[i] == '<' && std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0) ++depth;
+    if ((text[i] == '<' && text[i + 1] == '/') || (text[i] == '/' && text[i + 1] == '>')) --depth;
+    deepest = depth > deepest ? depth : deepest;
+  }
+  return deepest;
+}
+
+class Checker {
+ public:
+  Checker(const TiXmlElement& robot, const std::string& from) : robot_(robot), from_(from) {}
+
+  void run() {
+    each("link", [&](const TiXmlElement& link) {
+      const std::string name = name_of(link, "link");
+      if (!links_.insert(name).second) refuse("the link name '" + name + "' stands twice", "give each link its own");
+    });
+    if (links_.empty()) refuse("there is no <link>", "a robot has a link for its base and one for each joint");
+    each("joint", [&](const TiXmlElement& joint) { check_joint(joint); });
+    check_roots();
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what, const std::string& remedy) const {
+    throw description::Refused(from_ + ": " + what + "; " + remedy);
+  }
+  template <class Visit>
+  void each(const char* tag, Visit visit) const {
+    for (auto* e = robot_.FirstChildElement(tag); e != nullptr; e = e->NextSiblingElement(tag))
+      visit(*e);
+  }
+  std::string name_of(const TiXmlElement& element, const std::string& what) const {
+    const char* name = element.Attribute("name");
+    if (name == nullptr || *name == '\0')
+      refuse("the <" + what + "> at line " + std::to_string(element.Row()) + " has no name", "give name=\"...\"");
+    return harmless(name);
+  }
+  std::string link_named_by(const TiXmlElement& joint, const std::string& joint_name, const char* end) const {
+    const auto* element = joint.FirstChildElement(end);
+    const char* link = element != nullptr ? element->Attribute("link") : nullptr;
+    const std::string here = "joint '" + joint_name + "': ";
+    if (link == nullptr) refuse(here + "has no " + end, "give <" + std::string(end) + " link=\"...\"/>");
+    if (links_.count(harmless(link)) == 0)
+      refuse(here + end + " link '" + harmless(link) + "' is missing", "add the link or mend the name");
+    return harmless(link);
+  }
+  void check_type(const TiXmlElement& joint, const std::string& name) const {
+    static const std::set<std::string> known{"revolute", "continuous", "prismatic", "fixed", "floating", "planar"};
+    const char* type = joint.Attribute("type");
+    if (type == nullptr || known.count(type) == 0)
+      refuse("joint '" + name + "': type '" + harmless(type == nullptr ? "" : type) + "' is not known",
+             "give revolute, continuous, prismatic or fixed");
+  }
+  void check_joint(const TiXmlElement& joint) {
+    const std::string name = name_of(joint, "joint");
+    if (!joints_.insert(name).second) refuse("the joint name '" + name + "' stands twice", "give each joint its own");
+    check_type(joint, name);
+    const std::string parent = link_named_by(joint, name, "parent"), child = link_named_by(joint, name, "child");
+    if (parent == child) refuse("joint '" + name + "': link '" + child + "' is its own parent", "name two links");
+    if (!carried_by_.emplace(child, name).second)
+      refuse("link '" + child + "' is carried by two joints, '" + carried_by_[child] + "' and '" + name + "': a loop",
+             "cut the loop; a link has one parent");
+    parent_of_[child] = parent;
+  }
+  void check_roots() const {
+    std::string roots;
+    int count = 0;
+    for (const auto& link : links_)
+      if (parent_of_.count(link) == 0) roots += (count++ ? ", " : "") + link;
+    if (count == 0) refuse("there is no root: the links form a loop", "one link, the base, has no parent");
+    if (count > 1 && roots.size() > 200) roots = roots.substr(0, 200) + " ...";
+    if (count > 1) refuse("there are " + std::to_string(count) + " roots: " + roots, "join them with fixed joints");
+    for (const auto& link : links_)
+      check_reaches_root(link);
+  }
+  void check_reaches_root(const std::string& link) const {
+    std::string at = link;
+    for (std::size_t steps = 0; parent_of_.count(at) != 0; ++steps) {
+      if (steps > links_.size())
+        refuse("link '" + link + "' hangs on a loop, not on the root", "cut the loop; every link leads to the base");
+      at = parent_of_.at(at);
+    }
+  }
+
+  const TiXmlElement& robot_;
+  const std::string& from_;
+  std::set<std::string> links_, joints_;
+  std::map<std::string, std::string> carried_by_, parent_of_;
+};
+
+}  // namespace
+
+void check_urdf_text(const std::string& text, const std::string& from) {
+  constexpr int deepest = 200;
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) throw description::Refused(from + ": the file is empty");
+  if (text.find('\0') != std::string::npos)
+    throw description::Refused(from + ": not a text; give a URDF or a JSON table");
+  if (nesting(text) > deepest) throw description::Refused(from + ": elements are nested too deeply for a URDF");
+  TiXmlDocument document;
+  document.Parse(text.c_str());
+  if (document.Error())
+    throw description::Refused(from + ": malformed XML at line " + std::to_string(document.ErrorRow()) + ", column " +
+                               std::to_string(document.ErrorCol()) + ": " + document.ErrorDesc() +
+                               " (xacro files are expanded first: xacro robot.urdf.xacro > robot.urdf)");
+  const auto* robot = document.FirstChildElement("robot");
+  if (robot == nullptr) throw description::Refused(from + ": there is no <robot> element; give a URDF or a JSON table");
+  Checker(*robot, from).run();
+}
+
+}  // namespace importer

@@ -1,0 +1,156 @@
+#include <host_sim/description/numbers.hpp>
+#include <host_sim/import/verification.hpp>
+
+#include <axial/axial.hpp>
+
+#include <kdl/treefksolverpos_recursive.hpp>
+#include <kdl/treeidsolver_recursive_newton_euler.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace importer {
+namespace {
+
+using Model = axial::Model<description::most_links, axial::Gravity, axial::RotorInertia>;
+using Joints = axial::Joints<Model, double>;
+
+KDL::Frame frame(const axial::FixedPose& p) {
+  const double* r = p.rotation;
+  return {KDL::Rotation(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]),
+          KDL::Vector(p.position[0], p.position[1], p.position[2])};
+}
+KDL::Frame frame(const axial::WorldPose<double>& p) {
+  const auto& R = p.rotation;
+  return {KDL::Rotation(R.x.x, R.x.y, R.x.z, R.y.x, R.y.y, R.y.z, R.z.x, R.z.y, R.z.z),
+          KDL::Vector(p.position.x, p.position.y, p.position.z)};
+}
+
+// A NaN is the largest of all.
+void take(double& largest, double value) {
+  if (!(value <= largest)) largest = value;
+}
+
+class Comparison {
+ public:
+  Comparison(const Imported& imported, const Reference& reference)
+      : imported_(imported),
+        reference_(reference),
+        n_(imported.robot.size()),
+        model_(description::to_model<Model>(imported.robot)),
+        position_(reference.tree),
+        torque_(reference.tree, reference.gravity),
+        still_(reference.tree, KDL::Vector::Zero()) {
+    for (const auto& name : reference.joints)
+      order_.push_back(GetTreeElementQNr(reference.tree.getSegment(name)->second));
+  }
+
+  void state(std::mt19937& random) {
+    const auto between = [&](double low, double high) {
+      return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    Joints q{}, qd{}, qdd{};
+    for (int i = 0; i < n_; ++i) {
+      const auto& p = imported_.robot.links[static_cast<std::size_t>(i)].parameters;
+      const double span = p.type == axial::JointType::revolute ? 3.14159 : 1.0;
+      q[i] = between(std::isfinite(p.position_min) ? p.position_min : -span,
+                     std::isfinite(p.position_max) ? p.position_max : span);
+      qd[i] = between(-2.0, 2.0), qdd[i] = between(-5.0, 5.0);
+    }
+    poses(q);
+    torques(q, qd, qdd);
+    mass_matrix(q);
+  }
+
+  Figures figures(int states, unsigned seed) const {
+    const auto over = [](double error, double scale) { return error == 0.0 ? 0.0 : error / scale; };
+    return {states, seed, pose_, over(torque_error_, torque_scale_), over(mass_error_, mass_scale_)};
+  }
+
+ private:
+  KDL::JntArray kdl(const Joints& values) const {
+    KDL::JntArray result(static_cast<unsigned>(n_));
+    for (int i = 0; i < n_; ++i)
+      result(order_[static_cast<std::size_t>(i)]) = values[i];
+    return result;
+  }
+  Joints torque(KDL::TreeIdSolver_RNE& solver, const Joints& q, const Joints& qd, const Joints& qdd) const {
+    KDL::JntArray tau(static_cast<unsigned>(n_));
+    if (solver.CartToJnt(kdl(q), kdl(qd), kdl(qdd), {}, tau) < 0) throw description::Refused("KDL refuses the robot");
+    Joints result{};
+    for (int i = 0; i < n_; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      result[i] = tau(order_[k]) + reference_.rotors[k] * qdd[i];
+    }
+    return result;
+  }
+
+  KDL::Frame theirs(const KDL::JntArray& q, const std::string& segment) {
+    KDL::Frame pose;
+    if (position_.JntToCart(q, pose, segment) < 0) throw description::Refused("KDL knows no segment " + segment);
+    return reference_.world * pose;
+  }
+  void compare(const KDL::Frame& ours, const KDL::Frame& other) {
+    for (int i = 0; i < 9; ++i)
+      take(pose_, std::abs(ours.M.data[i] - other.M.data[i]));
+    take(pose_, (ours.p - other.p).Norm() / std::max(1.0, other.p.Norm()));
+  }
+  void poses(const Joints& q) {
+    const auto ours = axial::forward_kinematics(model_, q);
+    const KDL::JntArray positions = kdl(q);
+    for (const auto& tracked : imported_.frames) {
+      const KDL::Frame carrier = tracked.link < 0 ? KDL::Frame::Identity() : frame(ours.frames[tracked.link]);
+      compare(carrier * frame(tracked.pose), theirs(positions, tracked.name));
+    }
+    if (!reference_.tool_segment.empty())
+      compare(frame(ours.tool), theirs(positions, reference_.tool_segment) * reference_.tool);
+  }
+  void torques(const Joints& q, const Joints& qd, const Joints& qdd) {
+    const auto ours = axial::inverse_dynamics(model_, q, qd, qdd), other = torque(torque_, q, qd, qdd);
+    for (int i = 0; i < n_; ++i)
+      take(torque_scale_, std::abs(other[i])), take(torque_error_, std::abs(ours[i] - other[i]));
+  }
+  void mass_matrix(const Joints& q) {
+    const auto ours = axial::mass_matrix(model_, q);
+    for (int j = 0; j < n_; ++j) {
+      Joints unit{};
+      unit[j] = 1.0;
+      const auto column = torque(still_, q, Joints{}, unit);
+      for (int i = 0; i < n_; ++i)
+        take(mass_scale_, std::abs(column[i])), take(mass_error_, std::abs(ours(i, j) - column[i]));
+    }
+  }
+
+  const Imported& imported_;
+  const Reference& reference_;
+  int n_;
+  Model model_;
+  KDL::TreeFkSolverPos_recursive position_;
+  KDL::TreeIdSolver_RNE torque_, still_;
+  std::vector<unsigned> order_;
+  double pose_ = 0.0, torque_error_ = 0.0, torque_scale_ = 0.0, mass_error_ = 0.0, mass_scale_ = 0.0;
+};
+
+}  // namespace
+
+bool Figures::good() const { return pose <= pose_bound && torque <= torque_bound && mass_matrix <= torque_bound; }
+
+std::vector<std::string> Figures::lines() const {
+  const auto two = [](double value) { return description::number(value, 2); };
+  return {"against Orocos KDL, built from the source, on " + std::to_string(states) + " random states (seed " +
+              std::to_string(seed) + "), axial::Model in double:",
+          "frames and tool within " + two(pose) + " (bound " + two(pose_bound) + "), torques within " + two(torque) +
+              " of the largest, mass matrix within " + two(mass_matrix) + " of its largest entry (bound " +
+              two(torque_bound) + ")"};
+}
+
+Figures verify(const Imported& imported, const Reference& reference, unsigned seed, int states) {
+  Comparison comparison(imported, reference);
+  std::mt19937 random(seed);
+  for (int i = 0; i < states; ++i)
+    comparison.state(random);
+  return comparison.figures(states, seed);
+}
+
+}  // namespace importer

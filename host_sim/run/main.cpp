@@ -1,0 +1,193 @@
+// run: an image of any robot in QEMU, its torques printed and checked against the run-time model in double.
+#include <host_sim/description/description.hpp>
+#include <host_sim/emulator/qemu.hpp>
+
+#include <axial/axial.hpp>
+#include <firmware/apps/run/motion.hpp>
+#include <robot.hpp>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+using axial::apps::Robot;
+using Model = axial::Model<description::most_links, axial::Gravity, axial::RotorInertia>;
+
+constexpr int joints = axial::joint_count<Robot>;
+
+struct Options {
+  std::string board = "stm32f405", number = "float", json, csv;
+};
+
+/// A line of the image: seconds, positions, torques.
+struct Sample {
+  double time = 0.0;
+  std::vector<double> q, tau, exact;
+};
+
+double number_of(const std::string& cell) {
+  std::size_t used = 0;
+  const double value = std::stod(cell, &used);
+  if (used != cell.size()) throw std::invalid_argument(cell);
+  return value;
+}
+
+Sample sample_of(const std::string& line) {
+  std::istringstream cells(line);
+  std::string cell;
+  std::vector<double> values;
+  std::getline(cells, cell, ',');
+  while (std::getline(cells, cell, ','))
+    values.push_back(number_of(cell));
+  if (values.size() != 1 + 2 * joints) throw std::runtime_error("the image printed: " + line);
+  return {
+      values[0], {values.begin() + 1, values.begin() + 1 + joints}, {values.begin() + 1 + joints, values.end()}, {}};
+}
+
+std::vector<Sample> samples_of(const std::string& console) {
+  std::vector<Sample> samples;
+  std::istringstream lines(console);
+  std::string line;
+  bool whole = false;
+  while (std::getline(lines, line)) {
+    if (line.rfind("torque,", 0) == 0) samples.push_back(sample_of(line));
+    whole = whole || line == "end";
+  }
+  if (!whole || samples.size() != axial::apps::run::samples)
+    throw std::runtime_error("the image did not print its whole motion but: " + console.substr(0, 400));
+  return samples;
+}
+
+/// Torques of the same motion by the run-time model in double.
+void add_exact(std::vector<Sample>& samples) {
+  const auto model = description::to_model<Model>(description::from_robot<Robot>());
+  for (Sample& sample : samples) {
+    axial::Joints<Model, double> q{}, qd{}, qdd{};
+    for (int i = 0; i < joints; ++i) {
+      const auto motion = axial::apps::run::motion<Robot>(i, sample.time);
+      q[i] = motion.q, qd[i] = motion.qd, qdd[i] = motion.qdd;
+    }
+    const auto tau = axial::inverse_dynamics(model, q, qd, qdd);
+    for (int i = 0; i < joints; ++i)
+      sample.exact.push_back(tau[i]);
+  }
+}
+
+/// Largest error and largest torque, of whichever joint.
+struct Verdict {
+  double error = 0.0, largest = 0.0;
+  double relative() const { return error == 0.0 ? 0.0 : error / largest; }
+};
+
+Verdict judge(const std::vector<Sample>& samples) {
+  Verdict verdict;
+  for (const Sample& sample : samples)
+    for (std::size_t i = 0; i < joints; ++i) {
+      const double error = std::abs(sample.tau[i] - sample.exact[i]);
+      if (!(error <= verdict.error)) verdict.error = error;
+      verdict.largest = std::max(verdict.largest, std::abs(sample.exact[i]));
+    }
+  return verdict;
+}
+
+void print(const std::vector<Sample>& samples) {
+  std::printf("%8s", "time, s");
+  for (int i = 1; i <= joints; ++i)
+    std::printf("%10s%d", "q", i);
+  for (int i = 1; i <= joints; ++i)
+    std::printf("%10s%d", "tau", i);
+  for (const Sample& sample : samples) {
+    std::printf("\n%8.3f", sample.time);
+    for (const double q : sample.q)
+      std::printf("%11.5f", q);
+    for (const double tau : sample.tau)
+      std::printf("%11.4f", tau);
+  }
+  std::printf("\n");
+}
+
+void write_csv(const std::string& path, const std::vector<Sample>& samples) {
+  std::ofstream file(path);
+  file << "time";
+  for (const char* name : {"q", "tau", "exact"})
+    for (int i = 1; i <= joints; ++i)
+      file << ',' << name << i;
+  file << '\n';
+  file.precision(12);
+  for (const Sample& sample : samples) {
+    file << sample.time;
+    for (const auto* values : {&sample.q, &sample.tau, &sample.exact})
+      for (const double value : *values)
+        file << ',' << value;
+    file << '\n';
+  }
+  if (!file.flush()) throw std::runtime_error("can not write '" + path + "'; is there such a folder?");
+}
+
+void write_json(const std::string& path, const Options& options, const Verdict& verdict, bool good) {
+  std::ofstream file(path);
+  file << nlohmann::json{{"robot", Robot::name},
+                         {"board", options.board},
+                         {"number", options.number},
+                         {"samples", axial::apps::run::samples},
+                         {"largest_error", verdict.error},
+                         {"largest_torque", verdict.largest},
+                         {"relative_error", verdict.relative()},
+                         {"within_bound", good}}
+              .dump(2)
+       << '\n';
+  if (!file.flush()) throw std::runtime_error("can not write '" + path + "'; is there such a folder?");
+}
+
+int run(const Options& options) {
+  const double bound = options.number == "float" ? 1e-5 : 1e-3;  // of the largest torque
+  const auto board = host_sim::read_board(options.board);
+  const auto console =
+      host_sim::run_to_end(board, host_sim::image_path(board, "run", options.number), std::chrono::seconds(120));
+  if (console.exit_status != 0)
+    throw std::runtime_error("the image ended with " + std::to_string(console.exit_status) + ": " +
+                             console.output.substr(0, 400));
+  auto samples = samples_of(console.output);
+  add_exact(samples);
+  const auto verdict = judge(samples);
+  const bool good = verdict.relative() <= bound;
+  print(samples);
+  std::printf(
+      "\n%s on %s in QEMU, %s: largest error %.2g, %.2g of the largest torque %.4g (bound %g), against axial::Model in "
+      "double\n",
+      Robot::name, board.name.c_str(), options.number.c_str(), verdict.error, verdict.relative(), verdict.largest,
+      bound);
+  if (!options.csv.empty()) write_csv(options.csv, samples);
+  if (!options.json.empty()) write_json(options.json, options, verdict, good);
+  if (!good) std::fprintf(stderr, "run: the error is above its bound\n");
+  return good ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  Options options;
+  CLI::App app("an image of any robot in QEMU", "run");
+  app.add_option("--board", options.board, "folder of hal/boards")->capture_default_str();
+  app.add_option("--number", options.number, "float or fixed32")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"float", "fixed32"}));
+  app.add_option("--json", options.json, "the figures");
+  app.add_option("--csv", options.csv, "time, positions, torques, exact torques");
+  try {
+    app.parse(count, arguments);
+    return run(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "run: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,43 @@
+// A small sound arm in both formats: what broken ones and fuzzed ones are made of.
+#pragma once
+
+namespace arms {
+
+constexpr const char* urdf = R"(<?xml version="1.0"?>
+<robot name="arm">
+  <link name="base"/>
+  <link name="upper">
+    <inertial><origin xyz="0.1 0.02 0" rpy="0.1 0.2 0.3"/><mass value="2.5"/>
+      <inertia ixx="0.011" ixy="0.001" ixz="0" iyy="0.022" iyz="0" izz="0.023"/></inertial>
+  </link>
+  <link name="fore">
+    <inertial><origin xyz="0.15 0 0.01" rpy="0 0 0"/><mass value="1.5"/>
+      <inertia ixx="0.004" ixy="0" ixz="0" iyy="0.012" iyz="0" izz="0.013"/></inertial>
+  </link>
+  <link name="tool0">
+    <inertial><origin xyz="0 0 0.05" rpy="0 0 1.5707963267948966"/><mass value="0.5"/>
+      <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.002" iyz="0" izz="0.002"/></inertial>
+  </link>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/><child link="upper"/><origin xyz="0 0 0.3" rpy="0 0 0"/><axis xyz="0 0 1"/>
+    <limit lower="-1.5" upper="1.25" effort="10" velocity="2"/><dynamics damping="0.3" friction="0.2"/>
+  </joint>
+  <joint name="elbow" type="prismatic">
+    <parent link="upper"/><child link="fore"/><origin xyz="0.25 0 0.1" rpy="1.5707963267948966 0 0.4"/><axis xyz="0 1 1"/>
+    <limit lower="0" upper="0.3" effort="20" velocity="1"/>
+  </joint>
+  <joint name="flange" type="fixed"><parent link="fore"/><child link="tool0"/><origin xyz="0.1 0 0" rpy="0 1.5708 0"/></joint>
+</robot>
+)";
+
+constexpr const char* table = R"({"name": "arm", "source": "a test", "convention": "modified", "gravity": [0, 0, -9.81],
+  "tool": {"xyz": [0, 0, 0.1], "rpy_deg": [0, 90, 0]},
+  "links": [
+    {"name": "upper", "type": "revolute", "d": 0.3, "mass": 2.5, "com": [0.1, 0, 0], "inertia_com": [0.01, 0.02, 0.02],
+     "viscous": 0.3, "coulomb": [0.2, -0.1], "position_limits_deg": [-90, 80], "speed_limit": 2, "effort_limit": 10},
+    {"name": "fore", "type": "prismatic", "parent": "upper", "a": 0.25, "alpha_deg": -90, "theta": 0.4, "mass": 1.5,
+     "inertia_origin": [0.1, 0.2, 0.2, 0.01, 0, 0], "position_limits": [0, 0.3], "rotor_inertia": 1e-5, "gear": 50}
+  ]}
+)";
+
+}  // namespace arms

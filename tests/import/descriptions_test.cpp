@@ -1,0 +1,126 @@
+// Descriptions written by others: every one is imported, and equals Orocos KDL built from the file itself.
+#include <host_sim/description/description.hpp>
+#include <host_sim/description/table.hpp>
+#include <host_sim/import/importer.hpp>
+
+#include "arms.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace {
+
+using importer::import_file;
+using importer::import_text;
+using importer::Options;
+
+const std::string folder = AXIAL_ROOT "/tests/data/descriptions/";
+
+nlohmann::json catalogue() { return nlohmann::json::parse(description::read_text(folder + "catalogue.json")); }
+
+Options options_of(const nlohmann::json& entry) {
+  Options options;
+  options.urdf.root = entry.value("root", ""), options.urdf.tip = entry.value("tip", "");
+  options.states = 20;
+  return options;
+}
+
+TEST(Descriptions, OfOthersEqualKdl) {
+  int count = 0, with_bodies = 0;
+  for (const auto& entry : catalogue()) {
+    SCOPED_TRACE(entry["file"].get<std::string>());
+    const auto result = import_file(folder + entry["file"].get<std::string>(), options_of(entry));
+    EXPECT_LE(result.figures.pose, 1e-12);
+    EXPECT_LE(result.figures.torque, 1e-9);
+    EXPECT_LE(result.figures.mass_matrix, 1e-9);
+    for (const auto& link : result.imported.robot.links)
+      if (link.parameters.mass > 0.0) {
+        ++with_bodies;
+        break;
+      }
+    ++count;
+  }
+  EXPECT_GE(count, 30);
+  EXPECT_GE(with_bodies, 20);
+}
+
+// The comparison sees an error of 1e-9 in any of the numbers.
+TEST(Verification, SeesAWrongNumber) {
+  const auto table = description::parse_table(arms::table, "arm.json");
+  const auto reference = importer::reference_of(table);
+  const auto figures_with = [&](auto change) {
+    importer::Imported imported;
+    imported.robot = description::to_mdh(table);
+    change(imported.robot);
+    imported.frames = {{importer::segment_name(1), 0, {}}, {importer::segment_name(2), 1, {}}};
+    return importer::verify(imported, reference, 1, 20);
+  };
+  EXPECT_TRUE(figures_with([](auto&) {}).good());
+  EXPECT_GT(figures_with([](auto& robot) { robot.links[1].parameters.a += 1e-9; }).pose, 1e-10);
+  EXPECT_GT(figures_with([](auto& robot) { robot.tool.position[1] += 1e-9; }).pose, 1e-10);
+  EXPECT_GT(figures_with([](auto& robot) { robot.links[1].parameters.mass *= 1.0001; }).torque, 1e-9);
+  EXPECT_GT(figures_with([](auto& robot) { robot.links[0].parameters.inertia_com[2] *= 1.001; }).mass_matrix, 1e-9);
+  EXPECT_GT(figures_with([](auto& robot) { robot.gravity.x = 0.01; }).torque, 1e-5);
+}
+
+TEST(Urdf, FixedLinksAreMerged) {
+  const auto robot = import_text(arms::urdf, "arm.urdf", {}).imported.robot;
+  ASSERT_EQ(robot.size(), 2);
+  EXPECT_EQ(robot.links[0].joint, "shoulder");
+  EXPECT_EQ(robot.links[1].name, "fore");
+  EXPECT_DOUBLE_EQ(robot.links[1].parameters.mass, 2.0);
+  EXPECT_EQ(robot.links[0].parameters.viscous, 0.3);
+  EXPECT_EQ(robot.links[0].parameters.coulomb_backward, -0.2);
+  EXPECT_EQ(robot.links[0].parameters.position_max, 1.25);
+  EXPECT_EQ(robot.links[1].parameters.type, axial::JointType::prismatic);
+}
+
+// Two bodies of 1.5 and 0.5 kg, 0.1 m apart along x with equal axes: J of the pair about its centre by hand.
+TEST(Urdf, MergedInertiaIsTheParallelAxisTheorems) {
+  std::string text = arms::urdf;
+  const auto replace = [&](const std::string& what, const std::string& by) {
+    text.replace(text.find(what), what.size(), by);
+  };
+  replace("xyz=\"0.15 0 0.01\"", "xyz=\"0 0 0\"");
+  replace("xyz=\"0 0 0.05\" rpy=\"0 0 1.5707963267948966\"", "xyz=\"0 0 0\" rpy=\"0 0 0\"");
+  replace("rpy=\"0 1.5708 0\"", "rpy=\"0 0 0\"");
+  const auto robot = import_text(text, "arm.urdf", {}).imported.robot;
+  const double across = 1.5 * 0.025 * 0.025 + 0.5 * 0.075 * 0.075;  // m r^2 about the common centre
+  const double* j = robot.links[1].parameters.inertia_com;
+  EXPECT_NEAR(j[0] + j[1] + j[2], (0.004 + 0.012 + 0.013) + (0.001 + 0.002 + 0.002) + 2.0 * across, 1e-15);
+}
+
+TEST(Urdf, ChainsHoldTheJointsBesideThem) {
+  Options options;
+  options.urdf.tip = "upper";
+  const auto imported = import_text(arms::urdf, "arm.urdf", options).imported;
+  ASSERT_EQ(imported.robot.size(), 1);
+  EXPECT_DOUBLE_EQ(imported.robot.links[0].parameters.mass, 4.5);  // carries fore and tool0 rigidly
+  ASSERT_FALSE(imported.robot.notes.empty());
+  EXPECT_NE(imported.robot.notes[0].find("elbow"), std::string::npos);
+}
+
+TEST(Urdf, RightAnglesAreReadFromFewDigits) {
+  std::string text = arms::urdf;
+  const std::string angle = "1.5707963267948966 0 0.4";
+  text.replace(text.find(angle), angle.size(), "1.5708 0 0");
+  text.replace(text.find("xyz=\"0 1 1\""), 11, "xyz=\"0 1 0\"");
+  const auto robot = import_text(text, "arm.urdf", {}).imported.robot;
+  EXPECT_EQ(robot.links[1].parameters.alpha.sin, 0.0);  // two axes along the vertical
+  Options as_written;
+  as_written.urdf.right_angles = 0.0;
+  EXPECT_NE(import_text(text, "arm.urdf", as_written).imported.robot.links[1].parameters.alpha.sin, 0.0);
+}
+
+TEST(Urdf, MissingLimitsAreNamedAsAssumptions) {
+  const auto robot = import_text(arms::urdf, "arm.urdf", {}).imported.robot;
+  EXPECT_EQ(robot.links[0].parameters.acceleration_limit, 8.0);  // 2 rad/s in 0.25 s
+  bool named = false;
+  for (const auto& assumption : robot.assumptions)
+    named = named || assumption.find("acceleration limits that reach full speed in 0.25 s: shoulder, elbow") == 0;
+  EXPECT_TRUE(named);
+}
+
+}  // namespace
