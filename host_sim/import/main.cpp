@@ -22,14 +22,16 @@ nlohmann::json to_json(const importer::Result& result, const std::string& header
   const auto& robot = result.imported.robot;
   const auto& figures = result.figures;
   nlohmann::json warnings = nlohmann::json::array(), joints = nlohmann::json::array();
+  bool masses = false;
   for (const auto& warning : result.imported.warnings)
     warnings.push_back({{"link", warning.link}, {"what", warning.what}, {"remedy", warning.remedy}});
   for (const auto& link : robot.links)
-    joints.push_back(link.joint);
+    joints.push_back(link.joint), masses = masses || link.parameters.mass > 0.0;
   return {{"name", robot.name},
           {"source", robot.source},
           {"header", header},
           {"joints", joints},
+          {"masses", masses},
           {"notes", robot.notes},
           {"assumptions", robot.assumptions},
           {"warnings", warnings},

@@ -6,6 +6,7 @@ readonly IMPORT_PACKAGES=(liburdfdom-dev liborocos-kdl-dev)
 usage() {
   cat <<'END_OF_USAGE'
 usage: ./axial import FILE [options]
+       ./axial import --documents
 Installs and builds what is missing, reads a URDF (any chain or tree of revolute, continuous, prismatic and fixed joints) or a JSON table
 of Denavit-Hartenberg rows, classical or modified (format: host_sim/description/README.md), turns it into MDH rows, verifies poses, torques
 and mass matrix against Orocos KDL on random states, and writes a header with source, assumptions, warnings and the figures in its comment.
@@ -19,6 +20,7 @@ and mass matrix against Orocos KDL on random states, and writes a header with so
   --to-speed SECONDS  acceleration limits that are missing reach full speed in this time; default 0.25
   --states N, --seed N  random states to verify on; default 100, 1
   --strict            writes nothing where there are warnings
+  --documents         alone: imports tests/data/descriptions, writes doc/data/import.json and the table of doc/import.md
 Exits with 1 and says link, value and remedy when a description can not be used or the figures miss their bounds (poses 1e-12, torques
 and mass matrix 1e-9 relative); warnings (no inertia, triangle inequality violated, ...) go to stderr and into the header.
 END_OF_USAGE
@@ -27,6 +29,12 @@ END_OF_USAGE
 run() {
   (($#)) || fail_usage "name a URDF or a table; see ./axial import --help"
   build_import
+  if [[ $1 == --documents ]]; then
+    (($# == 1)) || fail_usage "--documents stands alone; see ./axial import --help"
+    /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/import/catalogue.py" "$AXIAL_ROOT/build/host-release/host_sim/import/import" \
+      "$AXIAL_ROOT/tests/data/descriptions" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/import.md"
+    return
+  fi
   "$AXIAL_ROOT/build/host-release/host_sim/import/import" "$@"
 }
 
