@@ -74,7 +74,7 @@ struct Calls {
   using Q = Positions<Robot, T>;               ///< rad or m
   using V = Velocities<Robot, T>;              ///< rad/s or m/s
   using A = Accelerations<Robot, T>;           ///< rad/s^2 or m/s^2
-  using Tau = EffortsOf<S, T>;                 ///< n m or N
+  using Tau = EffortsOf<S, T>;                 ///< N m or N
   static constexpr int size = joint_count<S>;  ///< number of joints
 
   // Floating point may be asked beyond the limits; formats of fixed point end there.

@@ -9,13 +9,13 @@ namespace axial {
 /// Memory of a feed-forward, owned by the caller; start with `{}`: the first safe output is no effort.
 template <class S, class T>
 struct FeedforwardState {
-  EffortsOf<S, T> last_safe{};  ///< n m or N, answered where a request is refused
+  EffortsOf<S, T> last_safe{};  ///< N m or N, answered where a request is refused
 };
 
 /// Efforts to apply, and whether the request was met.
 template <class S, class T>
 struct FeedforwardResult {
-  EffortsOf<S, T> tau{};  ///< n m or N, within the declared effort limits
+  EffortsOf<S, T> tau{};  ///< N m or N, within the declared effort limits
   Status status{};        ///< what was wrong with the request, and with which joint
 };
 

@@ -77,8 +77,8 @@ struct Residuals<S, Stored<Word>, Tuning> {
 /// next call starts anew and keeps the residual.
 template <class S, class T, class Tuning>
 struct ObserverState {
-  Residuals<S, T, Tuning> residual{};  ///< n m or N, external efforts
-  MomentumTerms<S, T> last{};          ///< sample's terms
+  Residuals<S, T, Tuning> residual{};  ///< N m or N, external efforts
+  MomentumTerms<S, T> last{};          ///< terms of the sample before
   bool ready = false;                  ///< whether `last` is the previous sample's
 };
 

@@ -80,7 +80,7 @@ template <class U, class F>
 struct Driven {
   U free{};           ///< u / D, rad/s^2 or m/s^2
   bool lost = false;  ///< whether D is lost, or the drive is beyond its format
-  F sent{};           ///< n m and N, on the parent, in its frame
+  F sent{};           ///< N m and N, on the parent, in its frame
 };
 template <class U, class F>
 Driven(U, bool, F) -> Driven<U, F>;

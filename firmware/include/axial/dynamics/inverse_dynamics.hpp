@@ -155,7 +155,7 @@ AXIAL_INLINE constexpr auto sent_force(const Links& links, const Screws& screws,
 /// What the inward pass keeps of a link.
 template <class F>
 struct Left {
-  F sent{};  ///< n m and N, on its parent, in the parent's frame
+  F sent{};  ///< N m and N, on its parent, in the parent's frame
 };
 template <class F>
 Left(F) -> Left<F>;

@@ -202,7 +202,7 @@ AXIAL_INLINE constexpr Resistance<One> resistance(One, const Scale&) {
 template <class N, class D, class R, class K>
 struct Hinge {
   N inertia;      ///< N, an ArticulatedInertia
-  D resistance;   ///< d = I_ss + rotor, kg m^2 or kg
+  D resistance;   ///< D = I_ss + rotor, kg m^2 or kg
   R inverse;      ///< 1 / D
   K gain;         ///< k = U / D with K_s = I_ss / D
   bool singular;  ///< whether D is lost in the rounding of the composite inertia
@@ -240,7 +240,7 @@ AXIAL_INLINE constexpr const auto& along_axis_of(Prismatic, const K& gain) {
 /// What a force p and the effort tau do at a joint: the force that passes, and u / D.
 template <class P, class U>
 struct Passage {
-  P bias;  ///< n m and N, on the inboard side
+  P bias;  ///< N m and N, on the inboard side
   U free;  ///< u / D, rad/s^2 or m/s^2
 };
 template <class P, class U>

@@ -11,12 +11,12 @@ namespace axial {
 /// Friction and spring of one joint, on the joint side, SI.
 template <class T>
 struct DriveConstants {
-  T viscous{};                                ///< n m s/rad or N s/m
-  T coulomb_forward{}, coulomb_backward{};    ///< n m or N, friction while moving forward (>= 0) and backward (<= 0)
+  T viscous{};                                ///< N m s/rad or N s/m
+  T coulomb_forward{}, coulomb_backward{};    ///< N m or N, friction while moving forward (>= 0) and backward (<= 0)
   T stribeck_forward{}, stribeck_backward{};  ///< breakaway beyond Coulomb: static effort - Coulomb
   T inverse_stribeck_speed2{};                ///< 1 / speed^2
   T inverse_smooth_speed{};                   ///< 0 where the sign of the speed is taken as it is
-  T spring_stiffness{}, spring_rest{};        ///< n m/rad or N/m; rad or m
+  T spring_stiffness{}, spring_rest{};        ///< N m/rad or N/m; rad or m
 };
 
 /// From a link's description; unused ones are 0.

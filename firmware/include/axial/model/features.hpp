@@ -97,7 +97,7 @@ struct BaseWrench : Feature<BaseWrench> {
   /// Its run-time input.
   template <class Robot, class T>
   struct Input {
-    ForceVector<Vec3<T>, Vec3<T>> base_wrench{};  ///< n m, N; starts as 0
+    ForceVector<Vec3<T>, Vec3<T>> base_wrench{};  ///< N m, N; starts as 0
   };
 };
 
@@ -129,7 +129,7 @@ struct TipWrench : Feature<TipWrench> {
   /// Its run-time input.
   template <class Robot, class T>
   struct Input {
-    ForceVector<Vec3<T>, Vec3<T>> tip_wrench{};  ///< n m, N; starts as 0
+    ForceVector<Vec3<T>, Vec3<T>> tip_wrench{};  ///< N m, N; starts as 0
   };
 };
 
@@ -138,7 +138,7 @@ struct ExternalWrenches : Feature<ExternalWrenches> {
   /// Its run-time input.
   template <class Robot, class T>
   struct Input {
-    Joints<Robot, ForceVector<Vec3<T>, Vec3<T>>> wrenches{};  ///< n m, N; start as 0
+    Joints<Robot, ForceVector<Vec3<T>, Vec3<T>>> wrenches{};  ///< N m, N; start as 0
   };
 };
 

@@ -191,7 +191,7 @@ class Counting {
 /// The counting scalar as a number of kernels.
 template <>
 struct NumberTraits<Counting> {
-  static constexpr bool is_number = true;                                                 ///< t is a number
+  static constexpr bool is_number = true;                                                 ///< T is a number
   static constexpr Counting constant(double value) { return Counting::constant(value); }  ///< a constant of the model
   /// that of double
   static constexpr Counting epsilon() { return Counting::constant(std::numeric_limits<double>::epsilon()); }

@@ -19,7 +19,7 @@ struct NumberTraits {
 /// Floating point: constants are rounded to T by the compiler.
 template <class T>
 struct NumberTraits<T, std::enable_if_t<std::is_floating_point_v<T>>> {
-  static constexpr bool is_number = true;                                      ///< t is a number
+  static constexpr bool is_number = true;                                      ///< T is a number
   static constexpr T constant(double value) { return static_cast<T>(value); }  ///< the nearest T
   static constexpr T epsilon() { return std::numeric_limits<T>::epsilon(); }   ///< distance from 1 to the next T
 };

@@ -16,7 +16,7 @@ struct Instant {
 /// Efforts and inputs that do not change during a step: what a controller holds. Without any, the robot moves freely.
 template <class S, class T>
 struct Held {
-  EffortsOf<S, T> tau{};  ///< n m or N
+  EffortsOf<S, T> tau{};  ///< N m or N
   Inputs<S, T> in{};      ///< run-time inputs that the scene names
   /// Fills both at any instant.
   template <class Where>

@@ -10,8 +10,8 @@ namespace axial {
 /// joints, each on its own joint and not negative: a stiff controller, end stops.
 template <class S, class T>
 struct DriveStiffness {
-  Joints<robot_of<S>, T> stiffness{};  ///< n m/rad or N/m
-  Joints<robot_of<S>, T> damping{};    ///< n m s/rad or N s/m
+  Joints<robot_of<S>, T> stiffness{};  ///< N m/rad or N/m
+  Joints<robot_of<S>, T> damping{};    ///< N m s/rad or N s/m
 };
 
 /// Drives without any: zero by type.

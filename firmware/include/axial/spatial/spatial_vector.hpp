@@ -32,7 +32,7 @@ MotionVector(W, V) -> MotionVector<W, V>;
 /// A force: moment (N m) about the origin of a frame and force (N), in its axes.
 template <class N, class F>
 struct ForceVector {
-  N moment{};  ///< n m, about the frame's origin
+  N moment{};  ///< N m, about the frame's origin
   F force{};   ///< N
 
   /// Structural elements become numbers where the target has numbers.
