@@ -43,6 +43,7 @@ class add_the_feature_axial_SineCosines_to_the_scene {
   static void turns();
 };
 
+/// Stands where a scene has the input.
 template <class Tag>
 struct Present {};
 

@@ -24,6 +24,7 @@ struct UnknownTurn {
 /// Base of every tag that a Scene may list. A tag with a run-time input declares its own `Input<Robot, T>`.
 template <class Tag>
 struct Feature {
+  /// None.
   template <class Robot, class T>
   struct Input {};
 };

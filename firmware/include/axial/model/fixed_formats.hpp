@@ -11,13 +11,13 @@ namespace axial {
 
 /// Which recursion a kernel is, for its ranges.
 namespace recursion {
-struct NewtonEuler {};
-struct CompositeBodies {};
+struct NewtonEuler {};              ///< inverse dynamics
+struct CompositeBodies {};          ///< the mass matrix
 struct ArticulatedBodies {};        ///< the classical form
 struct ArticulatedBodiesAtRest {};  ///< of the split form
-struct Kinematics {};
-struct Separation {};
-struct Momenta {};
+struct Kinematics {};               ///< poses and Jacobians
+struct Separation {};               ///< the separated terms
+struct Momenta {};                  ///< joint momenta and their drift
 }  // namespace recursion
 
 namespace detail {

@@ -18,13 +18,13 @@ struct Joints {
 
 /// What the values of joints can be.
 namespace role {
-struct Position {};
-struct Velocity {};
-struct Acceleration {};
-struct Effort {};
+struct Position {};          ///< rad or m
+struct Velocity {};          ///< rad/s or m/s
+struct Acceleration {};      ///< rad/s^2 or m/s^2
+struct Effort {};            ///< N m or N
 struct FreeAcceleration {};  ///< what forward dynamics answers: bounded by efforts, not by a request's limits
-struct Momentum {};
-struct MomentumRate {};
+struct Momentum {};          ///< N m s or N s
+struct MomentumRate {};      ///< N m or N
 }  // namespace role
 
 namespace detail {

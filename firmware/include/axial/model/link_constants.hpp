@@ -6,8 +6,10 @@
 namespace axial {
 
 /// Kind of a joint as a type.
+///@{
 struct Revolute {};
 struct Prismatic {};
+///@}
 
 /// Constants of one link in its own frame, SI.
 template <class T>

@@ -89,10 +89,13 @@ class Model {
   int size_ = 0;
 };
 
+/// Whether a type is a run-time Model.
+///@{
 template <class T>
 struct IsModel : std::false_type {};
 template <int N, class... Features>
 struct IsModel<Model<N, Features...>> : std::true_type {};
+///@}
 
 namespace detail {
 template <int N, class... Features>

@@ -51,10 +51,13 @@ struct Scene {
                 "SplitArticulatedBody and CompositeBody, or none to let the compiler choose");
 };
 
+/// Whether a type is a Scene.
+///@{
 template <class T>
 struct IsScene : std::false_type {};
 template <class Robot, class... Features>
 struct IsScene<Scene<Robot, Features...>> : std::true_type {};
+///@}
 
 namespace detail {
 template <class S, bool scene = IsScene<S>::value>

@@ -7,19 +7,19 @@ namespace axial {
 struct Status {
   /// What was found.
   enum class Code : unsigned char {
-    ok = 0,
-    near_singular = 1,   ///< forward dynamics: the joint's inertia is lost in rounding
-    not_finite = 2,      ///< an input is NaN or infinite
-    position_limit = 3,  ///< outside the declared limits
-    speed_limit = 4,
-    acceleration_limit = 5,
-    effort_limit = 6,   ///< the result was clamped to the declared effort
-    payload_limit = 7,  ///< the run-time payload is beyond the declared maximum, or not a number; about no joint
-    saturated = 9,      ///< fixed-point forward dynamics: efforts drive this joint beyond the range of its formats
-    rescaled = 10,      ///< fixed-point forward dynamics: efforts beyond the declared ones; right, but less exact
-    not_ready = 8,      ///< asked before the first good refresh(); about no joint
-    input_limit = 11,   ///< fixed point: tip wrench or gravity beyond the declared ones, or no sine-cosine pair; about
-                        ///< no joint
+    ok = 0,                  ///< nothing to report
+    near_singular = 1,       ///< forward dynamics: the joint's inertia is lost in rounding
+    not_finite = 2,          ///< an input is NaN or infinite
+    position_limit = 3,      ///< outside the declared limits
+    speed_limit = 4,         ///< outside the declared limits
+    acceleration_limit = 5,  ///< outside the declared limits
+    effort_limit = 6,        ///< the result was clamped to the declared effort
+    payload_limit = 7,       ///< the run-time payload is beyond the declared maximum, or not a number; about no joint
+    saturated = 9,           ///< fixed-point forward dynamics: efforts drive this joint beyond the range of its formats
+    rescaled = 10,           ///< fixed-point forward dynamics: efforts beyond the declared ones; right, but less exact
+    not_ready = 8,           ///< asked before the first good refresh(); about no joint
+    input_limit = 11,  ///< fixed point: tip wrench or gravity beyond the declared ones, or no sine-cosine pair; about
+                       ///< no joint
   };
   Code code = Code::ok;  ///< what was found
   int joint = -1;        ///< counted from 0 at the base; -1 for none
