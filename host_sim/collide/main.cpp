@@ -1,19 +1,23 @@
 // collide: a simulated Panda with and without contacts; CSV, JSON, a picture; fails when a claim does.
 #include <host_sim/collide/collide.hpp>
+#include <host_sim/collide/payload.hpp>
 #include <host_sim/output/files.hpp>
 #include <host_sim/output/table.hpp>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <exception>
 
 namespace {
 
 using host_sim::collide::Instant;
+using host_sim::collide::PayloadRow;
 using host_sim::collide::Row;
 
+constexpr double weighing = 60.0;                   // s
 constexpr double allowed_delay = 0.010;             // s
 constexpr double drawn_from = 0.4, drawn_to = 8.0;  // s of the motion with contacts, in the CSV
 
@@ -50,6 +54,37 @@ void print(const std::vector<Row>& rows) {
   std::printf("%s", table.text().c_str());
 }
 
+nlohmann::json to_json(const std::vector<PayloadRow>& rows) {
+  auto all = nlohmann::json::array();
+  for (const PayloadRow& r : rows)
+    all.push_back({{"subject", "payload"},
+                   {"robot", r.robot},
+                   {"scalar", "float"},
+                   {"seconds", r.seconds},
+                   {"mass_kg", r.mass},
+                   {"mass_error_kg", r.mass_error},
+                   {"mass_deviation_kg", r.mass_deviation},
+                   {"moment_error_kg_m", r.moment_error},
+                   {"ready_s", r.ready},
+                   {"refused", r.refused}});
+  return all;
+}
+
+void print(const std::vector<PayloadRow>& rows) {
+  host_sim::Table table({"robot", "payload, kg", "motion, s", "sure after, s", "error of mass, kg", "its deviation, kg",
+                         "error of first moment, kg m"});
+  for (const PayloadRow& r : rows)
+    table.add({r.robot, host_sim::significant(r.mass), host_sim::significant(r.seconds), host_sim::significant(r.ready),
+               host_sim::significant(r.mass_error, 2), host_sim::significant(r.mass_deviation, 2),
+               host_sim::significant(r.moment_error, 2)});
+  std::printf("\n%s", table.text().c_str());
+}
+
+// Half of what an estimate may deviate by and still be called sure.
+bool good(const PayloadRow& r) {
+  return r.sure && r.refused == 0 && std::fabs(r.mass_error) < 0.025 && r.moment_error < 0.01;
+}
+
 bool good(const Row& r) {
   return r.contacts > 0 && r.missed == 0 && r.false_alarms == 0 && r.refused == 0 && r.longest() <= allowed_delay;
 }
@@ -83,8 +118,13 @@ int measure(const Options& options) {
   }
   rows.push_back(host_sim::collide::run("fixed32", options.seconds, options.seed));
   print(rows);
-  host_sim::write_json(stem + ".json", to_json(rows));
-  if (!options.json.empty()) host_sim::write_json(options.json, to_json(rows));
+  const auto payloads = host_sim::collide::weigh(weighing, options.seed);
+  print(payloads);
+  auto json = to_json(rows);
+  for (const auto& row : to_json(payloads))
+    json.push_back(row);
+  host_sim::write_json(stem + ".json", json);
+  if (!options.json.empty()) host_sim::write_json(options.json, json);
   host_sim::run_plot("collide.py", {stem + ".csv"});
   std::printf("\npicture  %s.png (and .svg)\ndata     %s.csv, %s.json\n", stem.c_str(), stem.c_str(), stem.c_str());
   bool all = true;
@@ -93,6 +133,12 @@ int measure(const Options& options) {
       all = false;
       std::fprintf(stderr, "collide: %s: a contact was missed or found after more than %g ms, or there was none\n",
                    r.scalar.c_str(), 1e3 * allowed_delay);
+    }
+  for (const PayloadRow& r : payloads)
+    if (!good(r)) {
+      all = false;
+      std::fprintf(stderr, "collide: %s: a payload of %g kg was not weighed to 25 g and 10 g m\n", r.robot.c_str(),
+                   r.mass);
     }
   return all ? 0 : 1;
 }

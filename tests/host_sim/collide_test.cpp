@@ -2,6 +2,9 @@
 // minutes.
 #include <gtest/gtest.h>
 #include <host_sim/collide/collide.hpp>
+#include <host_sim/collide/payload.hpp>
+
+#include <cmath>
 
 namespace {
 
@@ -23,3 +26,19 @@ void expect_found(const char* scalar) {
 
 TEST(Collide, FloatFindsContactsAndNothingElse) { expect_found("float"); }
 TEST(Collide, FixedPointFindsContactsAndNothingElse) { expect_found("fixed32"); }
+
+// Errors are of encoders, of torque noise, of wrong parameters (1 %) and of the inertia that is left out.
+TEST(Collide, PayloadsAreWeighedTo25GramsAnd10GramMetres) {
+  const auto rows = host_sim::collide::weigh(20.0, 5);
+  EXPECT_EQ(rows.size(), 7U);
+  for (const auto& row : rows) {
+    SCOPED_TRACE(testing::Message() << row.robot << ' ' << row.mass << " kg");
+    EXPECT_TRUE(row.sure);
+    EXPECT_EQ(row.refused, 0);
+    EXPECT_LT(std::fabs(row.mass_error), 0.025);
+    EXPECT_LT(row.moment_error, 0.010);
+    EXPECT_GT(row.moment_error, 1e-5);  // noise is there
+    EXPECT_GT(row.ready, 0.1);
+    EXPECT_LT(row.ready, 10.0);
+  }
+}

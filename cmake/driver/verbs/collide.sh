@@ -6,13 +6,14 @@ usage() {
 usage: ./axial collide [options]
 Installs and builds what is missing. Moves a simulated Panda at 1 kHz with quantised encoders, noisy torques and wrong parameters,
 once without contacts and once with one of 5 % of a joint's effort limit every 1.5 s; a momentum observer in float and in fixed point
-watches. Prints delays and false alarms, writes JSON, the CSV of the first seconds and a picture (doc/observer.md).
+watches; then payloads of a Panda and a Puma 560 are weighed. Prints delays and false alarms, writes JSON, the CSV of the first seconds and a picture (doc/observer.md).
   --seconds NUMBER    of motion, once without and once with contacts; default 600
   --seed NUMBER       of motion and noise; default 3
   --output FOLDER     where the files go; default output/collide
   --json FILE         the rows once more, as an array of objects
   --documents         alone: writes doc/data, doc/pictures and the tables of doc/observer.md
-Exits non-zero when a contact is missed or found after more than 10 ms, or when there is a false alarm.
+Exits non-zero when a contact is missed or found after more than 10 ms, when there is a false alarm, or a payload
+is weighed worse than to 25 g or 10 g m.
 END_OF_USAGE
 }
 

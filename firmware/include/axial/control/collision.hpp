@@ -55,10 +55,10 @@ constexpr CollisionThresholds<S, T, Tuning> collision_thresholds() {
   return all;
 }
 
-// Whether |x| > most; x is finite.
+// Whether |x| > most; x is finite. Neither comparison depends on the other's answer, here and below: no branch.
 template <class T>
 AXIAL_INLINE constexpr bool beyond(const T& x, const T& most) {
-  return !(x <= most && -x <= most);
+  return !((x <= most) & (-x <= most));
 }
 template <class Word>
 AXIAL_INLINE constexpr bool beyond(const Stored<Word>& x, const Stored<Word>& most) {
@@ -68,7 +68,7 @@ AXIAL_INLINE constexpr bool beyond(const Stored<Word>& x, const Stored<Word>& mo
 
 // Samples in a row, held at most so that nothing wraps.
 constexpr int counted_on(int count, bool now, int most) {
-  const int next = count + static_cast<int>(count < most);
+  const int next = count + static_cast<int>(is_negative(count - most));
   return next & -static_cast<int>(now);
 }
 
@@ -93,7 +93,7 @@ constexpr Collision detect(CollisionState& state, const Residuals<S, T, Tuning>&
   }
   state.above = detail::counted_on(state.above, any, Tuning::confirm);
   state.below = detail::counted_on(state.below, !loud, Tuning::calm);
-  const bool begins = state.above >= Tuning::confirm, ends = state.below >= Tuning::calm;
+  const bool begins = !is_negative(state.above - Tuning::confirm), ends = !is_negative(state.below - Tuning::calm);
   state.collision = begins | (state.collision & !ends);
   return {state.collision, joint};
 }

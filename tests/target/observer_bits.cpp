@@ -1,0 +1,31 @@
+// What firmware/apps/observer prints on a board, on the host, for float and fixed point; without costs.
+#include <robots/panda.hpp>
+
+#include <cinttypes>
+#include <cstdio>
+
+#include <firmware/apps/observer/sequence.hpp>
+
+namespace {
+
+struct Nothing {
+  template <class Code>
+  std::uint32_t operator()(Code& code) const {
+    code();
+    return 0;
+  }
+};
+
+template <class T>
+void print(const char* image) {
+  using Scene = axial::Scene<robots::Panda, axial::Gravity, axial::RotorInertia>;
+  const auto all = axial::apps::observer::report<Scene, T>(Nothing{});
+  std::printf("%s,%016" PRIx64 ",%d,%d\n", image, all.hash, all.refused, all.collisions);
+}
+
+}  // namespace
+
+int main() {
+  print<float>("observer-panda");
+  print<axial::Fixed32>("observer-fixed-panda");
+}
