@@ -25,6 +25,7 @@ def parsed(arguments):
     parser = argparse.ArgumentParser(prog="excite", description=__doc__, allow_abbrev=False)
     parser.add_argument("--program", required=True, help="robot_regressor")
     parser.add_argument("--robot", required=True)
+    parser.add_argument("--tip", default="")
     parser.add_argument("-o", dest="path", default="excitation.csv")
     parser.add_argument("--duration", type=float, default=10.0)
     parser.add_argument("--rate", type=float, default=1000.0)
@@ -125,7 +126,7 @@ def rows(robot, excitation, peaks, conditions, options):
 
 
 def excite(options):
-    with robots.Robot(options.program, options.robot) as robot:
+    with robots.Robot(options.program, options.robot, options.tip) as robot:
         excitation = Excitation(robot, options.duration, options.harmonics)
         first, shape = excitation.best(options.seed, options.rounds)
         instants = np.arange(CHECKED)

@@ -27,6 +27,7 @@ def parsed(arguments):
     parser.add_argument("log")
     parser.add_argument("--program", required=True, help="robot_regressor")
     parser.add_argument("--robot", required=True)
+    parser.add_argument("--tip", default="")
     parser.add_argument("-o", dest="header")
     parser.add_argument("--cutoff", type=float)
     parser.add_argument("--keep", action="append", default=[], choices=sorted(FIXED))
@@ -108,7 +109,7 @@ def write_header(found, path, log):
 
 
 def identify(options):
-    with robots.Robot(options.program, options.robot) as robot:
+    with robots.Robot(options.program, options.robot, options.tip) as robot:
         log = read(options.log, robot)
         print(f"{len(log.time)} rows of {len(robot)} joints; fitting", file=sys.stderr, flush=True)
         found = Identification(robot, log, options.keep, options.cutoff)

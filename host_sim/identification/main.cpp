@@ -77,21 +77,22 @@ void write_header(description::Description robot, const std::string& values, con
 }
 
 int run(int count, char** arguments) {
-  std::string robot, values, path;
+  std::string robot, tip, values, path;
   CLI::App app("a robot's parameters, limits and regressor, for identify.py and excite.py", "robot_regressor");
   app.require_subcommand(1);
   app.fallthrough();
-  app.add_option("--robot", robot, "name as in robots/README.md, or a table (.json)")->required();
+  app.add_option("--robot", robot, "name as in robots/README.md, a table (.json) or a URDF")->required();
+  app.add_option("--tip", tip, "where the chain of a URDF ends");
   app.add_subcommand("describe", "name, limits and standard parameters as JSON")->callback([&] {
-    describe(find_robot(robot));
+    describe(find_robot(robot, tip));
   });
   app.add_subcommand("answer", "regressors of the states that come in on standard input, in binary")->callback([&] {
-    answer(find_robot(robot));
+    answer(find_robot(robot, tip));
   });
   CLI::App* header = app.add_subcommand("header", "writes the header of the robot with other parameters");
   header->add_option("--values", values, "JSON: name, source, parameters, notes, figures")->required();
   header->add_option("-o", path, "the header")->required();
-  header->callback([&] { write_header(find_robot(robot), values, path); });
+  header->callback([&] { write_header(find_robot(robot, tip), values, path); });
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {

@@ -15,8 +15,8 @@ class RobotError(ValueError):
 class Robot:
     """joints: dictionaries of limits (None where there is none); prior: standard parameters; names: "m1", "mx1", ..."""
 
-    def __init__(self, program, robot):
-        self.command = [str(program), "--robot", str(robot)]
+    def __init__(self, program, robot, tip=""):
+        self.command = [str(program), "--robot", str(robot), *(["--tip", tip] if tip else [])]
         described = json.loads(self._ask("describe"))
         self.name, self.joints = described["name"], described["joints"]
         self.kinds = described["parameters"] * len(self.joints)

@@ -1,16 +1,41 @@
 #include <host_sim/description/known_robots.hpp>
 #include <host_sim/description/table.hpp>
 #include <host_sim/identification/robot_file.hpp>
+#ifdef AXIAL_WITH_URDF
+#include <host_sim/import/importer.hpp>
+#endif
 
 namespace host_sim::identification {
 
-description::Description find_robot(const std::string& robot) {
-  const std::string ending = ".json";
-  if (robot.size() > ending.size() && robot.substr(robot.size() - ending.size()) == ending)
-    return description::to_mdh(description::read_table(robot));
+namespace {
+
+bool ends_with(const std::string& text, const std::string& ending) {
+  return text.size() > ending.size() && text.substr(text.size() - ending.size()) == ending;
+}
+
+#ifdef AXIAL_WITH_URDF
+description::Description read_urdf(const std::string& path, const std::string& tip) {
+  importer::Options options;
+  options.urdf.tip = tip;
+  const auto result = importer::import_file(path, options);
+  if (!result.figures.good())
+    throw description::Refused("'" + path + "' misses the bounds of its verification; see ./axial import");
+  return result.imported.robot;
+}
+#else
+description::Description read_urdf(const std::string& path, const std::string&) {
+  throw description::Refused("'" + path + "': this program was built without urdfdom; install liburdfdom-dev");
+}
+#endif
+
+}  // namespace
+
+description::Description find_robot(const std::string& robot, const std::string& tip) {
+  if (ends_with(robot, ".urdf")) return read_urdf(robot, tip);
+  if (!tip.empty()) throw description::Refused("--tip is for a URDF; '" + robot + "' is none");
+  if (ends_with(robot, ".json")) return description::to_mdh(description::read_table(robot));
   if (robot.find_first_of("./") != std::string::npos)
-    throw description::Refused("'" + robot +
-                               "' is no Denavit-Hartenberg table (.json, host_sim/description/README.md)");
+    throw description::Refused("'" + robot + "' is neither a URDF (.urdf) nor a Denavit-Hartenberg table (.json)");
   return description::known_robot(robot);
 }
 

@@ -5,8 +5,8 @@
 
 namespace host_sim::identification {
 
-/// A robot of robots/ by its name, or a Denavit-Hartenberg table in JSON (host_sim/description) by its path. Throws
-/// description::Refused.
-description::Description find_robot(const std::string& robot);
+/// A robot of robots/ by its name, a Denavit-Hartenberg table in JSON (host_sim/description) or a URDF
+/// (host_sim/import) by its path; `tip`: where a URDF's chain ends, empty: every branch. Throws description::Refused.
+description::Description find_robot(const std::string& robot, const std::string& tip);
 
 }  // namespace host_sim::identification

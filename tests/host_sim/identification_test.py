@@ -154,6 +154,13 @@ class CommandLine(unittest.TestCase):
         self.assertIn(f".mass({identified['m2']!r})", written)
         self.assertEqual([row["joint"] for row in rows if row["kind"] == "torque"], [1, 2, 1, 2])
 
+    def test_takes_tables_and_urdfs(self):
+        descriptions = ROOT / "tests/data/descriptions"
+        for name, tip, joints in (("spong_2link.json", "", 2), ("ur10_robot.urdf", "ee_link", 6)):
+            with robots.Robot(program(), descriptions / name, tip) as robot:
+                self.assertEqual(len(robot), joints)
+                self.assertEqual(robot.regressor(np.zeros((1, joints)), np.zeros((1, joints)), np.ones((1, joints)))[0].shape, (1, joints, 14 * joints))
+
     def test_unknown_robots_are_named(self):
         status, _, err = run(identify.main, "log.csv", "--robot", "puma")
         self.assertEqual(status, 1)

@@ -10,7 +10,9 @@ Installs and builds what is missing (python3-scipy, the first time). Fits base p
 physically consistent parameters of every link that have them, and says how sure each is (doc/identification.md).
   LOG.csv             a header line, then time (s), q1... (rad or m), tau1... (N m or N, of the drives, on the joint's side) and, if they
                       were measured, qd1...; other columns are ignored. Even steps, 100 Hz or more; ./axial excite makes motions
-  --robot ROBOT       what it starts from: a name of robots/README.md, or a Denavit-Hartenberg table (.json, host_sim/description)
+  --robot ROBOT       what it starts from: a name of robots/README.md, a Denavit-Hartenberg table (.json,
+                      host_sim/description) or a URDF
+  --tip LINK          where the chain of a URDF ends; default: every branch
   -o HEADER.hpp       writes the identified robot; the file's name becomes its name
   --validate LOG.csv  a second log, which the parameters must predict
   --cutoff HZ         of the zero-phase low-pass; default 10 Hz or a tenth of the log's rate; 0: none
