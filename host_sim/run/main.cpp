@@ -147,7 +147,7 @@ void write_json(const std::string& path, const Options& options, const Verdict& 
 }
 
 int run(const Options& options) {
-  const double bound = options.number == "float" ? 1e-5 : 1e-3;  // of the largest torque
+  const double bound = options.number == "float" ? 1e-5 : 1e-4;  // of the largest torque
   const auto board = host_sim::read_board(options.board);
   const auto console =
       host_sim::run_to_end(board, host_sim::image_path(board, "run", options.number), std::chrono::seconds(120));

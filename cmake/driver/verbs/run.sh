@@ -12,7 +12,7 @@ axial::Model in double.
   --type NAME         the robot's struct, such as robots::MyArm; default: the one that holds the last chain of the header
   --csv FILE          time, positions, torques, exact torques
   --json FILE         board, largest error, largest torque
-Exits with 1 when the error is above 1e-5 (float) or 1e-3 (fixed32) of the largest torque.
+Exits with 1 when the error is above 1e-5 (float) or 1e-4 (fixed32) of the largest torque.
 END_OF_USAGE
 }
 
