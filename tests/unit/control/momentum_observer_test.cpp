@@ -3,6 +3,7 @@
 #include <axial/control/border.hpp>
 #include <axial/control/collision.hpp>
 #include <axial/control/payload_estimator.hpp>
+#include <axial/cost.hpp>
 #include <axial/model/model.hpp>
 #include <cases/to_axial.hpp>
 #include <oracle/compare.hpp>
@@ -11,6 +12,7 @@
 #include <oracle/lagrange.hpp>
 #include <oracle/random_chain.hpp>
 #include <robots/panda.hpp>
+#include <robots/puma560.hpp>
 #include <robots/scara_rrpr.hpp>
 
 #include <cmath>
@@ -371,4 +373,28 @@ TEST(PayloadEstimator, SaysWhenItHasNotSeenEnough) {
   EXPECT_EQ(still.status.code, Status::Code::not_ready);
   EXPECT_EQ(estimate<Weighing>(PayloadState<Robot, double>{}).status.code, Status::Code::not_ready);
   EXPECT_EQ((PayloadEstimate<double>{-0.1, {0.1, 0.0, 0.0}, {}, {}}.body().mass), 0.0);
+}
+
+namespace {
+template <class R>
+constexpr Operations momentum_cost() {
+  Trace trace;
+  Joints<R, Counting> q{}, qd{};
+  for (auto* joints : {&q, &qd})
+    for (auto& value : joints->values)
+      value = Counting(trace);
+  const auto terms = momentum_terms<R>(q, qd);
+  for (int i = 0; i < R::chain.size; ++i)
+    terms.momentum[i].need(), terms.drift[i].need();
+  return trace.operations();
+}
+}  // namespace
+
+// As doc/observer.md says: less than one inverse dynamics.
+TEST(Momentum, CostsLessThanInverseDynamics) {
+  constexpr Operations panda = momentum_cost<Robot>(), puma = momentum_cost<robots::Puma560>();
+  EXPECT_TRUE((panda == Operations{267, 198, 0, 6}));
+  EXPECT_TRUE((puma == Operations{154, 107, 0, 4}));
+  EXPECT_LT(panda.total(), cost<Robot>(algorithm::inverse_dynamics).total());
+  EXPECT_LT(puma.total(), cost<robots::Puma560>(algorithm::inverse_dynamics).total());
 }

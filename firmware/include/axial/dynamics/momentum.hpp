@@ -123,7 +123,7 @@ AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, cons
 /// fixed q and qd as independent variables) from the same pass as -s . (v x* h), without C or dM/dt. No accelerations.
 /// In: q (rad or m), qd; `in` as of inverse_dynamics(), a payload and a known wrench included. Out: both terms.
 /// NaN and infinities propagate; in fixed point q and qd must be inside the declared limits, and nothing overflows
-/// there (formats: model/ranges/momentum.hpp). Cost: doc/observer.md, about one inverse_dynamics().
+/// there (formats: model/ranges/momentum.hpp). Cost: doc/observer.md, less than one inverse_dynamics().
 template <class S, class T>
 constexpr MomentumTerms<S, T> momentum_terms(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                              const Inputs<S, T>& in = {}) {
