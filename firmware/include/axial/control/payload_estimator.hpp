@@ -15,10 +15,10 @@ namespace axial {
 /// Memory of an estimator, owned by the caller; start with `{}`, and again when the payload changes.
 template <class S, class T>
 struct PayloadState {
-  detail::PayloadColumns<S, T> last{};
+  detail::PayloadColumns<S, T> last{};                ///< columns of the previous sample
   detail::PayloadRow<T> lagged[joint_count<S>] = {};  ///< columns behind the observer's lag
   T information[4][4] = {}, moment[4] = {};           ///< of the normal equations: lower triangle, right-hand side
-  bool ready = false;
+  bool ready = false;                                 ///< whether `last` is the previous sample's
 };
 
 /// What is known of a payload.
