@@ -26,7 +26,7 @@ run() {
     esac
     shift
   done
-  ensure_packages python3-scipy # ./axial identify
+  ensure_packages python3-scipy doxygen # ./axial identify, ./axial reference
   if $quick; then
     test_preset host-debug --no-tests=error "${select[@]}" --label-exclude target
   else
