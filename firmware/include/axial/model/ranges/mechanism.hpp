@@ -26,7 +26,7 @@ struct LoadRange {
 
 /// Bounds of the quantities of one link: how large they can be and how exact they are.
 struct LinkRange {
-  /// Bound of a quantity of the link, in its own frame, SI; named as in axial::quantity.
+  /// Bound of a quantity of the link (of a vector its norm), SI.
   ///@{
   Ball angular_velocity{}, angular_acceleration{}, linear_acceleration{};
   Ball moment{}, force{};
