@@ -93,7 +93,8 @@ constexpr Collision detect(CollisionState& state, const Residuals<S, T, Tuning>&
   }
   state.above = detail::counted_on(state.above, any, Tuning::confirm);
   state.below = detail::counted_on(state.below, !loud, Tuning::calm);
-  const bool begins = !is_negative(state.above - Tuning::confirm), ends = !is_negative(state.below - Tuning::calm);
+  // Counts end there; equality, because a Cortex-M0 compares for order by a branch.
+  const bool begins = state.above == Tuning::confirm, ends = state.below == Tuning::calm;
   state.collision = begins | (state.collision & !ends);
   return {state.collision, joint};
 }
