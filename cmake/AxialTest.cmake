@@ -12,7 +12,7 @@ set(AXIAL_TESTS all CACHE STRING "all, sanitized or unsanitized")
 set_property(CACHE AXIAL_TESTS PROPERTY STRINGS all sanitized unsanitized)
 
 # Folders of tests/ that sanitizers see; the others start programs, images and compilers.
-set(AXIAL_SANITIZED_FOLDERS oracle cases hal unit property simulation host_sim)
+set(AXIAL_SANITIZED_FOLDERS oracle cases hal unit property simulation host_sim description import)
 # Programs of these folders that sanitizers do without: every algorithm for many robots, minutes to compile when instrumented.
 set(AXIAL_UNSANITIZED_TESTS counts_test robots_test unrolled_test scenes_test floating_base_test underwater_test operation_counts_test errors_test
   forward_overflow_test fixed_error_test motion_test loop_test c_interface_test)
