@@ -42,8 +42,8 @@ TEST(Descriptions, OfOthersEqualKdl) {
       }
     ++count;
   }
-  EXPECT_GE(count, 30);
-  EXPECT_GE(with_bodies, 20);
+  EXPECT_GE(count, 51);
+  EXPECT_GE(with_bodies, 40);
 }
 
 // The comparison sees an error of 1e-9 in any of the numbers.
