@@ -21,6 +21,8 @@ void print(const char* image) {
   using Scene = axial::Scene<robots::Panda, axial::Gravity, axial::RotorInertia>;
   const auto all = axial::apps::observer::report<Scene, T>(Nothing{});
   std::printf("%s,%016" PRIx64 ",%d,%d\n", image, all.hash, all.refused, all.collisions);
+  const auto load = axial::apps::observer::weighing<Scene, T>(Nothing{});
+  std::printf("%s-weighing,%016" PRIx64 ",%d\n", image, load.hash, load.ready);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-"""The momentum observer on a board: the host's bits, one instruction count for all samples, no double, no heap.
+"""The momentum observer and the payload estimator on a board: the host's bits, one instruction count for all samples, no double, no heap.
 
 usage: observer_test.py BOARD IMAGE HOST_PROGRAM
 """
@@ -13,9 +13,9 @@ import symbols_test
 IMAGE, HOST = sys.argv.pop(2), sys.argv.pop(2)
 
 
-def host_fields():
+def host_fields(name):
     lines = subprocess.run([HOST], check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
-    return {fields[0]: fields[1:] for fields in (line.split(",") for line in lines)}[IMAGE]
+    return {fields[0]: fields[1:] for fields in (line.split(",") for line in lines)}[name]
 
 
 class Observer(harness.BoardTest):
@@ -24,13 +24,23 @@ class Observer(harness.BoardTest):
         self.assertEqual(code, 0, text[-500:])
         self.assertTrue(text.endswith("end\n"), text[-500:])
         _, robot, bits, refused, collisions, least, most = text.splitlines()[0].split(",")
-        self.assertEqual([bits, refused, collisions], host_fields())
+        self.assertEqual([bits, refused, collisions], host_fields(IMAGE))
         self.assertEqual(robot, "panda")
         self.assertEqual(int(refused), 0, "all samples are inside the limits")
         self.assertGreater(int(collisions), 100, "samples anywhere inside the limits are no motion")
         self.assertGreater(int(least), 1000, "it can not be that few")
         self.assertEqual(least, most, "one count for all samples")
         print(f"{IMAGE} on {self.board}: {most} instructions a sample")
+        self.expect_weighing(text.splitlines()[1].split(","))
+
+    def expect_weighing(self, fields):
+        name, robot, bits, ready, least, most, least_estimate, most_estimate = fields
+        self.assertEqual([name, robot], ["weighing", "panda"])
+        self.assertEqual([bits, ready], host_fields(f"{IMAGE}-weighing"))
+        self.assertGreater(int(least), 1000, "it can not be that few")
+        self.assertEqual(least, most, "one count for all samples")
+        self.assertEqual(least_estimate, most_estimate, "one count for all estimates")
+        print(f"{IMAGE} on {self.board}: {most} instructions a sample weighed, {most_estimate} an estimate")
 
     def test_nothing_forbidden_is_linked(self):
         symbols = symbols_test.defined(emulator.image(self.board, IMAGE))

@@ -1,4 +1,5 @@
-/// Prints what a momentum observer makes of a fixed sequence, and its cost; README.md has the format.
+/// Prints what a momentum observer and a payload estimator make of a fixed sequence, and their cost; README.md has the
+/// format.
 
 #include <board.hpp>
 #include <robot.hpp>
@@ -21,20 +22,28 @@ struct Counter {
 };
 
 void print(std::uint32_t number) { Board::print(","), Board::print(hal::decimal(number).text); }
+void begin(const char* line, std::uint64_t hash) {
+  for (const char* text : {line, ",", apps::Robot::name, ","})
+    Board::print(text);
+  Board::print(hal::hex(static_cast<std::uint32_t>(hash >> 32)).text);
+  Board::print(hal::hex(static_cast<std::uint32_t>(hash)).text);
+}
 
 }  // namespace
 
 int main() {
   Board::start();
   const auto all = apps::observer::report<Watched, AXIAL_NUMBER>(Counter{});
-  for (const char* text : {"observer,", apps::Robot::name, ","})
-    Board::print(text);
-  Board::print(hal::hex(static_cast<std::uint32_t>(all.hash >> 32)).text);
-  Board::print(hal::hex(static_cast<std::uint32_t>(all.hash)).text);
+  begin("observer", all.hash);
   print(static_cast<std::uint32_t>(all.refused));
   print(static_cast<std::uint32_t>(all.collisions));
   print(all.least);
   print(all.most);
+  const auto load = apps::observer::weighing<Watched, AXIAL_NUMBER>(Counter{});
+  begin("\nweighing", load.hash);
+  print(static_cast<std::uint32_t>(load.ready));
+  print(load.weigh.least), print(load.weigh.most);
+  print(load.estimate.least), print(load.estimate.most);
   Board::print("\nend\n");
   Board::exit(0);
 }

@@ -1,8 +1,9 @@
 #pragma once
-/// A momentum observer with its detector over a fixed sequence of samples, hashed: the same number on every board and
-/// host.
+/// A momentum observer with its detector and a payload estimator over a fixed sequence of samples, hashed: the same
+/// numbers on every board and host.
 
 #include <axial/axial.hpp>
+#include <axial/control/payload_words.hpp>
 #include <firmware/apps/fixed/golden.hpp>
 
 namespace axial::apps::observer {
@@ -11,6 +12,7 @@ struct Tuning {
   static constexpr double period = 1e-3, gain = 200.0;
   static constexpr double fraction = 0.023, uncertainty = 0.08, release = 0.5;
   static constexpr int confirm = 2, calm = 20;
+  static constexpr double deviation = 0.01, memory = 60.0, mass_deviation = 0.05, moment_deviation = 0.02;
 };
 
 /// Samples inside the declared limits, anywhere there: nothing of a motion's smoothness helps.
@@ -59,6 +61,12 @@ std::int32_t bits(const T& x) {
     return __builtin_bit_cast(std::int32_t, x);
 }
 
+/// Instructions of a piece of code, over all samples.
+struct Cost {
+  std::uint32_t least = ~0U, most = 0;
+  void add(std::uint32_t cost) { least = cost < least ? cost : least, most = cost > most ? cost : most; }
+};
+
 /// `count(code)` runs code and says what it cost.
 template <class S, class T, class Count>
 Report report(Count count) {
@@ -66,7 +74,8 @@ Report report(Count count) {
   ObserverState<S, T, Tuning> state;
   CollisionState contact;
   fixed::Hash hash;
-  Report all{0, ~0U, 0, 0, 0};
+  Cost cost;
+  Report all{};
   for (int k = 0; k < samples; ++k) {
     sample.next();
     Status status;
@@ -75,12 +84,58 @@ Report report(Count count) {
       status = observe(state, sample.q, sample.qd, sample.tau);
       found = detect(contact, state.residual);
     };
-    const std::uint32_t cost = count(code);
-    all.least = cost < all.least ? cost : all.least, all.most = cost > all.most ? cost : all.most;
+    cost.add(count(code));
     all.refused += status.ok() ? 0 : 1, all.collisions += found.detected ? 1 : 0;
     for (int i = 0; i < joint_count<S>; ++i)
       hash.add(bits(state.residual[i]));
     hash.add(found.joint);
+  }
+  all.hash = hash.value(), all.least = cost.least, all.most = cost.most;
+  return all;
+}
+
+/// What weighing showed; the estimate after the last sample is one of a robot that moves by leaps.
+struct WeighingReport {
+  std::uint64_t hash = 0;
+  Cost weigh, estimate;
+  int ready = 0;  ///< estimates that are
+};
+
+inline void add(fixed::Hash& hash, float x) { hash.add(bits(x)); }
+inline void add(fixed::Hash& hash, const Scaled& x) { hash.add(x.mantissa), hash.add(x.exponent); }
+template <class X>
+void add(fixed::Hash& hash, const PayloadEstimate<X>& found) {
+  const auto body = found.body();
+  for (const X& x : {found.mass, found.first_moment.x, found.first_moment.y, found.first_moment.z, found.variance[0],
+                     found.variance[1], found.variance[2], found.variance[3], body.mass, body.com.x})
+    add(hash, x);
+}
+
+/// `count(code)` runs code and says what it cost.
+template <class S, class T, class Count>
+WeighingReport weighing(Count count) {
+  Samples<S, T> sample;
+  ObserverState<S, T, Tuning> state;
+  PayloadState<S, T> load;
+  fixed::Hash hash;
+  WeighingReport all;
+  for (int k = 0; k < samples; ++k) {
+    sample.next();
+    static_cast<void>(observe(state, sample.q, sample.qd, sample.tau));
+    auto weighs = [&] { weigh<S, T, Tuning>(load, sample.q, sample.qd, state.residual); };
+    all.weigh.add(count(weighs));
+    decltype(estimate<Tuning>(load)) found;
+    auto estimates = [&] { found = estimate<Tuning>(load); };
+    all.estimate.add(count(estimates));
+    all.ready += found.status.ok() ? 1 : 0;
+    for (const auto& row : load.lagged)
+      for (const T& x : row.of)
+        hash.add(bits(x));
+    add(hash, found);
+    if constexpr (is_stored_v<T>) {
+      const auto words = payload_words<S>(found);
+      hash.add(words.mass.raw), hash.add(words.body.com.x.raw), hash.add(static_cast<int>(words.status.code));
+    }
   }
   all.hash = hash.value();
   return all;

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 #include <axial/control/border.hpp>
 #include <axial/control/collision.hpp>
-#include <axial/control/payload_estimator.hpp>
 #include <axial/cost.hpp>
 #include <axial/model/model.hpp>
 #include <cases/to_axial.hpp>
@@ -321,58 +320,6 @@ TEST(Observer, ResolvesWhatTheDocumentSays) {
   using R = Residuals<Checked<Robot>, Fixed32, Tuning>;
   EXPECT_EQ(R::exponent(0), 14);
   EXPECT_EQ(R::exponent(6), 21);
-}
-
-namespace {
-struct Weighing {
-  static constexpr double period = 1e-3, gain = 50.0;
-  static constexpr double deviation = 0.001, memory = 100.0, mass_deviation = 0.02, moment_deviation = 0.01;
-};
-using WithLoad = Scene<Robot, axial::Gravity, Payload>;
-
-// Moves the Panda, whose drives give exactly what it needs with a point mass, and weighs that.
-PayloadEstimate<double> weighed(double mass, const Vec3<double>& com, double pace, int samples) {
-  Inputs<WithLoad, double> in;
-  in.payload = {mass, com, {}};
-  ObserverState<Robot, double, Weighing> observer;
-  PayloadState<Robot, double> state;
-  const auto at = [pace](double t, Joints<Robot, double>& q, Joints<Robot, double>& qd, Joints<Robot, double>& qdd) {
-    for (int i = 0; i < 7; ++i) {
-      const double w = pace * (1.0 + 0.3 * i);
-      q[i] = AtRest{}.q[i] + 0.3 * std::sin(w * t), qd[i] = 0.3 * w * std::cos(w * t);
-      qdd[i] = -0.3 * w * w * std::sin(w * t);
-    }
-  };
-  for (int k = 0; k < samples; ++k) {
-    Joints<Robot, double> q, qd, qdd, middle, md, mdd;
-    at(k * 1e-3, q, qd, qdd), at((k - 0.5) * 1e-3, middle, md, mdd);
-    const auto tau = inverse_dynamics<WithLoad>(middle, md, mdd, in);
-    EXPECT_TRUE(observe(observer, q, qd, tau).ok());
-    weigh<Robot, double, Weighing>(state, q, qd, observer.residual);
-  }
-  return estimate<Weighing>(state);
-}
-}  // namespace
-
-// A point mass at the tool point, slowly moved: the inertia left out is none, the rest is the discretisation's.
-TEST(PayloadEstimator, IsExactWithoutNoise) {
-  const Vec3<double> com{0.0, 0.0, 0.107};
-  const auto found = weighed(1.5, com, 1.0, 4000);
-  EXPECT_TRUE(found.status.ok());
-  EXPECT_NEAR(found.mass, 1.5, 1e-5);
-  EXPECT_NEAR(found.first_moment.x, 0.0, 1e-5);
-  EXPECT_NEAR(found.first_moment.y, 0.0, 1e-5);
-  EXPECT_NEAR(found.first_moment.z, 1.5 * 0.107, 1e-5);
-  const auto body = found.body();
-  EXPECT_NEAR(body.com.z, 0.107, 1e-5);
-  EXPECT_GT(found.variance[0], 0.0);
-}
-// One pose does not show how high the centre of mass is; nothing seen shows nothing.
-TEST(PayloadEstimator, SaysWhenItHasNotSeenEnough) {
-  const auto still = weighed(1.5, {0.02, 0.01, 0.107}, 0.0, 2000);
-  EXPECT_EQ(still.status.code, Status::Code::not_ready);
-  EXPECT_EQ(estimate<Weighing>(PayloadState<Robot, double>{}).status.code, Status::Code::not_ready);
-  EXPECT_EQ((PayloadEstimate<double>{-0.1, {0.1, 0.0, 0.0}, {}, {}}.body().mass), 0.0);
 }
 
 namespace {

@@ -2,26 +2,58 @@
 // squares.
 #pragma once
 
-#include <axial/control/momentum_observer.hpp>
-#include <axial/control/payload_columns.hpp>
+#include <axial/control/payload_equations.hpp>
+#include <axial/control/payload_sums.hpp>
 
 namespace axial {
 
 // A tuning is the observer's type with also, `static constexpr double`
 //   deviation          of a residual, as a share of the joint's declared effort limit: sensors and model together
-//   memory             s, after which a sample counts 1/e
+//   memory             s, after which a sample counts 1/e; in fixed point the nearest power of two of periods
 //   mass_deviation     kg, moment_deviation kg m: with larger ones an estimate is not ready
+
+namespace detail {
+
+template <class T>
+struct PayloadSumOf {
+  using type = T;
+};
+template <class Word>
+struct PayloadSumOf<Stored<Word>> {
+  using type = integer::WideSum;
+};
+template <class S, class T, class Tuning>
+struct ResidualInput {
+  using type = Joints<robot_of<S>, T>;
+};
+template <class S, class Word, class Tuning>
+struct ResidualInput<S, Stored<Word>, Tuning> {
+  using type = Residuals<S, Stored<Word>, Tuning>;
+};
+
+template <class T>
+constexpr T chosen(bool first, const T& a, const T& b) {
+  return select(first, a, b);
+}
+template <class Word>
+constexpr Stored<Word> chosen(bool first, const Stored<Word>& a, const Stored<Word>& b) {
+  const auto mask = static_cast<Word>(-static_cast<int>(first));
+  return {static_cast<Word>((a.raw & mask) | (b.raw & ~mask))};
+}
+
+}  // namespace detail
 
 /// Memory of an estimator, owned by the caller; start with `{}`, and again when the payload changes.
 template <class S, class T>
 struct PayloadState {
-  detail::PayloadColumns<S, T> last{};                ///< columns of the previous sample
-  detail::PayloadRow<T> lagged[joint_count<S>] = {};  ///< columns behind the observer's lag
-  T information[4][4] = {}, moment[4] = {};           ///< of the normal equations: lower triangle, right-hand side
-  bool ready = false;                                 ///< whether `last` is the previous sample's
+  using Sum = typename detail::PayloadSumOf<T>::type;  ///< a number, in fixed point 96 bits
+  detail::PayloadColumns<S, T> last{};                 ///< columns of the previous sample
+  detail::PayloadRow<T> lagged[joint_count<S>] = {};   ///< columns behind the observer's lag, as residuals of -1
+  Sum information[4][4] = {}, moment[4] = {};          ///< of the normal equations: lower triangle, right-hand side
+  bool ready = false;                                  ///< whether `last` is the previous sample's
 };
 
-/// What is known of a payload.
+/// What is known of a payload. In fixed point T is Scaled; payload_words.hpp makes words of it.
 template <class T>
 struct PayloadEstimate {
   T mass{};                ///< kg
@@ -38,134 +70,65 @@ struct PayloadEstimate {
   }
 };
 
-namespace detail {
-
-// L D L^T of a symmetric 4x4 and the solution of its equations; pivots too small for the type are reported.
-template <class T>
-class Equations {
- public:
-  constexpr explicit Equations(const T (&a)[4][4]) {
-    const T smallest = NumberTraits<T>::constant(16.0) * std::numeric_limits<T>::epsilon();
-    for (int j = 0; j < 4; ++j) {
-      T d = a[j][j];
-      for (int k = 0; k < j; ++k)
-        d -= l_[j][k] * l_[j][k] * d_[k];
-      const bool good = d > smallest * a[j][j];
-      regular_ = regular_ & good;
-      d_[j] = d, inverse_[j] = select(good, reciprocal(select(good, d, T(One{}))), T(Zero{}));
-      for (int i = j + 1; i < 4; ++i) {
-        T x = a[i][j];
-        for (int k = 0; k < j; ++k)
-          x -= l_[i][k] * l_[j][k] * d_[k];
-        l_[i][j] = x * inverse_[j];
-      }
-    }
-  }
-  constexpr bool regular() const { return regular_; }
-  constexpr void solve(T (&x)[4]) const {
-    for (int i = 0; i < 4; ++i)
-      for (int k = 0; k < i; ++k)
-        x[i] -= l_[i][k] * x[k];
-    for (int i = 4; i-- > 0;) {
-      x[i] *= inverse_[i];
-      for (int k = i + 1; k < 4; ++k)
-        x[i] -= l_[k][i] * x[k];
-    }
-  }
-
- private:
-  T l_[4][4] = {}, d_[4] = {}, inverse_[4] = {};
-  bool regular_ = true;
-};
-
-// Information of one residual: 1 / deviation^2, and less for samples that the lag makes alike.
-template <class S, class Tuning>
-constexpr double sample_weight(int joint) {
-  const double most = robot_of<S>::chain.links[joint].effort_limit;
-  const double deviation = Tuning::deviation * (is_bounded(most) ? most : 1.0), share = residual_share<Tuning>();
-  return share / ((2.0 - share) * deviation * deviation);
-}
-template <class S, class T, class Tuning>
-struct SampleWeights {
-  T of[joint_count<S>] = {};
-  static constexpr SampleWeights chosen() {
-    SampleWeights all;
-    for (int i = 0; i < joint_count<S>; ++i)
-      all.of[i] = NumberTraits<T>::constant(sample_weight<S, Tuning>(i));
-    return all;
-  }
-};
-template <class S, class T, class Tuning>
-inline constexpr auto sample_weights = SampleWeights<S, T, Tuning>::chosen();
-
-template <class T>
-constexpr void add_row(T (&information)[4][4], T (&moment)[4], const PayloadRow<T>& y, const T& weight, const T& r) {
-  for (int i = 0; i < 4; ++i) {
-    const T scaled = weight * y.of[i];
-    moment[i] += scaled * r;
-    for (int j = 0; j <= i; ++j)
-      information[i][j] += scaled * y.of[j];
-  }
-}
-
-}  // namespace detail
-
 /// One sample: brings the payload's columns behind the observer's own lag and adds them and the residual to the normal
 /// equations, weighted by the joints' deviations, older samples forgotten. A payload that the observer does not know
 /// pushes back: residual = -(d(columns momentum)/dt - columns drift) (mass, first moment), so that no acceleration is
 /// needed. Give it the residual that observe() left for the same q and qd; call it for good samples only, and set
 /// `ready` to false after a gap. An external contact is taken for payload: leave samples of collisions out.
-/// The payload's inertia about the tool point is left out. In float or double; of a fixed-point observer give the
-/// residual as numbers. The first sample only starts it. Constant time, 4x4 whatever the robot.
+/// The payload's inertia about the tool point is left out. In fixed point in integers, and nothing wraps for q and qd
+/// inside the declared limits (doc/observer.md); of a fixed-point observer you may also give a floating-point estimator
+/// the residual as numbers. The first sample only starts it. Constant time, 4x4 whatever the robot.
 template <class S, class T, class Tuning>
 constexpr void weigh(PayloadState<S, T>& state, const Positions<robot_of<S>, T>& q,
-                     const Velocities<robot_of<S>, T>& qd, const Joints<robot_of<S>, T>& residual) {
-  static_assert(!is_stored_v<T>, "axial: the payload estimator takes float or double");
+                     const Velocities<robot_of<S>, T>& qd,
+                     const typename detail::ResidualInput<S, T, Tuning>::type& residual) {
   static_assert(Tuning::deviation > 0.0 && Tuning::memory > 0.0, "axial: deviation and memory are positive");
-  using N = NumberTraits<T>;
-  constexpr T rate = N::constant(1.0 / Tuning::period), half = N::constant(0.5);
-  constexpr T share = N::constant(detail::residual_share<Tuning>());
-  constexpr T kept = N::constant(Tuning::memory / (Tuning::memory + Tuning::period));
+  using Sums = detail::PayloadSums<S, T, Tuning>;
   const auto now = detail::payload_columns<S, T>(q, qd);
-  const T used = select(state.ready, T(One{}), T(Zero{}));
-  for (auto& row : state.information)
-    for (T& x : row)
-      x *= kept;
-  for (T& x : state.moment)
-    x *= kept;
+  for (int i = 0; i < 4; ++i) {
+    Sums::forget(state.moment[i]);
+    for (int j = 0; j <= i; ++j)
+      Sums::forget(state.information[i][j]);
+  }
   for (int i = 0; i < joint_count<S>; ++i) {
-    auto& lagged = state.lagged[i];
-    for (int k = 0; k < 4; ++k) {
-      const T e = rate * (state.last.momentum[i].of[k] - now.momentum[i].of[k]) +
-                  half * (now.drift[i].of[k] + state.last.drift[i].of[k]);
-      lagged.of[k] += used * share * (e - lagged.of[k]);
-    }
-    detail::add_row(state.information, state.moment, lagged, used * detail::sample_weights<S, T, Tuning>.of[i],
-                    residual[i]);
+    auto& row = state.lagged[i].of;
+    const auto &p = now.momentum[i].of, &d = now.drift[i].of;
+    const auto &p_last = state.last.momentum[i].of, &d_last = state.last.drift[i].of;
+    for (int k = 0; k < 4; ++k)
+      row[k] = detail::chosen(state.ready, Sums::lagged(k, row[k], p[k], p_last[k], d[k], d_last[k]), row[k]);
+    Sums::add(state.information, state.moment, state.ready, i, state.lagged[i], residual[i]);
   }
   state.last = now, state.ready = true;
 }
 
 /// Least-squares estimate of the payload from what was weighed, and how sure it is. Constant time: one L D L^T of 4x4.
+/// In fixed point in integers with an exponent each (Scaled), by the same source.
 template <class Tuning, class S, class T>
-constexpr PayloadEstimate<T> estimate(const PayloadState<S, T>& state) {
-  const detail::Equations<T> equations(state.information);
-  PayloadEstimate<T> result;
-  T x[4] = {state.moment[0], state.moment[1], state.moment[2], state.moment[3]};
+constexpr auto estimate(const PayloadState<S, T>& state) {
+  using Sums = detail::PayloadSums<S, T, Tuning>;
+  using X = typename Sums::Number;
+  using N = NumberTraits<X>;
+  X information[4][4] = {}, x[4] = {};
+  for (int i = 0; i < 4; ++i) {
+    x[i] = Sums::moment(state.moment[i], i);
+    for (int j = 0; j <= i; ++j)
+      information[i][j] = Sums::information(state.information[i][j], i, j);
+  }
+  const detail::Equations<X> equations(information);
+  PayloadEstimate<X> result;
   equations.solve(x);
   constexpr const auto& tool = robot_of<S>::chain.tool.pose.position;
-  using N = NumberTraits<T>;
-  const Vec3<T> at_tool{x[1], x[2], x[3]}, way{N::constant(tool[0]), N::constant(tool[1]), N::constant(tool[2])};
+  const Vec3<X> at_tool{x[1], x[2], x[3]}, way{N::constant(tool[0]), N::constant(tool[1]), N::constant(tool[2])};
   result.mass = x[0], result.first_moment = at_tool + x[0] * way;
   bool sure = equations.regular();
   for (int i = 0; i < 4; ++i) {
-    T unit[4] = {};
-    unit[i] = T(One{});
+    X unit[4] = {};
+    unit[i] = X(One{});
     equations.solve(unit);
     result.variance[i] = unit[i];
     constexpr double mass = Tuning::mass_deviation, moment = Tuning::moment_deviation;
-    const T most = NumberTraits<T>::constant(i == 0 ? mass * mass : moment * moment);
-    sure = sure & (unit[i] > T(Zero{})) & (unit[i] <= most);
+    const X most = select(i == 0, N::constant(mass * mass), N::constant(moment * moment));
+    sure = sure & (unit[i] > X(Zero{})) & (unit[i] <= most);
   }
   result.status.code = sure ? Status::Code::ok : Status::Code::not_ready;
   return result;
