@@ -41,13 +41,17 @@ AXIAL_INLINE constexpr auto own_momentum(const Links& links, const Input& in, co
 /// carries and s its axis. For velocities of links farther out change by v x s with the joint's position.
 template <class M, class H>
 AXIAL_INLINE constexpr auto kinetic_slope(Revolute, const M& motion, const H& h) {
-  const auto &w = motion.dw, &v = motion.a, &n = h.moment, &l = h.force;
+  const auto& w = motion.dw;
+  const auto& v = motion.a;
+  const auto& n = h.moment;
+  const auto& l = h.force;
   return w.y * n.x - w.x * n.y + (v.y * l.x - v.x * l.y);
 }
 /// Of a prismatic joint.
 template <class M, class H>
 AXIAL_INLINE constexpr auto kinetic_slope(Prismatic, const M& motion, const H& h) {
-  const auto &w = motion.dw, &l = h.force;
+  const auto& w = motion.dw;
+  const auto& l = h.force;
   return w.y * l.x - w.x * l.y;
 }
 
