@@ -1,15 +1,11 @@
 // The host's side of ./axial demo and ./axial report --on-board.
 #include <host_sim/demo/demo.hpp>
 #include <host_sim/on_board/on_board.hpp>
+#include <host_sim/output/program.hpp>
 
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
-#include <exception>
-
 namespace {
-
-constexpr int usage_error = 2;
 
 /// Adds a verb whose run() gives the exit status.
 template <class Options, class Run>
@@ -41,7 +37,9 @@ void add_on_board(CLI::App& app, host_sim::OnBoardOptions& options, int& status)
   verb->add_option("--json", options.json, "one more copy of the figures");
 }
 
-int run(int count, char** arguments) {
+}  // namespace
+
+int main(int count, char** arguments) {
   int status = 0;
   host_sim::DemoOptions demo;
   host_sim::OnBoardOptions on_board;
@@ -49,21 +47,5 @@ int run(int count, char** arguments) {
   app.require_subcommand(1);
   add_demo(app, demo, status);
   add_on_board(app, on_board, status);
-  try {
-    app.parse(count, arguments);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : usage_error;
-  }
-  return status;
-}
-
-}  // namespace
-
-int main(int count, char** arguments) {
-  try {
-    return run(count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "host_sim: %s\n", error.what());
-    return 1;
-  }
+  return host_sim::run_program(app, count, arguments, [&] { return status; });
 }

@@ -2,6 +2,7 @@
 #include <host_sim/collide/collide.hpp>
 #include <host_sim/collide/payload.hpp>
 #include <host_sim/output/files.hpp>
+#include <host_sim/output/program.hpp>
 #include <host_sim/output/table.hpp>
 
 #include <CLI/CLI.hpp>
@@ -9,7 +10,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <exception>
 
 namespace {
 
@@ -143,7 +143,9 @@ int measure(const Options& options) {
   return all ? 0 : 1;
 }
 
-int run(int count, char** arguments) {
+}  // namespace
+
+int main(int count, char** arguments) {
   Options options;
   CLI::App app("contacts of a simulated Panda and what a momentum observer makes of them", "collide");
   app.add_option("--seconds", options.seconds, "of motion without contacts, and again with them")
@@ -152,21 +154,5 @@ int run(int count, char** arguments) {
   app.add_option("--seed", options.seed, "of the motion and the noise")->capture_default_str();
   app.add_option("--output", options.output, "folder of CSV, JSON and picture")->capture_default_str();
   app.add_option("--json", options.json, "one more copy of the rows");
-  try {
-    app.parse(count, arguments);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  return measure(options);
-}
-
-}  // namespace
-
-int main(int count, char** arguments) {
-  try {
-    return run(count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "collide: %s\n", error.what());
-    return 1;
-  }
+  return host_sim::run_program(app, count, arguments, [&] { return measure(options); });
 }

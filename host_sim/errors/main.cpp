@@ -1,11 +1,11 @@
 // Writes the errors of the kernels as JSON on standard output.
 #include <host_sim/errors/errors.hpp>
+#include <host_sim/output/program.hpp>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <exception>
 
 namespace {
 
@@ -27,21 +27,13 @@ nlohmann::ordered_json to_json(const std::vector<errors::Row>& rows) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("errors of every algorithm in every number system");
+  CLI::App app("errors of every algorithm in every number system", "errors");
   errors::Choice choice;
   app.add_option("--robot", choice.robot, "only this robot");
   app.add_option("--algorithm", choice.algorithm, "only this algorithm, by its name in firmware/apps/size/matrix.txt");
   app.add_option("--scalar", choice.scalar, "only this number system");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
+  return host_sim::run_program(app, argc, argv, [&] {
     std::printf("%s\n", to_json(errors::rows(choice)).dump(1).c_str());
     return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "errors: %s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -1,6 +1,7 @@
 // Runs the integer primitives over all their arguments.
 #include <host_sim/exhaustive/sweep.hpp>
 #include <host_sim/output/files.hpp>
+#include <host_sim/output/program.hpp>
 #include <host_sim/output/progress.hpp>
 #include <host_sim/output/table.hpp>
 
@@ -9,7 +10,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <exception>
 
 namespace {
 
@@ -70,7 +70,7 @@ void write(const std::vector<Finding>& findings, const std::string& commit, cons
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("every argument of the integer primitives");
+  CLI::App app("every argument of the integer primitives", "exhaustive");
   std::string output = "output/exhaustive", json, commit;
   unsigned threads = 2;
   std::uint32_t stride = 1;
@@ -79,12 +79,7 @@ int main(int argc, char** argv) {
   app.add_option("--commit", commit);
   app.add_option("--threads", threads)->check(CLI::Range(1, 64));
   app.add_option("--stride", stride)->check(CLI::Range(1, 1 << 16));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
+  return host_sim::run_program(app, argc, argv, [&] {
     std::vector<Finding> findings;
     append(findings, "sine and cosine, blocks of 4096 angles:", exhaustive::sweep_angles, threads, stride);
     append(findings, "reciprocal, blocks of 2048 integers:", exhaustive::sweep_reciprocals, threads, stride);
@@ -96,8 +91,5 @@ int main(int argc, char** argv) {
       holds = holds && f.holds();
     }
     return holds ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "exhaustive: %s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -1,6 +1,7 @@
 // Overflows, certified errors and bounds of fixed point, robot by robot, over as many states as there is time for.
 #include <host_sim/exhaustive/ranges_rows.hpp>
 #include <host_sim/output/files.hpp>
+#include <host_sim/output/program.hpp>
 #include <host_sim/output/table.hpp>
 #include <robots/robots.hpp>
 
@@ -8,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <exception>
 #include <stdexcept>
 
 namespace {
@@ -39,7 +39,7 @@ void print(const ordered_json& rows) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("overflows, certified errors and bounds of fixed point");
+  CLI::App app("overflows, certified errors and bounds of fixed point", "exhaustive");
   Options options;
   std::string json;
   app.add_option("--states", options.states)->check(CLI::Range(std::uint64_t{1000}, std::uint64_t{1} << 40));
@@ -49,12 +49,7 @@ int main(int argc, char** argv) {
   app.add_option("--robot", options.robot);
   app.add_option("--json", json);
   app.add_option("--commit", options.commit);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
+  return host_sim::run_program(app, argc, argv, [&] {
     ordered_json rows = ordered_json::array();
     bool holds = true, known = false;
     const auto visit = [&](auto robot) {
@@ -69,8 +64,5 @@ int main(int argc, char** argv) {
     if (!json.empty()) host_sim::write_json(json, rows);
     if (!holds) std::fprintf(stderr, "exhaustive: a bound does not hold\n");
     return holds ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "exhaustive: %s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -3,6 +3,7 @@
 #include <host_sim/description/table.hpp>
 #include <host_sim/identification/regressor.hpp>
 #include <host_sim/identification/robot_file.hpp>
+#include <host_sim/output/program.hpp>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <stdexcept>
 
 namespace {
@@ -76,7 +76,9 @@ void write_header(description::Description robot, const std::string& values, con
   description::write_header(path, robot, json.at("figures").get<std::vector<std::string>>());
 }
 
-int run(int count, char** arguments) {
+}  // namespace
+
+int main(int count, char** arguments) {
   std::string robot, tip, values, path;
   CLI::App app("a robot's parameters, limits and regressor, for identify.py and excite.py", "robot_regressor");
   app.require_subcommand(1);
@@ -93,21 +95,5 @@ int run(int count, char** arguments) {
   header->add_option("--values", values, "JSON: name, source, parameters, notes, figures")->required();
   header->add_option("-o", path, "the header")->required();
   header->callback([&] { write_header(find_robot(robot, tip), values, path); });
-  try {
-    app.parse(count, arguments);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  return 0;
-}
-
-}  // namespace
-
-int main(int count, char** arguments) {
-  try {
-    return run(count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return host_sim::run_program(app, count, arguments, [] { return 0; });
 }

@@ -38,7 +38,7 @@ class Robot:
     def _ask(self, *arguments):
         done = subprocess.run([*self.command, *arguments], capture_output=True, text=True, check=False)
         if done.returncode != 0:
-            raise RobotError(done.stderr.strip())
+            raise RobotError(done.stderr.strip().removeprefix("robot_regressor: "))
         return done.stdout
 
     def write_header(self, path, values):

@@ -1,12 +1,12 @@
 // import: a robot's description becomes a verified constexpr header.
 #include <host_sim/description/header.hpp>
 #include <host_sim/import/importer.hpp>
+#include <host_sim/output/program.hpp>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <exception>
 #include <fstream>
 
 namespace {
@@ -82,7 +82,9 @@ int import_robot(Arguments& arguments) {
   return 0;
 }
 
-int run(int count, char** given) {
+}  // namespace
+
+int main(int count, char** given) {
   Arguments arguments;
   auto& options = arguments.options;
   CLI::App app("a URDF or a Denavit-Hartenberg table as a verified header", "import");
@@ -104,21 +106,5 @@ int run(int count, char** given) {
       ->check(CLI::Range(1, 100000));
   app.add_option("--seed", options.seed, "of those states")->capture_default_str();
   app.add_flag("--strict", arguments.strict, "write nothing where there are warnings");
-  try {
-    app.parse(count, given);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  return import_robot(arguments);
-}
-
-}  // namespace
-
-int main(int count, char** arguments) {
-  try {
-    return run(count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "import: %s\n", error.what());
-    return 1;
-  }
+  return host_sim::run_program(app, count, given, [&] { return import_robot(arguments); });
 }

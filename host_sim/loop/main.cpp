@@ -2,6 +2,7 @@
 #include <host_sim/loop/loop.hpp>
 #include <host_sim/on_board/provenance.hpp>
 #include <host_sim/output/files.hpp>
+#include <host_sim/output/program.hpp>
 #include <host_sim/output/progress.hpp>
 #include <host_sim/output/table.hpp>
 
@@ -11,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <exception>
+#include <stdexcept>
 
 namespace {
 
@@ -193,7 +194,9 @@ int check(const Options& options) {
   return worst <= allowed ? 0 : 1;
 }
 
-int run(int count, char** arguments) {
+}  // namespace
+
+int main(int count, char** arguments) {
   Options options;
   CLI::App app("a closed loop with the firmware in it", "loop");
   app.add_option("--robot", options.robot, "scara or puma560")->capture_default_str();
@@ -205,21 +208,6 @@ int run(int count, char** arguments) {
   app.add_option("--output", options.output, "folder of CSV, JSON and picture")->capture_default_str();
   app.add_option("--json", options.json, "one more copy of the figures");
   app.add_option("--provenance", options.provenance, "file for compilers, flags and commit");
-  try {
-    app.parse(count, arguments);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  return options.check ? check(options) : measure(options);
-}
-
-}  // namespace
-
-int main(int count, char** arguments) {
-  try {
-    return run(count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "loop: %s\n", error.what());
-    return 1;
-  }
+  return host_sim::run_program(app, count, arguments,
+                               [&] { return options.check ? check(options) : measure(options); });
 }

@@ -1,5 +1,6 @@
 // Prints the bounds, formats and certified errors of fixed point.
 #include <host_sim/output/files.hpp>
+#include <host_sim/output/program.hpp>
 #include <host_sim/output/table.hpp>
 #include <host_sim/ranges/rows.hpp>
 
@@ -7,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <exception>
 
 namespace {
 
@@ -54,7 +54,7 @@ void run(const std::string& robot, const Choice& choice, const std::string& json
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("bounds, formats and certified errors of fixed point");
+  CLI::App app("bounds, formats and certified errors of fixed point", "ranges");
   Choice choice;
   std::string robot, json, rounding = "nearest", multiply = "exact";
   app.add_option("--robot", robot);
@@ -63,17 +63,9 @@ int main(int argc, char** argv) {
   app.add_option("--rounding", rounding)->check(CLI::IsMember({"nearest", "down"}));
   app.add_option("--multiply", multiply)->check(CLI::IsMember({"exact", "high_word"}));
   app.add_option("--json", json);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  choice.nearest = rounding == "nearest", choice.high_word = multiply == "high_word";
-  try {
+  return host_sim::run_program(app, argc, argv, [&] {
+    choice.nearest = rounding == "nearest", choice.high_word = multiply == "high_word";
     run(robot, choice, json);
     return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "ranges: %s\n", error.what());
-    return 1;
-  }
+  });
 }

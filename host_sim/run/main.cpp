@@ -1,6 +1,7 @@
 // run: an image of any robot in QEMU, its torques printed and checked against the run-time model in double.
 #include <host_sim/description/description.hpp>
 #include <host_sim/emulator/qemu.hpp>
+#include <host_sim/output/program.hpp>
 
 #include <axial/axial.hpp>
 #include <firmware/apps/run/motion.hpp>
@@ -11,9 +12,9 @@
 
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 namespace {
 
@@ -181,13 +182,5 @@ int main(int count, char** arguments) {
       ->check(CLI::IsMember({"float", "fixed32"}));
   app.add_option("--json", options.json, "the figures");
   app.add_option("--csv", options.csv, "time, positions, torques, exact torques");
-  try {
-    app.parse(count, arguments);
-    return run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "run: %s\n", error.what());
-    return 1;
-  }
+  return host_sim::run_program(app, count, arguments, [&] { return run(options); });
 }

@@ -1,5 +1,6 @@
 // stability_motion: the stability scenarios of motions, as a table and as JSON.
 #include <host_sim/output/files.hpp>
+#include <host_sim/output/program.hpp>
 #include <host_sim/output/table.hpp>
 #include <host_sim/simulation/rows.hpp>
 
@@ -9,7 +10,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <exception>
+#include <stdexcept>
 
 namespace {
 
@@ -38,34 +39,22 @@ std::string table_of(const std::vector<Row>& rows) {
   return table.text();
 }
 
-int run(int count, char** arguments) {
+}  // namespace
+
+int main(int count, char** arguments) {
   std::string filter, json;
   CLI::App app("stability scenarios of motions: integrators against exact and reference motions", "stability_motion");
   app.add_option("--filter", filter, "only scenarios whose names hold this");
   app.add_option("--json", json, "the rows as an array of objects");
-  try {
-    app.parse(count, arguments);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  const auto rows = measure(filter);
-  if (rows.empty()) throw std::runtime_error("no scenario's name holds '" + filter + "'");
-  std::printf("%s", table_of(rows).c_str());
-  if (!json.empty()) host_sim::write_json(json, to_json(rows));
-  long missed = 0;
-  for (const Row& r : rows)
-    missed += r.pass ? 0 : 1;
-  std::printf("%zu rows, %ld outside their gates\n", rows.size(), missed);
-  return missed == 0 ? 0 : 1;
-}
-
-}  // namespace
-
-int main(int count, char** arguments) {
-  try {
-    return run(count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "stability_motion: %s\n", error.what());
-    return 1;
-  }
+  return host_sim::run_program(app, count, arguments, [&] {
+    const auto rows = measure(filter);
+    if (rows.empty()) throw std::runtime_error("no scenario's name holds '" + filter + "'");
+    std::printf("%s", table_of(rows).c_str());
+    if (!json.empty()) host_sim::write_json(json, to_json(rows));
+    long missed = 0;
+    for (const Row& r : rows)
+      missed += r.pass ? 0 : 1;
+    std::printf("%zu rows, %ld outside their gates\n", rows.size(), missed);
+    return missed == 0 ? 0 : 1;
+  });
 }

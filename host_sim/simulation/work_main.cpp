@@ -1,5 +1,6 @@
 // work_precision: error of every integrator against its work, as a table and as JSON.
 #include <host_sim/output/files.hpp>
+#include <host_sim/output/program.hpp>
 #include <host_sim/output/table.hpp>
 #include <host_sim/simulation/work_precision.hpp>
 
@@ -8,7 +9,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <exception>
 
 namespace {
 
@@ -24,28 +24,16 @@ void print(const std::vector<WorkRow>& rows) {
   std::printf("%s", table.text().c_str());
 }
 
-int run(int count, char** arguments) {
-  std::string json;
-  CLI::App app("error of integrators against work", "work_precision");
-  app.add_option("--json", json, "the rows as an array of objects");
-  try {
-    app.parse(count, arguments);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  const auto rows = work_precision([](const std::string& text) { std::fprintf(stderr, "%s\n", text.c_str()); });
-  print(rows);
-  if (!json.empty()) host_sim::write_json(json, to_json(rows));
-  return 0;
-}
-
 }  // namespace
 
 int main(int count, char** arguments) {
-  try {
-    return run(count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "work_precision: %s\n", error.what());
-    return 1;
-  }
+  std::string json;
+  CLI::App app("error of integrators against work", "work_precision");
+  app.add_option("--json", json, "the rows as an array of objects");
+  return host_sim::run_program(app, count, arguments, [&] {
+    const auto rows = work_precision([](const std::string& text) { std::fprintf(stderr, "%s\n", text.c_str()); });
+    print(rows);
+    if (!json.empty()) host_sim::write_json(json, to_json(rows));
+    return 0;
+  });
 }

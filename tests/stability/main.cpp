@@ -1,6 +1,7 @@
 // Runs the suite: a table, and JSON for the pictures.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <host_sim/output/program.hpp>
 #include <stability/ablation.hpp>
 #include <stability/fixed/rows.hpp>
 #include <stability/json.hpp>
@@ -94,19 +95,9 @@ int run(const Options& options) {
 
 int main(int count, char** values) {
   Options options;
-  CLI::App app("Forward dynamics on stiff and extreme chains");
+  CLI::App app("Forward dynamics on stiff and extreme chains", "stability");
   app.add_option("--scenario", options.scenario, "only scenarios whose names hold this");
   app.add_option("--json", options.json, "write the rows as an array of objects");
   app.add_flag("--ablation", options.ablation, "also what each improvement of the articulated bodies is worth");
-  try {
-    app.parse(count, values);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
-    return run(options);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "stability: %s\n", error.what());
-    return 1;
-  }
+  return host_sim::run_program(app, count, values, [&] { return run(options); });
 }

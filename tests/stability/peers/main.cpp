@@ -1,6 +1,7 @@
 // The engines beside ours: a table of ratios, and JSON.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <host_sim/output/program.hpp>
 #include <stability/json.hpp>
 #include <stability/peers/compare.hpp>
 
@@ -76,19 +77,9 @@ int run(const Options& options) {
 
 int main(int count, char** values) {
   Options options;
-  CLI::App app("Other engines' forward dynamics on stiff and extreme chains");
+  CLI::App app("Other engines' forward dynamics on stiff and extreme chains", "stability");
   app.add_option("--scenario", options.scenario, "only scenarios whose names hold this");
   app.add_option("--instances", options.instances, "perturbed instances a scenario")->check(CLI::Range(1, 1000));
   app.add_option("--json", options.json, "write the rows as an array of objects");
-  try {
-    app.parse(count, values);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
-    return run(options);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "stability: %s\n", error.what());
-    return 1;
-  }
+  return host_sim::run_program(app, count, values, [&] { return run(options); });
 }
