@@ -12,6 +12,7 @@ import scipy.optimize
 
 import base_parameters
 import fourier
+import program
 import robot as robots
 
 INSTANTS = 60  # at which the regressor is weighed
@@ -166,12 +167,7 @@ def say(result, excitation, options):
 
 
 def main(arguments):
-    try:
-        excite(parsed(arguments))
-    except (ValueError, OSError) as error:
-        print(f"excite: {error}", file=sys.stderr)
-        return 1
-    return 0
+    return program.run("excite", lambda: excite(parsed(arguments)))
 
 
 if __name__ == "__main__":

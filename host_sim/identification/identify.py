@@ -13,6 +13,7 @@ import numpy as np
 import base_parameters
 import consistency
 import least_squares
+import program
 import recording
 import report
 import robot as robots
@@ -131,12 +132,7 @@ def identify(options):
 
 
 def main(arguments):
-    try:
-        identify(parsed(arguments))
-    except (ValueError, OSError) as error:
-        print(f"identify: {error}", file=sys.stderr)
-        return 1
-    return 0
+    return program.run("identify", lambda: identify(parsed(arguments)))
 
 
 if __name__ == "__main__":
