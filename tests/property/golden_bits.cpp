@@ -7,19 +7,13 @@
 
 #include <firmware/apps/fixed/golden.hpp>
 
-namespace {
+#include "without_costs.hpp"
 
-struct Nothing {
-  template <class Code>
-  std::uint32_t operator()(Code& code) const {
-    code();
-    return 0;
-  }
-};
+namespace {
 
 template <class R>
 void print() {
-  axial::apps::fixed::all_golden<R>(Nothing{}, [](const axial::apps::fixed::Golden& g) {
+  axial::apps::fixed::all_golden<R>(property::WithoutCosts{}, [](const axial::apps::fixed::Golden& g) {
     std::printf("fixed,%s,%s,%s,%016" PRIx64 ",%u,%u\n", g.kernel, R::name, g.arithmetic, g.hash, g.least, g.most);
   });
 }

@@ -6,22 +6,16 @@
 
 #include <firmware/apps/observer/sequence.hpp>
 
-namespace {
+#include "../property/without_costs.hpp"
 
-struct Nothing {
-  template <class Code>
-  std::uint32_t operator()(Code& code) const {
-    code();
-    return 0;
-  }
-};
+namespace {
 
 template <class T>
 void print(const char* image) {
   using Scene = axial::Scene<robots::Panda, axial::Gravity, axial::RotorInertia>;
-  const auto all = axial::apps::observer::report<Scene, T>(Nothing{});
+  const auto all = axial::apps::observer::report<Scene, T>(property::WithoutCosts{});
   std::printf("%s,%016" PRIx64 ",%d,%d\n", image, all.hash, all.refused, all.collisions);
-  const auto load = axial::apps::observer::weighing<Scene, T>(Nothing{});
+  const auto load = axial::apps::observer::weighing<Scene, T>(property::WithoutCosts{});
   std::printf("%s-weighing,%016" PRIx64 ",%d\n", image, load.hash, load.ready);
 }
 
