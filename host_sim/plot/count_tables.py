@@ -5,10 +5,7 @@ usage: count_tables.py DATA_FOLDER DOCUMENT.md
 DATA_FOLDER holds counts.json, congruences.json, published_counts.json and counts_provenance.json.
 """
 
-import pathlib
-import sys
-
-from tables import fill, load, markdown, unique
+from tables import command, load, markdown, unique
 
 BARS = [("inverse_dynamics", "base", "inverse dynamics"), ("mass_matrix", "base", "mass matrix"),
         ("composite_body", "base", "forward dynamics by composite bodies"),
@@ -100,12 +97,5 @@ def counts_provenance(data):
 TABLES = {table.__name__: table for table in (counts_bars, counts_plain, counts_forms, counts_congruences, counts_provenance)}
 
 
-def main(folder, document):
-    data = Data(pathlib.Path(folder))
-    fill(document, lambda name: TABLES[name](data))
-
-
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    main(sys.argv[1], sys.argv[2])
+    command(__doc__, TABLES, Data)

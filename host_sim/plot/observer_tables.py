@@ -3,10 +3,7 @@
 usage: observer_tables.py DATA_FOLDER DOCUMENT.md
 """
 
-import pathlib
-import sys
-
-from tables import fill, load, markdown
+from tables import command, load, markdown
 
 
 def collisions(folder):
@@ -33,12 +30,5 @@ def provenance(folder):
 TABLES = {"collisions": collisions, "payloads": payloads, "collide_provenance": provenance}
 
 
-def main(folder, document):
-    folder = pathlib.Path(folder)
-    fill(document, lambda name: TABLES[name](folder))
-
-
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    main(sys.argv[1], sys.argv[2])
+    command(__doc__, TABLES)

@@ -3,10 +3,7 @@
 usage: simulation_tables.py DATA_FOLDER DOCUMENT.md
 """
 
-import pathlib
-import sys
-
-from tables import fill, grouped, load, markdown
+from tables import command, grouped, load, markdown
 
 
 def number(value):
@@ -45,12 +42,5 @@ def provenance(folder):
 TABLES = {"simulation": work, "loops": loops, "simulation_provenance": provenance}
 
 
-def main(folder, document):
-    folder = pathlib.Path(folder)
-    fill(document, lambda name: TABLES[name](folder))
-
-
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    main(sys.argv[1], sys.argv[2])
+    command(__doc__, TABLES)

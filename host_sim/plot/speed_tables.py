@@ -6,11 +6,9 @@ DATA_FOLDER holds bench-gcc.json, bench-clang.json and bench-provenance.json.
 """
 
 import json
-import pathlib
-import sys
 
 import speed
-from tables import fill, markdown
+from tables import command, markdown
 
 
 class Data:
@@ -80,12 +78,5 @@ TABLES = {"speed_provenance": speed_provenance, "speed_ratios": speed_ratios, "s
           "speed_exponents": speed_exponents, "speed_everything": speed_everything}
 
 
-def main(folder, document):
-    data = Data(pathlib.Path(folder))
-    fill(document, lambda name: TABLES[name](data))
-
-
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])
+    command(__doc__, TABLES, Data)

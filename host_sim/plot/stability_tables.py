@@ -5,12 +5,9 @@ usage: stability_tables.py DATA_FOLDER DOCUMENT.md
 DATA_FOLDER holds stability.json and stability_provenance.json.
 """
 
-import pathlib
-import sys
-
 import stability
 from stability import ENGINES, ROUTES, SCALARS, of, unique
-from tables import fill, load, markdown
+from tables import command, load, markdown
 
 # What each variant of the ablation is called in the document.
 VARIANTS = ["textbook", "1", "2", "2p", "3", "1+2", "1+3", "2+3", "1+2p+3", "1+2+3'", "1+2+3", "1+2+3, dense", "textbook, world axes", "axial"]
@@ -163,12 +160,5 @@ TABLES = {"stability_motions": motions, "stability_provenance": provenance, "sta
           "stability_singular": singular}
 
 
-def main(folder, document):
-    data = Data(pathlib.Path(folder))
-    fill(document, lambda name: TABLES[name](data))
-
-
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])
+    command(__doc__, TABLES, Data)

@@ -50,6 +50,14 @@ def fill(document, table):
     path.write_text(MARKED.sub(lambda match: match[1] + table(match[2]) + match[3], text), encoding="utf-8")
 
 
+def command(usage, tables, read=lambda folder: folder):
+    """The whole of a script that fills one document: its tables by name, each of what read(DATA_FOLDER) gives."""
+    if len(sys.argv) != 3:
+        sys.exit(usage)
+    data = read(pathlib.Path(sys.argv[1]))
+    fill(sys.argv[2], lambda name: tables[name](data))
+
+
 def unique(values):
     return list(dict.fromkeys(values))
 
