@@ -10,11 +10,19 @@
 
 namespace exhaustive {
 
-void Finding::add(double error, std::uint32_t at, std::size_t part) {
-  if (error > highest) highest = error, highest_at = at;
-  if (error < lowest) lowest = error, lowest_at = at;
-  upper[part] = std::max(upper[part], error), lower[part] = std::min(lower[part], error);
-  sum += error, sum_of_squares += error * error, ++arguments;
+void Finding::add(const double* errors, std::uint32_t count, std::uint32_t first, std::size_t part) {
+  double most = 0.0, least = 0.0, all = 0.0, squares = 0.0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    most = std::max(most, errors[i]), least = std::min(least, errors[i]);
+    all += errors[i], squares += errors[i] * errors[i];
+  }
+  const auto argument_of = [=](double error) {
+    return first + std::uint32_t(std::find(errors, errors + count, error) - errors);
+  };
+  if (most > highest) highest = most, highest_at = argument_of(most);
+  if (least < lowest) lowest = least, lowest_at = argument_of(least);
+  upper[part] = std::max(upper[part], most), lower[part] = std::min(lower[part], least);
+  sum += all, sum_of_squares += squares, arguments += count;
 }
 
 void Finding::add(const Finding& other) {
@@ -61,6 +69,8 @@ std::vector<Finding> sweep(std::vector<Finding> findings, std::uint32_t blocks, 
   return findings;
 }
 
+using Errors = std::array<double, block>;
+
 struct Direction {
   long double sine, cosine;
 };
@@ -86,32 +96,33 @@ void visit_angles(std::vector<Finding>& found, std::uint32_t number) {
   const std::uint32_t first = number * block;
   const std::size_t part = number / ((1U << 20) / parts);
   const Direction base = direction(first);
+  const auto& offset = offsets();
+  Errors sines, cosines;
+  std::uint32_t odd = 0, even = 0;  // where they are not
   for (std::uint32_t i = 0; i < block; ++i) {
     const std::uint32_t bam = first + i;
     const auto pair = axial::integer::sincos(bam), mirrored = axial::integer::sincos(0U - bam);
-    const Direction offset = offsets()[i];
-    const long double sine = base.sine * offset.cosine + base.cosine * offset.sine;
-    const long double cosine = base.cosine * offset.cosine - base.sine * offset.sine;
-    found[0].add(static_cast<double>(pair.sin * 0x1p-30L - sine), bam, part);
-    found[1].add(static_cast<double>(pair.cos * 0x1p-30L - cosine), bam, part);
-    found[0].broken += mirrored.sin != -pair.sin;
-    found[1].broken += mirrored.cos != pair.cos;
+    const long double sine = base.sine * offset[i].cosine + base.cosine * offset[i].sine;
+    const long double cosine = base.cosine * offset[i].cosine - base.sine * offset[i].sine;
+    sines[i] = static_cast<double>(pair.sin * 0x1p-30L - sine);
+    cosines[i] = static_cast<double>(pair.cos * 0x1p-30L - cosine);
+    odd += mirrored.sin != -pair.sin, even += mirrored.cos != pair.cos;
   }
+  found[0].add(sines.data(), block, first, part), found[0].broken += odd;
+  found[1].add(cosines.data(), block, first, part), found[1].broken += even;
 }
 
 void visit_reciprocals(std::vector<Finding>& found, std::uint32_t number) {
   const std::size_t part = number / ((1U << 19) / parts);
-  for (std::uint32_t i = 0; i < block; ++i) {
-    const std::uint32_t d = number * block + i;
-    if (d == 0) continue;
+  const std::uint32_t first = std::max(number * block, 1U), count = number * block + block - first;
+  Errors errors;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t d = first + i;
     const auto r = axial::integer::reciprocal(static_cast<std::int32_t>(d));
-    const bool in_range = r.mantissa >> 30 == 1 && r.exponent >= 31 && r.exponent <= 61;
-    found[0].broken += !in_range;
-    if (in_range) {
-      const long double exact = static_cast<long double>(std::uint64_t{1} << r.exponent) / d;
-      found[0].add(static_cast<double>(r.mantissa - exact), d, part);
-    }
+    found[0].broken += !(r.mantissa >> 30 == 1 && r.exponent >= 31 && r.exponent <= 61);
+    errors[i] = static_cast<double>(r.mantissa - static_cast<long double>(std::uint64_t{1} << (r.exponent & 63)) / d);
   }
+  found[0].add(errors.data(), count, first, part);
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ struct Finding {
   std::uint64_t arguments = 0, broken = 0;  // broken: symmetry or normalisation that does not hold
   std::vector<double> upper{}, lower{};     // extremes of equal parts of the range
 
-  void add(double error, std::uint32_t at, std::size_t part);
+  /// Errors of consecutive arguments, all of one part.
+  void add(const double* errors, std::uint32_t count, std::uint32_t first, std::size_t part);
   void add(const Finding&);
   double worst() const { return highest > -lowest ? highest : -lowest; }
   std::uint32_t worst_at() const { return highest > -lowest ? highest_at : lowest_at; }
