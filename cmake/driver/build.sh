@@ -23,16 +23,24 @@ build_boards() {
   done
 }
 
-# The board that options name, or the first one; nothing for an unknown one, which is left to the program: it says what there is.
-named_board() {
-  local board=${BOARDS[0]} known
+# option_of NAME DEFAULT OPTION...: what the options give NAME, as --name value or --name=value.
+option_of() {
+  local name=$1 value=$2
+  shift 2
   while (($#)); do
     case $1 in
-      --board) board=${2:-} ;;
-      --board=*) board=${1#*=} ;;
+      "$name") value=${2:-} ;;
+      "$name"=*) value=${1#*=} ;;
     esac
     shift
   done
+  echo "$value"
+}
+
+# The board that options name, or the first one; nothing for an unknown one, which is left to the program: it says what there is.
+named_board() {
+  local board known
+  board=$(option_of --board "${BOARDS[0]}" "$@")
   for known in "${BOARDS[@]}"; do
     if [[ $board == "$known" ]]; then echo "$board"; fi
   done

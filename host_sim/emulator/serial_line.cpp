@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
-#include <utility>
 
 #include <poll.h>
 #include <sys/socket.h>
@@ -32,15 +31,6 @@ sockaddr_un address_of(const std::string& path) {
 }
 
 }  // namespace
-
-Descriptor::~Descriptor() {
-  if (value_ >= 0) ::close(value_);
-}
-
-Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
-  std::swap(value_, other.value_);
-  return *this;
-}
 
 void SerialLine::write(const std::uint8_t* bytes, std::size_t count) {
   while (count > 0) {

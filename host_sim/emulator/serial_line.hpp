@@ -1,26 +1,14 @@
 // The emulated UART as a byte stream: a UNIX socket that the emulator connects to.
 #pragma once
 
+#include <host_sim/system/descriptor.hpp>
+
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 
 namespace host_sim {
-
-/// Owns a file descriptor.
-class Descriptor {
- public:
-  explicit Descriptor(int value = -1) : value_(value) {}
-  ~Descriptor();
-  Descriptor(Descriptor&& other) noexcept : value_(other.value_) { other.value_ = -1; }
-  Descriptor& operator=(Descriptor&& other) noexcept;
-
-  int value() const { return value_; }
-
- private:
-  int value_;
-};
 
 /// The connected line. Reads and writes throw std::runtime_error when the other side is gone.
 class SerialLine {

@@ -17,10 +17,23 @@ END
 }
 
 run() {
-  local board
+  local board image
   board=$(named_board "$@")
+  image=$(demo_image "$@")
   ensure_packages
   build_host_sim
-  [[ -z $board ]] || build "$board"
+  [[ -z $board || -z $image ]] || build "$board" "$image"
   host_sim demo "$@"
+}
+
+# The image that options name; nothing for an unknown robot or number, which is left to the program.
+demo_image() {
+  local robot app
+  robot=$(option_of --robot scara "$@")
+  case $(option_of --number float "$@") in
+    float) app=feedforward ;;
+    fixed32) app=feedforward-fixed ;;
+    *) return ;;
+  esac
+  [[ ! -f $AXIAL_ROOT/host_sim/trajectories/$robot.json ]] || echo "$app-$robot"
 }
