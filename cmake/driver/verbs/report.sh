@@ -74,14 +74,18 @@ measure_and_report() {
 }
 
 # Raw data goes beside the documents; the tables and pictures are made from it. Every probe is measured once and every error
-# computed once: what follows takes them from AXIAL_SIZES and AXIAL_ERRORS. Programs that keep one processor busy run beside others.
+# computed once: what follows takes them from AXIAL_SIZES and AXIAL_ERRORS. Programs that keep one processor busy run beside
+# others, the longest, which waits for QEMU all the time, from the start.
 write_documents() {
-  local doc=$AXIAL_ROOT/doc folder beside status=0
+  local doc=$AXIAL_ROOT/doc folder loops beside status=0
   folder=$(mktemp -d)
-  build host-release host_sim errors counts compare exhaustive
+  build host-release host_sim errors counts compare exhaustive loop work_precision
   build_measured_images
+  "$AXIAL_ROOT/axial" loop --documents &
+  loops=$!
   "$AXIAL_ROOT/axial" size --documents
   measure_errors "$folder"
+  wait "$loops" || status=1
   export AXIAL_SIZES=$doc/data/size.json AXIAL_ERRORS=$folder
   write_computed_documents &
   beside=$!
@@ -100,7 +104,7 @@ write_documents() {
 # One that fails does not stop the others.
 write_computed_documents() {
   local verb status=0
-  for verb in motion loop stability exhaustive counts compare numbers; do
+  for verb in motion stability exhaustive counts compare numbers; do
     "$AXIAL_ROOT/axial" "$verb" --documents || status=1
   done
   return "$status"
@@ -116,6 +120,7 @@ build_measured_images() {
   for board in "${BOARDS[@]}"; do
     build "$board" "${targets[@]}"
   done
+  build "${BOARDS[0]}" tracking-{scara,puma560} tracking-fixed-{scara,puma560}
 }
 
 write_work_precision() {
