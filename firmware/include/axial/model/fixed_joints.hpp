@@ -35,45 +35,67 @@ constexpr void check_limits() {
                 "position_limits()");
 }
 
+/// What joint values are rounded to, whatever the scene's arithmetic.
+template <class Word>
+inline constexpr Rounding joint_rounding{8 * static_cast<int>(sizeof(Word)), true, false, 0.0};
+
+/// Ranges of a scene's inverse dynamics on full parameters: the formats of efforts follow from them.
+template <class S, class Word>
+inline constexpr auto motion_ranges_of = newton_euler_ranges(mechanism_of<scene_of<S>, FullParameters>,
+                                                             joint_rounding<Word>);
+
+/// The same of its momenta, and of the accelerations that efforts give, with what they may exceed declared ones by.
+///@{
+template <class S, class Word>
+inline constexpr auto momentum_ranges_of = momentum_ranges(mechanism_of<scene_of<S>, FullParameters>,
+                                                           joint_rounding<Word>);
+template <class S, class Word>
+inline constexpr auto free_ranges_of = articulated_at_rest_sizes(mechanism_of<scene_of<S>, FullParameters>,
+                                                                 joint_rounding<Word>, motion_ranges_of<S, Word>);
+template <class S, class Word>
+inline constexpr double excess_of = excess_of_drive(mechanism_of<scene_of<S>, FullParameters>, joint_rounding<Word>,
+                                                    motion_ranges_of<S, Word>);
+///@}
+
+/// Exponents of joint i's values by their role. A role asks for no more of the analyses than it needs.
+template <class S, class Word>
+struct RoleExponent {
+  static constexpr const LinkParameters& link(int i) { return robot_of<S>::chain.links[i]; }
+  static constexpr int fitting(double size) { return fitting_exponent(size, joint_rounding<Word>.capacity()); }
+  static constexpr double motion_effort(int i) { return motion_ranges_of<S, Word>.range[i].joint_effort.size; }
+
+  static constexpr int of(role::Position, int i) {
+    const double low = magnitude(link(i).position_min), high = magnitude(link(i).position_max);
+    return link(i).type == JointType::revolute ? 0 : fitting(low > high ? low : high);
+  }
+  static constexpr int of(role::Velocity, int i) { return fitting(link(i).speed_limit); }
+  static constexpr int of(role::Acceleration, int i) { return fitting(link(i).acceleration_limit); }
+  static constexpr int of(role::Effort, int i) {
+    const double declared = link(i).effort_limit, own = motion_effort(i);
+    return joint_rounding<Word>.exponent(is_bounded(declared) && declared > own ? declared : own);
+  }
+  static constexpr int of(role::FreeAcceleration, int i) {
+    return joint_rounding<Word>.exponent(excess_of<S, Word> * free_ranges_of<S, Word>.range[i].joint_acceleration.size);
+  }
+  static constexpr int of(role::Momentum, int i) {
+    return joint_rounding<Word>.exponent(momentum_ranges_of<S, Word>.range[i].joint_effort.size);
+  }
+  static constexpr int of(role::MomentumRate, int i) {
+    const double slope =
+        kinetic_slope_range(mechanism_of<scene_of<S>, FullParameters>, momentum_ranges_of<S, Word>, i).size;
+    return joint_rounding<Word>.exponent(slope + motion_effort(i));
+  }
+};
+
 template <class S, class Word, class Role>
 constexpr auto role_exponents() {
-  using Robot = robot_of<S>;
-  check_limits<Robot>();
-  constexpr int size = Robot::chain.size;
+  check_limits<robot_of<S>>();
+  constexpr int size = joint_count<S>;
   struct Table {
     int of[size] = {};
   } table;
-  constexpr Rounding rounding{8 * static_cast<int>(sizeof(Word)), true, false, 0.0};
-  const auto efforts = newton_euler_ranges(mechanism_of<scene_of<S>, FullParameters>, rounding);
-  for (int i = 0; i < size; ++i) {
-    const LinkParameters& p = Robot::chain.links[i];
-    const double low = magnitude(p.position_min), high = magnitude(p.position_max);
-    const double effort = efforts.range[i].joint_effort.size;
-    if (std::is_same_v<Role, role::Position> && p.type == JointType::prismatic)
-      table.of[i] = fitting_exponent(low > high ? low : high, rounding.capacity());
-    if (std::is_same_v<Role, role::Position> && p.type == JointType::revolute) table.of[i] = 0;
-    if (std::is_same_v<Role, role::Velocity>) table.of[i] = fitting_exponent(p.speed_limit, rounding.capacity());
-    if (std::is_same_v<Role, role::Acceleration>)
-      table.of[i] = fitting_exponent(p.acceleration_limit, rounding.capacity());
-    if (std::is_same_v<Role, role::Effort>)
-      table.of[i] = rounding.exponent(is_bounded(p.effort_limit) && p.effort_limit > effort ? p.effort_limit : effort);
-  }
-  if constexpr (std::is_same_v<Role, role::FreeAcceleration>) {
-    constexpr const auto& mechanism = mechanism_of<scene_of<S>, FullParameters>;
-    const auto free = articulated_at_rest_ranges(mechanism, rounding);
-    const double excess = excess_of_drive(mechanism, rounding, efforts);
-    for (int i = 0; i < size; ++i)
-      table.of[i] = rounding.exponent(excess * free.range[i].joint_acceleration.size);
-  }
-  if constexpr (std::is_same_v<Role, role::Momentum> || std::is_same_v<Role, role::MomentumRate>) {
-    constexpr const auto& mechanism = mechanism_of<scene_of<S>, FullParameters>;
-    const auto momenta = momentum_ranges(mechanism, rounding);
-    for (int i = 0; i < size; ++i)
-      table.of[i] =
-          rounding.exponent(std::is_same_v<Role, role::Momentum>
-                                ? momenta.range[i].joint_effort.size
-                                : kinetic_slope_range(mechanism, momenta, i).size + efforts.range[i].joint_effort.size);
-  }
+  for (int i = 0; i < size; ++i)
+    table.of[i] = RoleExponent<S, Word>::of(Role{}, i);
   return table;
 }
 template <class S, class Word, class Role>

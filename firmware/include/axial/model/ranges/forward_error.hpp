@@ -171,8 +171,9 @@ constexpr bool second_solve_pays(const Mechanism<N>& m, const Rounding& r, const
 template <int N>
 constexpr void certify_forward(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& motion, Ranges<N>& ranges) {
   const detail::ForwardErrorAnalysis<N> errors(m, r, ranges, motion);
+  const double excess = detail::excess_of_drive(m, r, motion);
   double doublings = 1.0;
-  while (doublings < detail::excess_of_drive(m, r, motion))
+  while (doublings < excess)
     doublings *= 2.0;
   const double tolerance = second_solve_pays(m, r, ranges) ? second_solve_tolerance : 0.0;
   for (int i = 0; i < N; ++i)
@@ -180,12 +181,18 @@ constexpr void certify_forward(const Mechanism<N>& m, const Rounding& r, const R
         doublings * (errors.of(i) + tolerance * r.ulp(ranges.format[i].joint_acceleration));
 }
 
-/// Ranges and errors of the split form: the structure at rest under tau - bias.
+/// Ranges of the split form: the structure at rest under tau - bias. Errors are not filled in.
+template <int N>
+constexpr Ranges<N> articulated_at_rest_sizes(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& motion) {
+  const auto given = detail::usual_drive(m, r, motion);
+  return detail::ArticulatedAnalysis<N>(m, r, given.all, nullptr).ranges();
+}
+
+/// Ranges and errors of the split form.
 template <int N>
 constexpr Ranges<N> articulated_at_rest_ranges(const Mechanism<N>& m, const Rounding& r) {
   const Ranges<N> motion = newton_euler_ranges(m, r);
-  const auto given = detail::usual_drive(m, r, motion);
-  Ranges<N> ranges = detail::ArticulatedAnalysis<N>(m, r, given.all, nullptr).ranges();
+  Ranges<N> ranges = articulated_at_rest_sizes(m, r, motion);
   certify_forward(m, r, motion, ranges);
   return ranges;
 }
