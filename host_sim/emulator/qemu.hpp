@@ -12,9 +12,9 @@
 
 namespace host_sim {
 
-/// An image running in QEMU with its UART connected. The destructor ends the emulator. QEMU hands every byte of a
-/// serial line from thread to thread and waits: on one processor a conversation runs about four times as fast as across
-/// two.
+/// An image running in QEMU with its UART connected. The destructor ends the emulator. While it lives, it and the
+/// thread that made it stay on one processor: QEMU hands every byte from thread to thread and waits, several times as
+/// long across two.
 class Emulator {
  public:
   /// Throws std::runtime_error with the emulator's own words when it does not come up.

@@ -72,16 +72,16 @@ std::vector<Finding> sweep(std::vector<Finding> findings, std::uint32_t blocks, 
 using Errors = std::array<double, block>;
 
 struct Direction {
-  double sine, cosine;
+  long double sine, cosine;
 };
 
 Direction direction(std::uint64_t bam) {
   const long double angle = std::ldexp(6.28318530717958647692528676655900577L * static_cast<long double>(bam), -32);
-  return {static_cast<double>(std::sin(angle)), static_cast<double>(std::cos(angle))};
+  return {std::sin(angle), std::cos(angle)};
 }
 
-/// Directions of one block's angles. Added to the first one's they are an order faster than the library, and as exact
-/// as 2^-51: a millionth of what is judged.
+/// Directions of one block's angles, by adding its first angle to those of a table: an order faster than the library,
+/// and as exact as long double to 2^-62.
 const std::array<Direction, block>& offsets() {
   static const auto table = [] {
     std::array<Direction, block> all{};
@@ -109,10 +109,10 @@ void visit_angles(std::vector<Finding>& found, std::uint32_t number) {
   Errors sines, cosines;
   for (std::uint32_t i = 0; i < block; ++i) {
     const auto pair = axial::integer::sincos(first + i);
-    const double sine = base.sine * offset[i].cosine + base.cosine * offset[i].sine;
-    const double cosine = base.cosine * offset[i].cosine - base.sine * offset[i].sine;
-    sines[i] = pair.sin * 0x1p-30 - sine;
-    cosines[i] = pair.cos * 0x1p-30 - cosine;
+    const long double sine = base.sine * offset[i].cosine + base.cosine * offset[i].sine;
+    const long double cosine = base.cosine * offset[i].cosine - base.sine * offset[i].sine;
+    sines[i] = static_cast<double>(pair.sin * 0x1p-30L - sine);
+    cosines[i] = static_cast<double>(pair.cos * 0x1p-30L - cosine);
   }
   found[0].add(sines.data(), block, first, part);
   found[1].add(cosines.data(), block, first, part);

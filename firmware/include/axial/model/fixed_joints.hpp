@@ -44,7 +44,7 @@ template <class S, class Word>
 inline constexpr auto motion_ranges_of = newton_euler_ranges(mechanism_of<scene_of<S>, FullParameters>,
                                                              joint_rounding<Word>);
 
-/// The same of its momenta, and of the accelerations that efforts give, with what they may exceed declared ones by.
+/// The same of its momenta, and of the accelerations that efforts give; how far efforts can drive beyond those ranges.
 ///@{
 template <class S, class Word>
 inline constexpr auto momentum_ranges_of = momentum_ranges(mechanism_of<scene_of<S>, FullParameters>,
