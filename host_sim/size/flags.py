@@ -43,17 +43,24 @@ class NotStraight(Exception):
     pass
 
 
+SOURCE = """#include <firmware/apps/size/kernel.hpp>
+using namespace axial::apps::size;
+using axial::apps::Robot;
+extern "C" void %s(void* argument) { run<algorithms::%s, System::scene<scenes::bare, Robot>>(argument); }
+"""
+
+
 class Compilation(NamedTuple):
-    """How the build of a board compiles a kernel."""
+    """How the build of a board compiles kernels of a robot."""
     compiler: tuple
     inputs: tuple  # definitions, folders, language
     flags: tuple
-    source: str
 
-    def compile(self, flags, folder):
+    def compile(self, flags, algorithm, folder):
         """An image of the kernel alone. It is linked only to have addresses; debug data would only take time."""
-        made, image = folder / "kernel.o", folder / "kernel.elf"
-        subprocess.run([*self.compiler, *flags, "-g0", *self.inputs, "-c", self.source, "-o", made], check=True)
+        source, made, image = (folder / ("kernel" + ending) for ending in (".cpp", ".o", ".elf"))
+        source.write_text(SOURCE % (measure.KERNEL, algorithm), encoding="utf-8")
+        subprocess.run([*self.compiler, *flags, "-g0", *self.inputs, "-c", source, "-o", made], check=True)
         subprocess.run([self.compiler[-1], *flags, *LINK, made, "-o", image], check=True)
         return Image(image)
 
@@ -74,18 +81,17 @@ def contract(flags):
 def compilations(board):
     """{(robot, algorithm): Compilation}"""
     listing = subprocess.run(["ninja", "-C", measure.IMAGES / board, "-t", "compdb"], check=True, capture_output=True, text=True)
-    commands = {entry["output"]: entry["command"] for entry in json.loads(listing.stdout)}
-    flags = own_flags(board)
-    return {(robot, algorithm): split(commands["firmware/apps/size/CMakeFiles/size-"
-                                               f"{robot}-bare-{algorithm}-unrolled-{contract(flags)}.dir/kernel.cpp.obj"], flags)
-            for robot, algorithm in KERNELS}
+    commands = {pathlib.Path(entry["output"]).name: entry["command"] for entry in json.loads(listing.stdout)}
+    flags, units = own_flags(board), measure.units(board)
+    unit = lambda robot, algorithm: units[measure.Probe("", robot, "bare", algorithm, "unrolled", contract(flags)).name]
+    return {kernel: split(commands[unit(*kernel) + ".cpp.obj"], flags) for kernel in KERNELS}
 
 
 def split(command, flags):
     words = shlex.split(command)
     first = next(i for i, word in enumerate(words) if word.startswith("-"))
     inputs = [word for word in words if re.match("-D|-I|-isystem|-std=", word)]
-    return Compilation(tuple(words[:first]), tuple(inputs), flags, words[-1])
+    return Compilation(tuple(words[:first]), tuple(inputs), flags)
 
 
 def straight_line(image, entry):
@@ -121,7 +127,7 @@ def figures(work):
     chosen, board, (robot, algorithm), compilation = work
     flags = chosen.apply(compilation.flags)
     with tempfile.TemporaryDirectory(prefix="axial-") as folder:
-        image = compilation.compile(flags, pathlib.Path(folder))
+        image = compilation.compile(flags, algorithm, pathlib.Path(folder))
     instructions, estimate = cost(image, measure.description(board)["cpu"])
     return {"flags": chosen.name, "changes": " ".join(chosen.changes), "board": board, "robot": robot, "scene": "bare",
             "algorithm": algorithm, "scalar": "float", "variant": "unrolled", "contract": contract(flags),

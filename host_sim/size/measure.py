@@ -1,6 +1,7 @@
 """The figures of one probe: a row of ./axial size."""
 
 import collections
+import functools
 import json
 import os
 import pathlib
@@ -33,6 +34,11 @@ class Probe(NamedTuple):
         return "-".join(self[1:6]) + suffix(self.scalar)
 
     @property
+    def function(self):
+        """What its source calls the kernel."""
+        return "_".join((self.scene, self.algorithm, self.variant))
+
+    @property
     def empty(self):
         """The same harness without a kernel: one for all systems of the same words."""
         return f"empty-{self.robot}" + suffix(self.scalar.split("_")[0])
@@ -50,10 +56,21 @@ def description(board):
     return json.loads((ROOT / "hal/boards" / board / "board.json").read_text(encoding="utf-8"))
 
 
-def probes(board):
-    """What the build lists for a board."""
+@functools.lru_cache
+def listing(board):
+    """[(Probe, its source)], as the build lists them for a board."""
     lines = (IMAGES / board / "probes/probes.txt").read_text(encoding="utf-8").splitlines()
-    return [Probe(*line.split()) for line in lines]
+    return [(Probe(*words), unit) for *words, unit in map(str.split, lines)]
+
+
+def probes(board):
+    return [probe for probe, _ in listing(board)]
+
+
+@functools.lru_cache
+def units(board):
+    """{name of a probe: the source that holds its kernel}"""
+    return {probe.name: unit for probe, unit in listing(board)}
 
 
 def path_of(board, name):
@@ -91,9 +108,9 @@ class Figures:
 
     def _check_frame(self):
         """What the walk through the instructions found for the kernel is what the compiler wrote."""
-        folder = IMAGES / self.board / "firmware/apps/size/CMakeFiles"
-        file = folder / f"size-{self.probe.name}.dir/kernel.cpp.su"
-        wanted = stack.compiler_frames(file)[f"void {KERNEL}(void*)"]
+        unit = units(self.board)[self.probe.name]
+        file = IMAGES / self.board / f"firmware/apps/size/CMakeFiles/size-kernels-{unit}.dir/{unit}.cpp.su"
+        wanted = stack.compiler_frames(file)[f"void axial::apps::size::{self.probe.function}(void*)"]
         if self.depths.own[self.entry] != wanted:
             raise stack.Unbounded(f"{self.image.path}: {KERNEL} has {self.depths.own[self.entry]} bytes, "
                                   f"the compiler says {wanted}")

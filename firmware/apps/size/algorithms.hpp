@@ -48,6 +48,13 @@ constexpr auto inputs_of(const A& a) {
   return in;
 }
 
+/// The integers of the bare robot's efforts stand for the scene's; other numbers have one type for all scenes.
+template <class To, class From>
+const To& same_words(const From& efforts) {
+  static_assert(sizeof(To) == sizeof(From));
+  return *static_cast<const To*>(static_cast<const void*>(&efforts));
+}
+
 /// A scene with one tag more.
 template <class S, class Tag>
 struct Tagged;
@@ -98,9 +105,7 @@ struct forward_dynamics {
   template <class S, class A>
   static auto run(const A& a) {
     using Number = typename A::Number;
-    // The integers of the bare robot's efforts stand for the scene's.
-    return axial::forward_dynamics<S, Number>(a.q, a.qd, reinterpret_cast<const EffortsOf<S, Number>&>(a.tau),
-                                              inputs_of<S>(a));
+    return axial::forward_dynamics<S, Number>(a.q, a.qd, same_words<EffortsOf<S, Number>>(a.tau), inputs_of<S>(a));
   }
 };
 
