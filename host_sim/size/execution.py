@@ -1,10 +1,11 @@
 """A probe under QEMU: what it counted, and every instruction that its kernel executed."""
 
+import itertools
 import os
 import re
 import subprocess
 
-ADDRESS = re.compile(r"/([0-9a-f]{8})/")
+LISTED = re.compile(rb"^0x([0-9a-f]{8}):", re.MULTILINE)  # an instruction of a block
 
 
 class Mismatch(Exception):
@@ -24,14 +25,14 @@ def ranges(addresses):
 
 def run(qemu, path, entry, reached, timeout=120):
     """[(count, executed addresses)] for every state that the probe runs. `entry`: the kernel's first address;
-    `reached`: all that it can reach. One instruction a translation block, each logged."""
+    `reached`: all that it can reach. QEMU lists each block that it translates, and logs each that it enters."""
     reader, writer = os.pipe()
-    command = [qemu["program"], *qemu["arguments"], "-serial", "null", "-kernel", str(path), "-singlestep",
-               "-d", "exec,nochain", "-dfilter", ranges(reached), "-D", f"/dev/fd/{writer}"]
+    command = [qemu["program"], *qemu["arguments"], "-serial", "null", "-kernel", str(path),
+               "-d", "in_asm,exec,nochain", "-dfilter", ranges(reached), "-D", f"/dev/fd/{writer}"]
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, pass_fds=[writer])
     os.close(writer)
-    with os.fdopen(reader) as log:
-        executed = addresses(log)
+    with os.fdopen(reader, "rb") as log:
+        executed = addresses(log.read())
     output = process.communicate(timeout=timeout)[0]
     if process.returncode != 0 or not output.endswith("end\n"):
         raise Mismatch(f"{path}: ended with {process.returncode}: {output[-200:]}")
@@ -40,14 +41,19 @@ def run(qemu, path, entry, reached, timeout=120):
 
 
 def addresses(log):
-    """What was executed. QEMU logs a block when it enters it, and says so when it left it again before executing it."""
-    executed = []
-    for line in log:
-        if line.startswith("Stopped"):
-            executed.pop()
-        else:
-            executed.append(int(ADDRESS.search(line)[1], 16))
-    return executed
+    """What was executed. QEMU lists a block before it enters it for the first time, logs it whenever it enters it, and says
+    so when it left it again before executing it."""
+    blocks, entered = {}, []
+    for translated in log.split(b"\nIN: "):
+        listing, _, entries = translated.partition(b"\n\n")
+        if entries.startswith(b"Trace"):
+            line = entries.partition(b"\n")[0]  # the same each time: it holds the translation's own address
+            blocks[line] = [int(address, 16) for address in LISTED.findall(listing)]
+        for number, part in enumerate(entries.split(b"Stopped ")):
+            if number > 0:
+                entered.pop()
+            entered += filter(None, map(blocks.get, part.split(b"\n")))
+    return list(itertools.chain.from_iterable(entered))
 
 
 def calls(path, executed, entry, counts):

@@ -288,10 +288,29 @@ class Cycles(unittest.TestCase):
 
 
 class Execution(unittest.TestCase):
+    ENTER, LEAVE = b"Trace 0: 0x7f%02x [00000000/%08x/00/00] f\n", b"Stopped execution of TB chain before 0x7f%02x [%08x] f\n"
+    TRANSLATE = b"----------------\nIN: f\n"
+
+    def log(self, *entries):
+        """Of two blocks: 16, 18 and a loop of 18 alone."""
+        first = self.TRANSLATE + b"0x00000010:  b510       push     {r4, lr}\n0x00000012:  3001       adds     r0, #1\n\n"
+        second = self.TRANSLATE + b"0x00000012:  3001       adds     r0, #1\n\n"
+        return first + self.ENTER % (0, 16) + second + self.ENTER % (64, 18) + b"".join(entries)
+
+    def test_a_block_stands_for_its_instructions(self):
+        self.assertEqual(execution.addresses(self.log()), [16, 18, 18])
+        self.assertEqual(execution.addresses(self.log(self.ENTER % (64, 18), self.ENTER % (0, 16))), [16, 18, 18, 18, 16, 18])
+
     def test_a_block_left_before_execution_is_not_counted(self):
-        log = ["Trace 0: 0x7f00 [00000000/08000010/00/00] f\n", "Stopped execution of TB chain before 0x7f00 [08000010] f\n",
-               "Trace 0: 0x7f00 [00000000/08000010/00/00] f\n", "Trace 0: 0x7f40 [00000000/08000012/00/00] f\n"]
-        self.assertEqual(execution.addresses(log), [0x8000010, 0x8000012])
+        self.assertEqual(execution.addresses(self.log(self.LEAVE % (64, 18))), [16, 18])
+        again = self.log(self.ENTER % (0, 16), self.LEAVE % (0, 16), self.ENTER % (0, 16), self.ENTER % (64, 18))
+        self.assertEqual(execution.addresses(again), [16, 18, 18, 16, 18, 18])
+
+    def test_a_block_translated_twice_is_as_it_was_entered(self):
+        """QEMU translates a block anew, and shorter, where its buffer overflowed."""
+        shorter = self.TRANSLATE + b"0x00000020:  bf00       nop\n\n"
+        longer = self.TRANSLATE + b"0x00000020:  bf00       nop\n0x00000022:  bf00       nop\n\n"
+        self.assertEqual(execution.addresses(self.log(longer, shorter, self.ENTER % (128, 32))), [16, 18, 18, 32])
 
     def test_a_trace_that_disagrees_with_the_count_is_refused(self):
         executed = [16, 18, 20] * 2
