@@ -7,17 +7,25 @@ from typing import NamedTuple
 
 ARM, RISCV = 40, 243  # the machine in an ELF header
 TOOLS = {ARM: "arm-none-eabi-", RISCV: "riscv64-unknown-elf-"}
-LINE = re.compile(r"^ *([0-9a-f]+):\t([0-9a-f]{4}(?: ?[0-9a-f]{4})?) *\t(\S+)\t?(.*)$")
-WORD = re.compile(r"^ *([0-9a-f]+):\t([0-9a-f]{8}) *\t\.word")
+FORMATS = {ARM: "elf32-littlearm", RISCV: "elf32-littleriscv"}
+LINE = re.compile(r"^ *([0-9a-f]+):\t([0-9a-f]{4}(?: ?[0-9a-f]{4})?) *\t([^\s.]\S*)\t?([^;@\n]*)", re.MULTILINE)
+WORD = re.compile(r"^ *([0-9a-f]+):\t([0-9a-f]{8}) *\t\.word", re.MULTILINE)
 LITERAL = re.compile(r"^(r\d+), \[pc, #\d+\]$")
-CONSTANTS = re.compile(r"^ ([0-9a-f]+)((?: [0-9a-f]{2,8}){1,4})  ")
-SECTION = re.compile(r"^ *\d+ (\S+) +([0-9a-f]{8}) +[0-9a-f]{8} +[0-9a-f]{8}")
+SECTION = re.compile(r"^ *\d+ (\S+) +([0-9a-f]{8}) +([0-9a-f]{8}) +[0-9a-f]{8} +([0-9a-f]{8}) .*\n(.*)$", re.MULTILINE)
 
 
 class Instruction(NamedTuple):
     name: str  # with condition and width: popne, ldr.w
     operands: str
     size: int
+
+
+class Section(NamedTuple):
+    name: str
+    size: int
+    address: int
+    offset: int  # in the file
+    attributes: str
 
 
 def machine_of(path):
@@ -31,16 +39,29 @@ def run(tool, *arguments, **options):
     return subprocess.run(command, check=True, capture_output=True, text=True, **options).stdout
 
 
+def sections(path):
+    return [Section(name, int(size, 16), int(address, 16), int(offset, 16), attributes)
+            for name, size, address, offset, attributes in SECTION.findall(run("objdump", "-h", path))]
+
+
+def memory(parts):
+    """Bytes of flash and of static RAM, of sections; the stack's room is not counted."""
+    held = [each for each in parts if "ALLOC" in each.attributes and each.name != ".stack"]
+    return sum(each.size for each in held if "CONTENTS" in each.attributes), \
+        sum(each.size for each in held if "READONLY" not in each.attributes)
+
+
 class Image:
     def __init__(self, path):
         self.path = path
         self.machine = machine_of(path)
-        self._sections = run("objdump", "-h", path).splitlines()
-        self.flash, self.ram = self._memory()
-        self._constants = dict(self._read_constants())
-        listing = run("objdump", "-d", path).splitlines()
-        self._words = {int(found[1], 16): int(found[2], 16) for found in map(WORD.match, listing) if found}
-        self.instructions = dict(self._disassembly(listing))
+        parts = sections(path)
+        self.flash, self.ram = memory(parts)
+        self._constants_at, self._constants = self._read_constants(parts)
+        listing = run("objdump", "-d", path)
+        self._words = {int(address, 16): int(word, 16) for address, word in WORD.findall(listing)}
+        self.instructions = {int(address, 16): Instruction(name, operands.strip(), len(code.replace(" ", "")) // 2)
+                             for address, code, name, operands in LINE.findall(listing)}
         self._name_large_frames()
         self.functions = self._functions()
         self._starts = sorted(self.functions.values())
@@ -53,38 +74,24 @@ class Image:
 
     def word(self, address):
         """A word of the constants in flash."""
-        return int.from_bytes(bytes(self._constants[address + i] for i in range(4)), "little")
+        at = address - self._constants_at
+        if not 0 <= at <= len(self._constants) - 4:
+            raise KeyError(hex(address))
+        return int.from_bytes(self._constants[at:at + 4], "little")
 
     def literal(self, address):
         """What `ldr register, [pc, #offset]` at an address loads."""
         operands = self.instructions[address].operands
         return self._words.get((address + 4 & ~3) + int(operands[operands.index("#") + 1:-1])) if LITERAL.match(operands) else None
 
-    def _read_constants(self):
-        if not any(" .rodata " in line for line in self._sections):
-            return
-        for found in map(CONSTANTS.match, run("objdump", "-s", "-j", ".rodata", self.path).splitlines()):
-            for i, value in enumerate(bytes.fromhex(found[2].replace(" ", "")) if found else b""):
-                yield int(found[1], 16) + i, value
-
-    def _memory(self):
-        """Bytes of flash and of static RAM; the stack's room is not counted."""
-        flash = ram = 0
-        for line, attributes in zip(self._sections, self._sections[1:]):
-            section = SECTION.match(line)
-            if not section or "ALLOC" not in attributes or section[1] == ".stack":
-                continue
-            size = int(section[2], 16)
-            flash += size if "CONTENTS" in attributes else 0
-            ram += size if "READONLY" not in attributes else 0
-        return flash, ram
-
-    def _disassembly(self, listing):
-        for line in listing:
-            found = LINE.match(line)
-            if found and not found[3].startswith("."):
-                operands = re.split(r"\s*[;@]", found[4])[0].strip()
-                yield int(found[1], 16), Instruction(found[3], operands, len(found[2].replace(" ", "")) // 2)
+    def _read_constants(self, parts):
+        """(address, bytes) of .rodata"""
+        for section in parts:
+            if section.name == ".rodata":
+                with open(self.path, "rb") as file:
+                    file.seek(section.offset)
+                    return section.address, file.read(section.size)
+        return 0, b""
 
     def _name_large_frames(self):
         """ARMv6-M moves the stack pointer by a register: `add sp, r4`, with a constant in r4. Writes the constant down."""
@@ -118,8 +125,9 @@ class Image:
         return None
 
     def _functions(self):
+        """nm without the name of the format asks its plugins first, ten times as long."""
         functions = {}
-        for line in run("nm", self.path).splitlines():
+        for line in run("nm", "--target=" + FORMATS[self.machine], self.path).splitlines():
             address, kind, name = line.split()[-3:] if len(line.split()) == 3 else ("0", "U", "")
             if kind in "tTwW" and not name.startswith("$"):
                 functions[name] = int(address, 16) & ~1

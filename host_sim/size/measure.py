@@ -1,6 +1,5 @@
 """The figures of one probe: a row of ./axial size."""
 
-import collections
 import functools
 import json
 import os
@@ -12,7 +11,7 @@ import cycles
 import execution
 import riscv_stack
 import stack
-from image import RISCV, Image
+from image import RISCV, Image, memory, sections
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 IMAGES = pathlib.Path(os.environ.get("AXIAL_IMAGES_ROOT", ROOT / "build"))
@@ -84,13 +83,19 @@ def stack_depth(image):
     return (riscv_stack if image.machine == RISCV else stack).StackDepth(image)
 
 
+@functools.lru_cache(maxsize=None)
+def memory_of_empty(path):
+    """Many probes have the same."""
+    return memory(sections(path))
+
+
 class Figures:
     """All that is known of one probe; `row()` has the fields that are published."""
 
     def __init__(self, board, probe):
         self.board, self.probe = board, probe
         self.image = Image(path_of(board, probe.name))
-        self.empty = Image(path_of(board, probe.empty))
+        self.empty = memory_of_empty(path_of(board, probe.empty))
         self.entry = self.image.functions[KERNEL]
         self.depths = stack_depth(self.image)
         self.stack_bytes = self.depths.of(self.entry)
@@ -103,7 +108,7 @@ class Figures:
         return {"board": self.board, "robot": self.probe.robot, "scene": self.probe.scene,
                 "algorithm": self.probe.algorithm, "scalar": self.probe.scalar, "variant": self.probe.variant,
                 "contract": self.probe.contract, "instructions": high, **varying, "cycles_estimated": self.cycles,
-                "flash_bytes": self.image.flash - self.empty.flash, "ram_bytes": self.image.ram - self.empty.ram,
+                "flash_bytes": self.image.flash - self.empty[0], "ram_bytes": self.image.ram - self.empty[1],
                 "stack_bytes": self.stack_bytes}
 
     def _check_frame(self):
@@ -117,14 +122,14 @@ class Figures:
 
     def _run(self):
         board = description(self.board)
+        cost = {address: cycles.cycles(self.image.instructions[address], board["cpu"]) for address in self.depths.reached}
         runs = execution.run(board["qemu"], self.image.path, self.entry, self.depths.reached)
         self.counts = [count for count, _ in runs]
-        self.cycles = max(self._cycles(executed, board["cpu"]) for _, executed in runs)
+        self.cycles = max(self._cycles(executed, cost) for _, executed in runs)
 
-    def _cycles(self, executed, cpu):
+    def _cycles(self, executed, cost):
         """The return is left out, as in the count."""
         last = self.image.instructions[executed[-1]]
         if not RETURN.match(last.name):
             raise execution.Mismatch(f"{self.image.path}: the count ends at {last.name} {last.operands}, not at a return")
-        return sum(count * cycles.cycles(self.image.instructions[address], cpu)
-                   for address, count in collections.Counter(executed[:-1]).items())
+        return sum(map(cost.__getitem__, executed[:-1]))

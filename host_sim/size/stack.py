@@ -10,7 +10,9 @@ COMPARE_AND_BRANCH = re.compile(r"^cbn?z$")
 CALL = re.compile(rf"^blx?({CONDITIONS})?$")
 CONDITIONAL_CALL = re.compile(rf"^blx?({CONDITIONS})$")
 CONDITIONAL = re.compile(rf"^(?:push|pop|bx|ldr|ldm(?:ia)?|mov|add|sub|vpush|vpop)({CONDITIONS})(\.[nw])?$")
+BRANCH_TO_REGISTER = re.compile(rf"^bx({CONDITIONS})?$")
 TARGET = re.compile(r"\b([0-9a-f]+) <")
+STACKING = ("push", "pop", "vpush", "vpop")
 
 
 class Unbounded(Exception):
@@ -30,6 +32,8 @@ def registers(text):
 def growth(instruction):
     """Bytes by which an instruction makes the stack grow; None where it can not be known."""
     name, operands = instruction.name, instruction.operands
+    if "sp" not in operands and not name.startswith(STACKING):
+        return 0
     base = re.sub(rf"({CONDITIONS})?(\.[nw]|\.32|\.64)?$", "", name) if CONDITIONAL.match(name) else name.split(".")[0]
     listed = operands[operands.find("{"):]
     if base in ("push", "vpush"):
@@ -112,7 +116,7 @@ class StackDepth:
         if BRANCH.match(name) or COMPARE_AND_BRANCH.match(name):
             taken = [(int(target[1], 16), depth)]
             return after, 0, taken + ([(following, depth)] if name not in ("b", "b.n", "b.w") else [])
-        if name == "mov" and re.match(r"pc, r\d", operands):
+        if name == "mov" and operands.startswith("pc, r"):
             return depth, 0, [(destination, depth) for destination in self._switch(address, operands.split()[1])]
         if self._leaves(name, operands, address):
             if after != 0 and not self._is_inner_return(name, address, after):
@@ -152,11 +156,11 @@ class StackDepth:
         return name.startswith("bx") and (self.image.function_at(address), depth) in self._inner
 
     def _leaves(self, name, operands, address):
-        if re.match(rf"^bx({CONDITIONS})?$", name) or re.match(rf"^mov({CONDITIONS})?$", name) and operands.startswith("pc,"):
+        if BRANCH_TO_REGISTER.match(name) or operands.startswith("pc,") and re.match(rf"^mov({CONDITIONS})?$", name):
             if not operands.endswith("lr"):
                 self._fail(address, f"an indirect branch: {name} {operands}")
             return True
-        if name.startswith(("tbb", "tbh")) or re.match(r"^(ldr|add)\S*$", name) and operands.startswith("pc,") \
+        if name.startswith(("tbb", "tbh")) or operands.startswith("pc,") and name.startswith(("ldr", "add")) \
                 and not re.search(r"\[sp\], #\d+$", operands):
             self._fail(address, f"an indirect branch: {name} {operands}")
         return name.startswith(("pop", "ldm")) and re.search(r"\bpc\}", operands) is not None or operands.startswith("pc, [sp]")
