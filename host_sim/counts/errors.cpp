@@ -1,20 +1,35 @@
 #include <host_sim/counts/errors.hpp>
+#include <host_sim/counts/float_or_double.hpp>
 #include <host_sim/counts/forms.hpp>
+#include <host_sim/counts/solve.hpp>
+#include <host_sim/counts/states.hpp>
+#include <oracle/compare.hpp>
 #include <robots/models/models.hpp>
 
+#include <cmath>
 #include <cstdio>
 
 namespace counts {
 
 namespace {
 
+double forward_error(Solve solve, const std::vector<State>& states, Precision precision) {
+  FloatOrDouble::precision = precision;
+  double worst = 0.0;
+  for (const State& s : states)
+    worst = std::fmax(worst, oracle::relative_error(solve(s.q, s.qd, s.tau), s.qdd));
+  return worst;
+}
+
 template <class R>
 void add_errors(std::vector<Errors>& result) {
   std::fprintf(stderr, "counts: forward errors of %s\n", R::name);
-  const auto in_float = errors_of<R, float>(), in_double = errors_of<R, double>();
+  const auto states = seeded_states<R>();
+  const auto solves = solves_of<R>();
   std::size_t i = 0;
   for_each_form<R>([&](auto form) {
-    result.push_back({R::name, form.algorithm, form.parameters, in_float[i], in_double[i]});
+    result.push_back({R::name, form.algorithm, form.parameters, forward_error(solves[i], states, Precision::in_float),
+                      forward_error(solves[i], states, Precision::in_double)});
     ++i;
   });
 }
