@@ -19,15 +19,16 @@ def work(folder):
     return markdown(["motion", "robot", "integrator", "scalar", "step, s", "kernel calls", "time over one kernel", "error"], rows)
 
 
+def loop_rows(folder):
+    return [(robot, row) for robot in ("scara", "puma560") for row in load(folder / f"loop-{robot}.json")]
+
+
 def loops(folder):
-    rows = []
-    for robot in ("scara", "puma560"):
-        for row in load(folder / f"loop-{robot}.json"):
-            rows.append([robot, row["name"], "host" if row["board"] == "host" else f"{row['board']} in QEMU",
-                         "feed-forward" if row["feeds_forward"] else "feedback alone", f"{row['seconds']:g}",
-                         f"{row['tool_error_rms'] * 1e3:.3g}", f"{row['tool_error_max'] * 1e3:.3g}",
-                         f"{row['ratio']:.3g}" if "ratio" in row else ""])
-    return markdown(["robot", "situation", "torques by", "loop", "motion, s", "tool error, RMS, mm", "largest, mm",
+    rows = [[robot, row["name"], row["scalar"], "host" if row["board"] == "host" else f"{row['board']} in QEMU",
+             "feed-forward" if row["feeds_forward"] else "feedback alone", f"{row['seconds']:g}",
+             f"{row['tool_error_rms'] * 1e3:.3g}", f"{row['tool_error_max'] * 1e3:.3g}",
+             f"{row['ratio']:.3g}" if "ratio" in row else ""] for robot, row in loop_rows(folder)]
+    return markdown(["robot", "situation", "number", "torques by", "loop", "motion, s", "tool error, RMS, mm", "largest, mm",
                      "feedback alone over this"], rows)
 
 
@@ -35,8 +36,9 @@ def provenance(folder):
     made = load(folder / "motion_provenance.json")
     loop = load(folder / "loop_provenance.json")
     text = f"Motions: commit `{made['commit']}`, {made['compiler']}, `{made['flags']}`.\n"
-    board = loop["boards"].get("stm32f405")
-    return text + (f"Loops: commit `{loop['commit']}`; `stm32f405`: {board['compiler']}; `{board['flags']}`.\n" if board else "")
+    boards = sorted({row["board"] for _, row in loop_rows(folder)} - {"host"})
+    compiled = "; ".join(f"`{board}`: {loop['boards'][board]['compiler']}; `{loop['boards'][board]['flags']}`" for board in boards)
+    return text + f"Loops: commit `{loop['commit']}`; {compiled}.\n"
 
 
 TABLES = {"simulation": work, "loops": loops, "simulation_provenance": provenance}

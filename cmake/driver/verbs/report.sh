@@ -120,7 +120,7 @@ build_measured_images() {
   for board in "${BOARDS[@]}"; do
     build "$board" "${targets[@]}"
   done
-  build "${BOARDS[0]}" tracking-{scara,puma560} tracking-fixed-{scara,puma560}
+  build nrf51 tracking-fixed-{scara,puma560}
 }
 
 write_work_precision() {
