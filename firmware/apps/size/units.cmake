@@ -1,0 +1,73 @@
+# Units: sources of several kernels. Those of a robot, its numbers and a contract are compiled together, which saves a third of
+# the time. What shares more than steps that are inlined anyway is in another unit, so that each comes out as if it were
+# alone: an algorithm and one that calls it, unrolled and compact forms, and on RISC-V all that has real constants, which a
+# source keeps in one pool.
+
+set(calling_algorithms "^(forward_dynamics|feedforward|torque_by_separation|separated_torque)")
+
+# unit_of(<variable> <set> <robot> <scene> <algorithm> <variant> <contract> <numbers>): the name of its source
+function(unit_of variable set robot scene algorithm variant contract numbers)
+  suffix(ending ${numbers})
+  set(unit ${set}-${robot}-${variant}-${contract}${ending})
+  if(algorithm MATCHES "${calling_algorithms}")
+    string(APPEND unit -${algorithm})
+  endif()
+  if(AXIAL_TOOLS MATCHES riscv AND NOT numbers MATCHES fixed)
+    string(APPEND unit -of-${scene}-${algorithm})
+  endif()
+  set(${variable} ${unit} PARENT_SCOPE)
+endfunction()
+
+# unit(<unit> <robot> <contract> <numbers>): the object of a source that write_units makes
+function(unit unit robot contract numbers)
+  if(TARGET size-kernels-${unit})
+    return()
+  endif()
+  add_library(size-kernels-${unit} OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/${unit}.cpp)
+  use_library(size-kernels-${unit} ${robot} ${numbers})
+  target_compile_options(size-kernels-${unit} PRIVATE -ffp-contract=${contract} -g0)  # no debug data: a third of the time
+  set_property(GLOBAL APPEND PROPERTY axial_units ${unit})
+endfunction()
+
+set(tag_of_unrolled "")
+set(tag_of_compact ", Looped")
+# add_kernel(<unit> <scene> <algorithm> <variant>): one kernel more
+function(add_kernel unit scene algorithm variant)
+  set_property(GLOBAL APPEND_STRING PROPERTY axial_kernels_${unit} "\
+extern \"C\" void ${scene}_${algorithm}_${variant}(void* argument) {
+  run<algorithms::${algorithm}, System::scene<scenes::${scene}, Robot${tag_of_${variant}}>>(argument);
+}
+")
+endfunction()
+
+# write_units(): every unit's source, once all kernels are known
+function(write_units)
+  get_property(units GLOBAL PROPERTY axial_units)
+  foreach(unit IN LISTS units)
+    get_property(kernels GLOBAL PROPERTY axial_kernels_${unit})
+    configure_file(kernels.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${unit}.cpp @ONLY)
+  endforeach()
+endfunction()
+
+# cut_out(<object> <unit> <kernel>): one kernel of a unit as axial_kernel, with what it needs alone: even routines that only
+# other kernels call would make the linker choose others from the compiler's library. From a kernel that is alone nothing is
+# cut, which would part its constants from those that they are merged with.
+function(cut_out object unit kernel)
+  set(cut ${CMAKE_COMMAND} -E copy $<TARGET_OBJECTS:size-kernels-${unit}> ${object})
+  if(NOT unit MATCHES "-of-")
+    separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS}")
+    set(cut ${CMAKE_CXX_COMPILER} ${flags} -r -nostdlib -Wl,--gc-sections,-e,${kernel},-u,${kernel}
+      $<TARGET_OBJECTS:size-kernels-${unit}> -o ${object})
+  endif()
+  add_custom_command(OUTPUT ${object} DEPENDS $<TARGET_OBJECTS:size-kernels-${unit}> VERBATIM
+    COMMAND ${cut}
+    COMMAND ${CMAKE_OBJCOPY} -w --strip-unneeded --keep-symbol=$* --redefine-sym ${kernel}=axial_kernel ${object})
+  set_source_files_properties(${object} PROPERTIES HEADER_FILE_ONLY TRUE)  # link_last links it
+endfunction()
+
+# link_last(<image> <object>): behind all that an image has, next to the compiler's library, where RISC-V's calls are short
+function(link_last image object)
+  target_sources(${image} PRIVATE ${object})
+  target_link_libraries(${image} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${object})
+  set_target_properties(${image} PROPERTIES LINK_DEPENDS ${CMAKE_CURRENT_BINARY_DIR}/${object})
+endfunction()
