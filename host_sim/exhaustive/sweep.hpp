@@ -1,12 +1,16 @@
-// Errors of the integer primitives over all their arguments, against long double.
+// Errors of the integer primitives over all their arguments: sine and cosine within 2^-68, reciprocals to 53 bits.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace exhaustive {
+
+constexpr std::uint32_t block = 4096;  // consecutive arguments that are compared at once
+using Errors = std::array<double, block>;
 
 /// What one result showed over a range of arguments. Errors are computed minus exact, in `unit`.
 struct Finding {
@@ -18,8 +22,8 @@ struct Finding {
   std::uint64_t arguments = 0, broken = 0;  // broken: symmetry or normalisation that does not hold
   std::vector<double> upper{}, lower{};     // extremes of equal parts of the range
 
-  /// Errors of consecutive arguments, all of one part.
-  void add(const double* errors, std::uint32_t count, std::uint32_t first, std::size_t part);
+  /// Errors of `count` consecutive arguments, all of one part; 0 where there is none.
+  void add(const Errors&, std::uint32_t count, std::uint32_t first, std::size_t part);
   void add(const Finding&);
   double worst() const { return highest > -lowest ? highest : -lowest; }
   std::uint32_t worst_at() const { return highest > -lowest ? highest_at : lowest_at; }
@@ -28,7 +32,8 @@ struct Finding {
 
 using Report = std::function<void(std::size_t done, std::size_t all)>;
 
-/// Sine and cosine of every `stride`-th block of 4096 of the 2^32 angles; errors are absolute.
+/// Sine and cosine of every `stride`-th block of 4096 of the 2^31 angles below half a turn, and of the blocks that
+/// mirror them above; errors are absolute.
 std::vector<Finding> sweep_angles(unsigned threads, std::uint32_t stride, const Report&);
 /// Reciprocals of every `stride`-th block of 4096 of the 2^31 integers but 0; errors in units of the mantissa.
 std::vector<Finding> sweep_reciprocals(unsigned threads, std::uint32_t stride, const Report&);

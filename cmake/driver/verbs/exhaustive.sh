@@ -5,7 +5,7 @@ usage() {
   cat <<'END_OF_USAGE'
 usage: ./axial exhaustive [options]
 Installs and builds what is missing. Compares sine and cosine of all 2^32 binary angles and the reciprocals of all positive
-32-bit integers with long double: largest error and where, rms, symmetry. Prints a table, writes JSON and a picture.
+32-bit integers with exact ones: largest error and where, rms, symmetry. Prints a table, writes JSON and a picture.
   --output FOLDER     where the files go; default output/exhaustive
   --json FILE         the rows once more, as an array of objects
   --threads N         default 2
