@@ -1,5 +1,6 @@
 #pragma once
-/// What a generated source calls for each of its kernels: the robot by <robot.hpp>, the rest by the build's definitions.
+/// What a generated source calls for each of its kernels: the robot by <robot.hpp>, the rest by the build's
+/// definitions.
 
 #include <robot.hpp>
 
