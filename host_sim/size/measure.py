@@ -132,4 +132,7 @@ class Figures:
         last = self.image.instructions[executed[-1]]
         if not RETURN.match(last.name):
             raise execution.Mismatch(f"{self.image.path}: the count ends at {last.name} {last.operands}, not at a return")
-        return sum(map(cost.__getitem__, executed[:-1]))
+        try:
+            return sum(map(cost.__getitem__, executed[:-1]))
+        except KeyError as error:
+            raise execution.Mismatch(f"{self.image.path}: executes {error.args[0]:#x}, where no path leads") from None
