@@ -48,8 +48,8 @@ write_loop_documents() {
   for robot in scara puma560; do
     loop_program --robot "$robot" --board "$board" --number "$number" --seconds 60 --sweep --output "$AXIAL_ROOT/output/loop" \
       --json "$doc/data/loop-$robot.json" --provenance "$doc/data/loop_provenance.json"
-    cp "$AXIAL_ROOT"/output/loop/loop-"$robot-$number".png "$doc/pictures/loop-$robot.png"
-    cp "$AXIAL_ROOT"/output/loop/loop-"$robot-$number".svg "$doc/pictures/loop-$robot.svg"
+    cp "$AXIAL_ROOT/output/loop/loop-$robot-$number.png" "$doc/pictures/loop-$robot.png"
+    cp "$AXIAL_ROOT/output/loop/loop-$robot-$number.svg" "$doc/pictures/loop-$robot.svg"
   done
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/simulation_tables.py" "$doc/data" "$doc/simulation.md"
 }
