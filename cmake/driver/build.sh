@@ -3,6 +3,9 @@
 
 readonly BOARDS=(stm32f405 stm32f100 nrf51 rv32_virt)
 readonly SELFTEST_BOARDS=(mps2_an505) # run the self-tests alone
+# Of the documents' closed loops, in fixed point: the smallest one. Its UART queues six bytes, which makes QEMU twice as fast as
+# with the stm32f405's.
+readonly LOOP_BOARD=nrf51
 
 # build PRESET [TARGET...]: configures when there is something new to configure, then builds.
 build() {
@@ -45,6 +48,8 @@ named_board() {
     if [[ $board == "$known" ]]; then echo "$board"; fi
   done
 }
+
+build_loop_images() { build "$LOOP_BOARD" tracking-fixed-scara tracking-fixed-puma560; }
 
 build_host_sim() { build host-release host_sim; }
 

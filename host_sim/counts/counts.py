@@ -88,9 +88,10 @@ def write_pins(rows):
 def write_provenance(path, cache):
     output = lambda *command: subprocess.run(command, check=True, capture_output=True, text=True).stdout.split("\n")[0]
     entries = dict(line.split(":", 1) for line in pathlib.Path(cache).read_text(encoding="utf-8").splitlines() if ":" in line)
-    compiler, flags = (entries[name].split("=", 1)[1] for name in ("CMAKE_CXX_COMPILER", "CMAKE_CXX_FLAGS"))
+    compiler, flags, optimisation = (entries[name].split("=", 1)[1]
+                                     for name in ("CMAKE_CXX_COMPILER", "CMAKE_CXX_FLAGS", "AXIAL_ERRORS_OPTIMISATION"))
     write_json(path, {"commit": output(ROOT / "host_sim/system/commit.sh"),
-                      "compiler": output(compiler, "--version"), "flags": f"{flags} -O0"})
+                      "compiler": output(compiler, "--version"), "flags": f"{flags} {optimisation}"})
 
 
 def write_files(rows, options):

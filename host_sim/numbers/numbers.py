@@ -75,10 +75,11 @@ def write_csv(path, rows):
 
 def write_provenance(path, cache, boards):
     entries = dict(line.split(":", 1) for line in pathlib.Path(cache).read_text(encoding="utf-8").splitlines() if ":" in line)
-    compiler, flags = (entries[name].split("=", 1)[1] for name in ("CMAKE_CXX_COMPILER", "CMAKE_CXX_FLAGS"))
+    compiler, flags, optimisation = (entries[name].split("=", 1)[1]
+                                     for name in ("CMAKE_CXX_COMPILER", "CMAKE_CXX_FLAGS", "AXIAL_ERRORS_OPTIMISATION"))
     version = subprocess.run([compiler, "--version"], check=True, capture_output=True, text=True).stdout.split("\n")[0]
     made = size.provenance({board: size.cached(board, "CMAKE_CXX_FLAGS") for board in boards})
-    size.write_json(path, {**made, "host_compiler": version, "host_flags": f"{flags} -O0"})
+    size.write_json(path, {**made, "host_compiler": version, "host_flags": f"{flags} {optimisation}"})
 
 
 def parse():

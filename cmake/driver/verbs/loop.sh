@@ -41,12 +41,11 @@ build_board_of_loop() {
   [[ -z $board ]] || build "$board" tracking-scara tracking-fixed-scara tracking-puma560 tracking-fixed-puma560
 }
 
-# On the smallest board, in fixed point. Its UART queues six bytes, which makes QEMU twice as fast as with the stm32f405's.
 write_loop_documents() {
-  local doc=$AXIAL_ROOT/doc board=nrf51 number=fixed32 robot
-  build "$board" tracking-fixed-scara tracking-fixed-puma560
+  local doc=$AXIAL_ROOT/doc number=fixed32 robot
+  build_loop_images
   for robot in scara puma560; do
-    loop_program --robot "$robot" --board "$board" --number "$number" --seconds 60 --sweep --output "$AXIAL_ROOT/output/loop" \
+    loop_program --robot "$robot" --board "$LOOP_BOARD" --number "$number" --seconds 60 --sweep --output "$AXIAL_ROOT/output/loop" \
       --json "$doc/data/loop-$robot.json" --provenance "$doc/data/loop_provenance.json"
     cp "$AXIAL_ROOT/output/loop/loop-$robot-$number.png" "$doc/pictures/loop-$robot.png"
     cp "$AXIAL_ROOT/output/loop/loop-$robot-$number.svg" "$doc/pictures/loop-$robot.svg"

@@ -120,7 +120,7 @@ build_measured_images() {
   for board in "${BOARDS[@]}"; do
     build "$board" "${targets[@]}"
   done
-  build nrf51 tracking-fixed-{scara,puma560}
+  build_loop_images
 }
 
 write_work_precision() {

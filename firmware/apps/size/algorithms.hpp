@@ -48,7 +48,9 @@ constexpr auto inputs_of(const A& a) {
   return in;
 }
 
-/// The integers of the bare robot's efforts stand for the scene's; other numbers have one type for all scenes.
+/// The integers of the bare robot's efforts stand for the scene's; other numbers have one type for all scenes. No copy,
+/// which would be counted; what reads this view is compiled apart from what wrote the integers, or without assumptions
+/// about types (-Og).
 template <class To, class From>
 const To& same_words(const From& efforts) {
   static_assert(sizeof(To) == sizeof(From));

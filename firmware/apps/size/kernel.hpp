@@ -5,6 +5,7 @@
 #include <robot.hpp>
 
 #include <new>
+#include <utility>
 
 #include "../number_systems.hpp"
 #include "algorithms.hpp"

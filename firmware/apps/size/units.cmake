@@ -51,17 +51,12 @@ function(write_units)
 endfunction()
 
 # cut_out(<object> <unit> <kernel>): one kernel of a unit as axial_kernel, with what it needs alone: even routines that only
-# other kernels call would make the linker choose others from the compiler's library. From a kernel that is alone nothing is
-# cut, which would part its constants from those that they are merged with.
+# other kernels call would make the linker choose others from the compiler's library.
 function(cut_out object unit kernel)
-  set(cut ${CMAKE_COMMAND} -E copy $<TARGET_OBJECTS:size-kernels-${unit}> ${object})
-  if(NOT unit MATCHES "-of-")
-    separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS}")
-    set(cut ${CMAKE_CXX_COMPILER} ${flags} -r -nostdlib -Wl,--gc-sections,-e,${kernel},-u,${kernel}
-      $<TARGET_OBJECTS:size-kernels-${unit}> -o ${object})
-  endif()
+  separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS}")
   add_custom_command(OUTPUT ${object} DEPENDS $<TARGET_OBJECTS:size-kernels-${unit}> VERBATIM
-    COMMAND ${cut}
+    COMMAND ${CMAKE_CXX_COMPILER} ${flags} -r -nostdlib -Wl,--gc-sections,-e,${kernel},-u,${kernel}
+            $<TARGET_OBJECTS:size-kernels-${unit}> -o ${object}
     COMMAND ${CMAKE_OBJCOPY} -w --strip-unneeded --keep-symbol=$* --redefine-sym ${kernel}=axial_kernel ${object})
   set_source_files_properties(${object} PROPERTIES HEADER_FILE_ONLY TRUE)  # link_last links it
 endfunction()
