@@ -10,6 +10,14 @@
 #include <numeric>
 #include <thread>
 
+// What runs for every argument, for wider registers too where the processor has them: the same results, sooner. Not under
+// sanitizers, which are not there yet when the choice is made.
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+#define EXHAUSTIVE_WIDE [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#else
+#define EXHAUSTIVE_WIDE
+#endif
+
 namespace exhaustive {
 
 namespace {
@@ -19,27 +27,35 @@ void keep(double& extreme, std::uint32_t& at, double error, std::uint32_t argume
   at = error == extreme ? std::min(at, argument) : argument, extreme = error;
 }
 
-}  // namespace
+/// Of a block's errors.
+struct Summary {
+  double largest = 0.0, smallest = 0.0, sum = 0.0, squares = 0.0;
+};
 
-void Finding::add(const Errors& errors, std::uint32_t count, std::uint32_t first, std::size_t part) {
-  constexpr std::size_t lanes = 4;  // independent of each other, so that the processor need not wait for the last
+EXHAUSTIVE_WIDE Summary summary(const Errors& errors) {
+  constexpr std::size_t lanes = 16;  // independent of each other, so that the processor need not wait for the last
   std::array<double, lanes> most{}, least{}, all{}, squares{};
   for (std::size_t i = 0; i < block; i += lanes)
     for (std::size_t k = 0; k < lanes; ++k) {
       const double error = errors[i + k];
-      most[k] = std::max(most[k], error), least[k] = std::min(least[k], error);
+      most[k] = most[k] > error ? most[k] : error, least[k] = least[k] < error ? least[k] : error;
       all[k] += error, squares[k] += error * error;
     }
-  const double largest = *std::max_element(most.begin(), most.end());
-  const double smallest = *std::min_element(least.begin(), least.end());
+  return {*std::max_element(most.begin(), most.end()), *std::min_element(least.begin(), least.end()),
+          std::accumulate(all.begin(), all.end(), 0.0), std::accumulate(squares.begin(), squares.end(), 0.0)};
+}
+
+}  // namespace
+
+void Finding::add(const Errors& errors, std::uint32_t count, std::uint32_t first, std::size_t part) {
+  const Summary of = summary(errors);
   const auto argument_of = [&](double error) {
     return first + std::uint32_t(std::find(errors.begin(), errors.end(), error) - errors.begin());
   };
-  if (largest >= highest) keep(highest, highest_at, largest, argument_of(largest));
-  if (smallest <= lowest) keep(lowest, lowest_at, smallest, argument_of(smallest));
-  upper[part] = std::max(upper[part], largest), lower[part] = std::min(lower[part], smallest);
-  sum += std::accumulate(all.begin(), all.end(), 0.0);
-  sum_of_squares += std::accumulate(squares.begin(), squares.end(), 0.0), arguments += count;
+  if (of.largest >= highest) keep(highest, highest_at, of.largest, argument_of(of.largest));
+  if (of.smallest <= lowest) keep(lowest, lowest_at, of.smallest, argument_of(of.smallest));
+  upper[part] = std::max(upper[part], of.largest), lower[part] = std::min(lower[part], of.smallest);
+  sum += of.sum, sum_of_squares += of.squares, arguments += count;
 }
 
 void Finding::add(const Finding& other) {
@@ -110,28 +126,35 @@ struct Offsets {
 
 using Results = std::array<std::int32_t, block>;
 
+EXHAUSTIVE_WIDE void compute_pairs(std::uint32_t first, Results& sines, Results& cosines) {
+  for (std::uint32_t i = 0; i < block; ++i) {
+    const auto pair = axial::integer::sincos(first + i);
+    sines[i] = pair.sin, cosines[i] = pair.cos;
+  }
+}
+
 /// Sine and cosine of a block.
 struct Pairs {
   std::uint32_t first;
   Results sines, cosines;
-  explicit Pairs(std::uint32_t number) : first{number * block} {
-    for (std::uint32_t i = 0; i < block; ++i) {
-      const auto pair = axial::integer::sincos(first + i);
-      sines[i] = pair.sin, cosines[i] = pair.cos;
-    }
-  }
+  explicit Pairs(std::uint32_t number) : first{number * block} { compute_pairs(first, sines, cosines); }
 };
 
 /// Errors against f(a + b) = f(a) + f'(a) sin b - f(a) (1 - cos b), for f = sin, f' = cos or f = cos, f' = -sin. What
 /// is added to f(a) is below 2^-17.3 and comes of five roundings to 53 bits, so it errs by less than 2^-68; f(a) is
 /// exact in its units, and to 2^-84 in their rest.
-void compare(Finding& found, const Results& results, const Start& f, double slope, std::uint32_t number) {
-  static const Offsets offsets;
-  Errors errors;
+EXHAUSTIVE_WIDE void compare(Errors& errors, const Results& results, const Start& f, double slope,
+                             const Offsets& offsets) {
   for (std::uint32_t i = 0; i < block; ++i) {
     const double ahead = slope * offsets.sine[i] - f.value * offsets.versine[i];
     errors[i] = (results[i] - f.units) * 0x1p-30 - (f.rest + ahead);
   }
+}
+
+void compare(Finding& found, const Results& results, const Start& f, double slope, std::uint32_t number) {
+  static const Offsets offsets;
+  Errors errors;
+  compare(errors, results, f, slope, offsets);
   found.add(errors, block, number * block, number / ((1U << 20) / parts));
 }
 
@@ -162,20 +185,26 @@ void visit_angles(std::vector<Finding>& found, std::uint32_t number) {
   compare_with_mirrored(found, pairs, mirrored);
 }
 
-/// The error of a mantissa m is (m d - 2^exponent) / d, whose dividend is exact; nothing errs at 0.
-void visit_reciprocals(std::vector<Finding>& found, std::uint32_t number) {
-  const std::uint32_t first = number * block, missing = first == 0;
+/// The error of a mantissa m is (m d - 2^exponent) / d, whose dividend is exact; nothing errs at 0. Returns how many
+/// are not normalised.
+EXHAUSTIVE_WIDE std::uint32_t compare(Errors& errors, std::uint32_t first) {
   std::uint32_t broken = 0;
-  Errors errors{};
-  for (std::uint32_t i = missing; i < block; ++i) {
-    const std::uint32_t d = first + i;
+  for (std::uint32_t i = 0; i < block; ++i) {
+    const std::uint32_t d = first + i + (first + i == 0);
     const auto r = axial::integer::reciprocal(static_cast<std::int32_t>(d));
-    broken += !(r.mantissa >> 30 == 1 && r.exponent >= 31 && r.exponent <= 61);
+    broken += r.mantissa >> 30 != 1 || r.exponent < 31 || r.exponent > 61;
     const auto excess =
         static_cast<std::int64_t>(std::uint64_t{r.mantissa} * d - (std::uint64_t{1} << (r.exponent & 63)));
     errors[i] = static_cast<double>(excess) / d;
   }
-  found[0].broken += broken;
+  return broken;
+}
+
+void visit_reciprocals(std::vector<Finding>& found, std::uint32_t number) {
+  const std::uint32_t first = number * block, missing = first == 0;
+  Errors errors;
+  found[0].broken += compare(errors, first);
+  if (missing) errors[0] = 0.0;
   found[0].add(errors, block - missing, first, number / ((1U << 19) / parts));
 }
 
