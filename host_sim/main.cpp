@@ -25,6 +25,7 @@ void add_demo(CLI::App& app, host_sim::DemoOptions& options, int& status) {
   verb->add_option("--trajectory", options.trajectory, "way-points (.json) or set-points (.csv)")
       ->check(CLI::ExistingFile);
   verb->add_option("--output", options.output, "folder of CSV, JSON and picture")->capture_default_str();
+  verb->add_flag("--without-picture", options.without_picture, "data alone");
   verb->add_option("--json", options.json, "one more copy of the figures");
 }
 

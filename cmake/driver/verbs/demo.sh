@@ -11,6 +11,7 @@ cycle to it tick by tick, compares every torque with the oracle, prints a table 
   --number NAME       what the firmware computes in: float (default), fixed32 (32-bit fixed point; the wire stays float)
   --trajectory FILE   way-points (.json as in host_sim/trajectories) or set-points (.csv: time, q..., qd..., qdd...)
   --output FOLDER     where the files go; default output/demo
+  --without-picture   data alone
   --json FILE         the figures of every joint once more, as an array of objects
 Exits non-zero when an error is above its bound or a frame is lost.
 END

@@ -95,6 +95,7 @@ write_documents() {
   wait "$beside" || status=1
   write_work_precision
   rm -r "$folder"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/demo.py" "$AXIAL_ROOT"/output/demo/scara-stm32f405.{csv,json}
   cp "$AXIAL_ROOT"/output/demo/scara-stm32f405.{csv,json,png,svg} "$doc/pictures/"
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$doc/data" "$AXIAL_ROOT/README.md" "$doc/accuracy.md"
   say "all documents in $SECONDS s"
