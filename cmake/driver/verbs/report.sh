@@ -74,20 +74,21 @@ measure_and_report() {
 }
 
 # Raw data goes beside the documents; the tables and pictures are made from it. Every probe is measured once and every error
-# computed once: what follows takes them from AXIAL_SIZES and AXIAL_ERRORS. Programs that keep one processor busy run beside
-# others, the longest, which waits for QEMU all the time, from the start.
+# computed once: what follows takes them from AXIAL_SIZES and AXIAL_ERRORS. What waits for QEMU or keeps one processor busy runs
+# beside the boards' compilers; it alone builds host programs meanwhile.
 write_documents() {
-  local doc=$AXIAL_ROOT/doc folder loops beside status=0
+  local doc=$AXIAL_ROOT/doc folder beside status=0
   folder=$(mktemp -d)
   build host-release host_sim errors counts compare exhaustive loop work_precision
+  build_loop_images
+  write_each loop motion stability exhaustive &
+  beside=$!
   build_measured_images
-  "$AXIAL_ROOT/axial" loop --documents &
-  loops=$!
   "$AXIAL_ROOT/axial" size --documents
+  wait "$beside" || status=1
   measure_errors "$folder"
-  wait "$loops" || status=1
   export AXIAL_SIZES=$doc/data/size.json AXIAL_ERRORS=$folder
-  write_computed_documents &
+  write_each counts compare numbers &
   beside=$!
   say "every kernel on every board, $SECONDS s so far"
   host_sim on-board --output "$doc/data"
@@ -102,10 +103,10 @@ write_documents() {
   ((status == 0)) || fail "a comparison failed: its lines are above"
 }
 
-# One that fails does not stop the others.
-write_computed_documents() {
+# write_each VERB...: one that fails does not stop the others.
+write_each() {
   local verb status=0
-  for verb in motion stability exhaustive counts compare numbers; do
+  for verb; do
     "$AXIAL_ROOT/axial" "$verb" --documents || status=1
   done
   return "$status"
@@ -121,7 +122,6 @@ build_measured_images() {
   for board in "${BOARDS[@]}"; do
     build "$board" "${targets[@]}"
   done
-  build_loop_images
 }
 
 write_work_precision() {
