@@ -1,140 +1,88 @@
 #pragma once
-/// The measured kernels. Each has a name, `run(state, tau)` and `write(result, put)`, which gives every number of the
-/// result to `put` in the order that README.md documents.
+/// The measured kernels by name: those that probes measure too (../size), compiled in sources of their own
+/// (objects.cmake). Each takes a size::Argument and leaves its result there.
+
+#include <robot.hpp>
+
+#include <string_view>
 
 #include <axial/axial.hpp>
 
-#include "../states.hpp"
+#include "../size/argument.hpp"
+
+// In float, and in double where the image has room.
+#define AXIAL_KERNEL(algorithm)                       \
+  extern "C" void bare_##algorithm##_unrolled(void*); \
+  extern "C" void bare_##algorithm##_unrolled_double(void*);
+AXIAL_KERNEL(inverse_dynamics)
+AXIAL_KERNEL(torque_by_separation)
+AXIAL_KERNEL(bias)
+AXIAL_KERNEL(gravity)
+AXIAL_KERNEL(mass_matrix)
+AXIAL_KERNEL(forward_dynamics)
+AXIAL_KERNEL(forward_kinematics)
+AXIAL_KERNEL(jacobian)
+AXIAL_KERNEL(closed_form)
+AXIAL_KERNEL(forward_dynamics_articulated_body)
+AXIAL_KERNEL(forward_dynamics_split_articulated_body)
+AXIAL_KERNEL(forward_dynamics_composite_body)
+#undef AXIAL_KERNEL
 
 namespace axial::apps::kernels {
 
-template <class Robot, class T, class Put>
-void write_joints(const Joints<Robot, T>& values, Put put) {
-  for (int i = 0; i < joint_count<Robot>; ++i)
-    put(values[i]);
-}
+template <class T>
+using Argument = size::Argument<Robot, T>;
 
-template <class T, class Put>
-void write_vector(const Vec3<T>& v, Put put) {
-  put(v.x), put(v.y), put(v.z);
-}
-
-template <class Robot, class T>
-struct InverseDynamics {
-  static constexpr const char* name = "inverse_dynamics";
-  static auto run(const MotionState<Robot, T>& s, const Joints<Robot, T>&) {
-    return inverse_dynamics<Robot>(s.q, s.qd, s.qdd);
-  }
-  template <class Put>
-  static void write(const Joints<Robot, T>& tau, Put put) {
-    write_joints(tau, put);
-  }
+/// `values` numbers at the start of its result are what README.md documents.
+struct Kernel {
+  const char* name;
+  void (*code)(void* argument);
+  int values;
 };
 
-/// The same torque with its terms apart: separated and summed.
-template <class Robot, class T>
-struct SeparationKernel {
-  static constexpr const char* name = "separation";
-  static auto run(const MotionState<Robot, T>& s, const Joints<Robot, T>&) {
-    return torque(separate<Robot>(s.q), s.qd, s.qdd);
+/// The kernels in T, each from its code in float and in double.
+template <class T>
+class Kernels {
+ public:
+  /// The torque, whose result is what forward dynamics is given.
+  static constexpr Kernel torque() {
+    return of("inverse_dynamics", bare_inverse_dynamics_unrolled, bare_inverse_dynamics_unrolled_double, n);
   }
-  template <class Put>
-  static void write(const Joints<Robot, T>& tau, Put put) {
-    write_joints(tau, put);
-  }
-};
 
-template <class Robot, class T>
-struct BiasTorque {
-  static constexpr const char* name = "bias";
-  static auto run(const MotionState<Robot, T>& s, const Joints<Robot, T>&) { return bias_torque<Robot>(s.q, s.qd); }
-  template <class Put>
-  static void write(const Joints<Robot, T>& tau, Put put) {
-    write_joints(tau, put);
+  /// Calls visit(kernel) for every other one.
+  template <class Visit>
+  static void for_each(Visit visit) {
+    visit(of("separation", bare_torque_by_separation_unrolled, bare_torque_by_separation_unrolled_double, n));
+    visit(of("bias", bare_bias_unrolled, bare_bias_unrolled_double, n));
+    visit(of("gravity", bare_gravity_unrolled, bare_gravity_unrolled_double, n));
+    visit(of("mass_matrix", bare_mass_matrix_unrolled, bare_mass_matrix_unrolled_double, n * (n + 1) / 2));
+    visit(of("forward_dynamics", bare_forward_dynamics_unrolled, bare_forward_dynamics_unrolled_double, n));
+    visit(of("forward_kinematics", bare_forward_kinematics_unrolled, bare_forward_kinematics_unrolled_double, 12));
+    visit(of("jacobian", bare_jacobian_unrolled, bare_jacobian_unrolled_double, 6 * n));
+    if constexpr (has_closed_form)
+      visit(of("closed_form", bare_closed_form_unrolled, bare_closed_form_unrolled_double, n));
   }
-};
 
-template <class Robot, class T>
-struct GravityTorque {
-  static constexpr const char* name = "gravity";
-  static auto run(const MotionState<Robot, T>& s, const Joints<Robot, T>&) { return gravity_torque<Robot>(s.q); }
-  template <class Put>
-  static void write(const Joints<Robot, T>& tau, Put put) {
-    write_joints(tau, put);
+  /// The routes of forward dynamics that it does not take by itself, in float: it has its row.
+  template <class Visit>
+  static void for_each_other_route(Visit visit) {
+    if constexpr (!is_route<ArticulatedBody>)
+      visit(Kernel{"articulated_body", bare_forward_dynamics_articulated_body_unrolled, n});
+    if constexpr (!is_route<SplitArticulatedBody>)
+      visit(Kernel{"split_articulated_body", bare_forward_dynamics_split_articulated_body_unrolled, n});
+    if constexpr (!is_route<CompositeBody>)
+      visit(Kernel{"composite_body", bare_forward_dynamics_composite_body_unrolled, n});
   }
-};
 
-template <class Robot, class T>
-struct MassMatrixKernel {
-  static constexpr const char* name = "mass_matrix";
-  static auto run(const MotionState<Robot, T>& s, const Joints<Robot, T>&) { return mass_matrix<Robot>(s.q); }
-  template <class Put>
-  static void write(const MassMatrix<Robot, T>& m, Put put) {
-    for (int i = 0; i < joint_count<Robot>; ++i)
-      for (int j = 0; j <= i; ++j)
-        put(m(i, j));
-  }
-};
+ private:
+  using Code = void (*)(void*);
+  static constexpr int n = joint_count<Robot>;
+  static constexpr bool has_closed_form = std::string_view(Robot::name) == "scara";
+  template <class Route>
+  static constexpr bool is_route = forward_dynamics_route<Scene<Robot, Route>> == forward_dynamics_route<Robot>;
 
-template <class Robot, class T>
-struct ForwardDynamicsKernel {
-  static constexpr const char* name = "forward_dynamics";
-  static auto run(const MotionState<Robot, T>& s, const Joints<Robot, T>& tau) {
-    return forward_dynamics<Robot>(s.q, s.qd, tau);
-  }
-  template <class Put>
-  static void write(const ForwardDynamics<Robot, T>& qdd, Put put) {
-    for (int i = 0; i < joint_count<Robot>; ++i)
-      put(qdd[i]);
-  }
-};
-
-inline constexpr const char* route_name(ArticulatedBody) { return "articulated_body"; }
-inline constexpr const char* route_name(SplitArticulatedBody) { return "split_articulated_body"; }
-inline constexpr const char* route_name(CompositeBody) { return "composite_body"; }
-
-/// Forward dynamics by a named route.
-template <class Robot, class Route>
-struct ForwardDynamicsBy {
-  static constexpr const char* name = route_name(Route{});
-  static auto run(const MotionState<Robot, float>& s, const Joints<Robot, float>& tau) {
-    return forward_dynamics<Scene<Robot, Gravity, RotorInertia, Route>>(s.q, s.qd, tau);
-  }
-};
-
-template <class Robot, class T>
-struct ForwardKinematicsKernel {
-  static constexpr const char* name = "forward_kinematics";
-  static auto run(const MotionState<Robot, T>& s, const Joints<Robot, T>&) {
-    return forward_kinematics<Robot>(s.q).tool;
-  }
-  template <class Put>
-  static void write(const WorldPose<T>& tool, Put put) {
-    write_vector(tool.rotation.x, put), write_vector(tool.rotation.y, put), write_vector(tool.rotation.z, put);
-    write_vector(tool.position, put);
-  }
-};
-
-template <class Robot, class T>
-struct JacobianKernel {
-  static constexpr const char* name = "jacobian";
-  static auto run(const MotionState<Robot, T>& s, const Joints<Robot, T>&) { return jacobian<Robot>(s.q); }
-  template <class Put>
-  static void write(const Jacobian<Robot, T>& columns, Put put) {
-    for (int j = 0; j < joint_count<Robot>; ++j)
-      write_vector(columns[j].angular, put), write_vector(columns[j].linear, put);
-  }
-};
-
-template <class Robot, class T>
-struct ClosedForm {
-  static constexpr const char* name = "closed_form";
-  static auto run(const MotionState<Robot, T>& s, const Joints<Robot, T>&) {
-    return closed_form::scara_torque<Robot>(s.q, s.qd, s.qdd);
-  }
-  template <class Put>
-  static void write(const Joints<Robot, T>& tau, Put put) {
-    write_joints(tau, put);
+  static constexpr Kernel of(const char* name, Code in_float, Code in_double, int values) {
+    return {name, sizeof(T) == sizeof(float) ? in_float : in_double, values};
   }
 };
 

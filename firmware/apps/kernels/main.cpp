@@ -4,7 +4,6 @@
 #include <robot.hpp>
 
 #include <cstring>
-#include <string_view>
 
 #include <hal/text.hpp>
 
@@ -24,10 +23,6 @@ constexpr int range_states = 10000;
 #else
 constexpr int range_states = 500;
 #endif
-/// All kernels in soft double take up to 33 KiB a joint (a Cortex-M0).
-constexpr bool has_room_for_double =
-    Board::flash_bytes >= 256 * 1024 && Board::flash_bytes >= 40 * 1024 * joint_count<Robot>;
-constexpr bool has_closed_form = std::string_view(Robot::name) == "scara";
 
 void print(float value) {
   std::uint32_t bits = 0;
@@ -62,45 +57,39 @@ void print_state(int index, const MotionState<Robot, T>& state) {
   Board::print("\n");
 }
 
-template <class Kernel, class T>
-using ResultOf = decltype(Kernel::run(MotionState<Robot, T>{}, Joints<Robot, T>{}));
-
-/// What a kernel costs. Not inlined: one copy of the kernel in the image.
-template <class Kernel, class T>
-[[gnu::noinline]] std::uint32_t count_of(const MotionState<Robot, T>& state, const Joints<Robot, T>& tau,
-                                         ResultOf<Kernel, T>& result) {
-  auto code = [&] { result = Kernel::run(state, tau); };
+/// What a kernel costs.
+template <class T>
+std::uint32_t count_of(const Kernel& kernel, Argument<T>& argument) {
+  auto code = [&] { kernel.code(&argument); };
   return Board::count(code);
 }
 
-/// One row: kernel,robot,scalar,state,count,result bits. Returns the result for the kernels that need it.
-template <class Kernel, class T>
-auto measure(int index, const MotionState<Robot, T>& state, const Joints<Robot, T>& tau) {
-  ResultOf<Kernel, T> result{};
-  const std::uint32_t count = count_of<Kernel, T>(state, tau, result);
-  Board::print(Kernel::name);
+/// One row: kernel,robot,scalar,state,count,result bits.
+template <class T>
+void measure(const Kernel& kernel, int index, Argument<T>& argument) {
+  const std::uint32_t count = count_of(kernel, argument);
+  Board::print(kernel.name);
   Board::print(",");
   Board::print(Robot::name);
   Board::print(",");
   Board::print(name_of(T{}));
   print(",", static_cast<std::uint32_t>(index));
   print(",", count);
-  Kernel::write(result, [](T value) { print(value); });
+  for (int i = 0; i < kernel.values; ++i) {
+    T value;
+    std::memcpy(&value, argument.result + static_cast<std::size_t>(i) * sizeof value, sizeof value);
+    print(value);
+  }
   Board::print("\n");
-  return result;
 }
 
 template <class T>
-[[gnu::noinline]] void measure_all(int index, const MotionState<Robot, T>& state) {
-  const auto tau = measure<InverseDynamics<Robot, T>>(index, state, {});
-  measure<SeparationKernel<Robot, T>>(index, state, tau);
-  measure<BiasTorque<Robot, T>>(index, state, tau);
-  measure<GravityTorque<Robot, T>>(index, state, tau);
-  measure<MassMatrixKernel<Robot, T>>(index, state, tau);
-  measure<ForwardDynamicsKernel<Robot, T>>(index, state, tau);
-  measure<ForwardKinematicsKernel<Robot, T>>(index, state, tau);
-  measure<JacobianKernel<Robot, T>>(index, state, tau);
-  if constexpr (has_closed_form) measure<ClosedForm<Robot, T>>(index, state, tau);
+void measure_all(int index, const MotionState<Robot, T>& state) {
+  Argument<T> argument{};
+  argument.q = state.q, argument.qd = state.qd, argument.qdd = state.qdd;
+  measure(Kernels<T>::torque(), index, argument);
+  std::memcpy(&argument.tau, argument.result, sizeof argument.tau);
+  Kernels<T>::for_each([&](const Kernel& kernel) { measure(kernel, index, argument); });
 }
 
 void print_head() {
@@ -124,19 +113,19 @@ void run() {
 
 /// Least and most that a kernel costs over many states, some inside the limits, some at every corner of the number
 /// system. Rows: range,<kernel>,<robot>,<states>,<least>,<most>.
-template <class Kernel>
-void print_range() {
+void print_range(const Kernel& kernel) {
+  Argument<float> argument{};
   Random random(seed);
-  ResultOf<Kernel, float> result{};
   std::uint32_t least = ~0u, most = 0;
   for (int i = 0; i < range_states; ++i) {
     const auto [state, tau] = next_call<Robot>(random, i);
-    const std::uint32_t count = count_of<Kernel, float>(state, tau, result);
+    argument.q = state.q, argument.qd = state.qd, argument.qdd = state.qdd, argument.tau = tau;
+    const std::uint32_t count = count_of(kernel, argument);
     least = count < least ? count : least;
     most = count > most ? count : most;
   }
   Board::print("range,");
-  Board::print(Kernel::name);
+  Board::print(kernel.name);
   Board::print(",");
   Board::print(Robot::name);
   print(",", range_states);
@@ -145,26 +134,10 @@ void print_range() {
   Board::print("\n");
 }
 
-/// Nothing for the route that forward dynamics takes by itself: it has its row.
-template <class Tag>
-void print_range_of_route() {
-  if constexpr (forward_dynamics_route<Scene<Robot, Tag>> != forward_dynamics_route<Robot>)
-    print_range<ForwardDynamicsBy<Robot, Tag>>();
-}
-
 void print_ranges() {
-  print_range<InverseDynamics<Robot, float>>();
-  print_range<SeparationKernel<Robot, float>>();
-  print_range<BiasTorque<Robot, float>>();
-  print_range<GravityTorque<Robot, float>>();
-  print_range<MassMatrixKernel<Robot, float>>();
-  print_range<ForwardDynamicsKernel<Robot, float>>();
-  print_range_of_route<ArticulatedBody>();
-  print_range_of_route<SplitArticulatedBody>();
-  print_range_of_route<CompositeBody>();
-  print_range<ForwardKinematicsKernel<Robot, float>>();
-  print_range<JacobianKernel<Robot, float>>();
-  if constexpr (has_closed_form) print_range<ClosedForm<Robot, float>>();
+  print_range(Kernels<float>::torque());
+  Kernels<float>::for_each(print_range);
+  Kernels<float>::for_each_other_route(print_range);
 }
 
 }  // namespace
@@ -176,7 +149,9 @@ int main() {
   print_head();
   run<float>();
   print_ranges();
-  if constexpr (has_room_for_double) run<double>();
+#ifdef AXIAL_IN_DOUBLE
+  run<double>();
+#endif
   print("stack,", Board::stack_used_bytes());
   Board::print("\nend\n");
   Board::exit(0);

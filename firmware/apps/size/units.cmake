@@ -30,12 +30,19 @@ function(unit unit robot contract numbers)
   set_property(GLOBAL APPEND PROPERTY axial_units ${unit})
 endfunction()
 
+# name_of(<variable> <scene> <algorithm> <variant> <numbers>): a kernel's name in its object
+function(name_of variable scene algorithm variant numbers)
+  suffix(ending ${numbers})
+  string(REPLACE "-" "_" ending "${ending}")
+  set(${variable} ${scene}_${algorithm}_${variant}${ending} PARENT_SCOPE)
+endfunction()
+
 set(tag_of_unrolled "")
 set(tag_of_compact ", Looped")
-# add_kernel(<unit> <scene> <algorithm> <variant>): one kernel more
-function(add_kernel unit scene algorithm variant)
+# add_kernel(<unit> <kernel> <scene> <algorithm> <variant>): one kernel more
+function(add_kernel unit kernel scene algorithm variant)
   set_property(GLOBAL APPEND_STRING PROPERTY axial_kernels_${unit} "\
-extern \"C\" void ${scene}_${algorithm}_${variant}(void* argument) {
+extern \"C\" void ${kernel}(void* argument) {
   run<algorithms::${algorithm}, System::scene<scenes::${scene}, Robot${tag_of_${variant}}>>(argument);
 }
 ")

@@ -1,0 +1,36 @@
+# The kernels of the images kernels-<robot>: the probes' own objects, and others where the matrix has no probe.
+
+set(kernels inverse_dynamics torque_by_separation bias gravity mass_matrix forward_dynamics forward_kinematics jacobian)
+set(kernels_of_scara closed_form)
+set(routes forward_dynamics_articulated_body forward_dynamics_split_articulated_body forward_dynamics_composite_body)
+
+# add_to_image(<robot> <numbers> <algorithm>...): the units of bare, unrolled kernels
+function(add_to_image robot numbers)
+  suffix(ending ${numbers})
+  set(objects "")
+  foreach(algorithm IN LISTS ARGN)
+    get_property(unit GLOBAL PROPERTY axial_unit_of_${robot}-bare-${algorithm}-unrolled-off${ending})
+    if(NOT unit)
+      unit_of(unit image ${robot} bare ${algorithm} unrolled off ${numbers})
+      unit(${unit} ${robot} off ${numbers})
+      name_of(kernel bare ${algorithm} unrolled ${numbers})
+      add_kernel(${unit} ${kernel} bare ${algorithm} unrolled)
+    endif()
+    list(APPEND objects $<TARGET_OBJECTS:size-kernels-${unit}>)
+  endforeach()
+  list(REMOVE_DUPLICATES objects)
+  target_sources(kernels-${robot} PRIVATE ${objects})
+endfunction()
+
+# In soft double all kernels take up to 33 KiB a joint (a Cortex-M0).
+string(JSON flash_bytes GET "${description}" flash_bytes)
+foreach(robot joints IN ZIP_LISTS AXIAL_MATRIX_ROBOTS AXIAL_MATRIX_JOINTS)
+  if(TARGET kernels-${robot})
+    add_to_image(${robot} float ${kernels} ${kernels_of_${robot}} ${routes})
+    math(EXPR bytes_in_double "40 * 1024 * ${joints}")
+    if(flash_bytes GREATER_EQUAL 262144 AND flash_bytes GREATER_EQUAL bytes_in_double)
+      add_to_image(${robot} double ${kernels} ${kernels_of_${robot}})
+      target_compile_definitions(kernels-${robot} PRIVATE AXIAL_IN_DOUBLE=1)
+    endif()
+  endif()
+endforeach()
