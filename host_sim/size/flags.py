@@ -10,11 +10,13 @@ usage: flags.py measure [--sets FILE] [--output FOLDER] [--json FILE]
 import argparse
 import concurrent.futures
 import csv
+import functools
 import json
 import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -43,11 +45,14 @@ class NotStraight(Exception):
     pass
 
 
-SOURCE = """#include <firmware/apps/size/kernel.hpp>
+# Precompiled once for all sets, with what the kernel is made of: naming its result instantiates most of it.
+HEADER = """#include <firmware/apps/size/kernel.hpp>
 using namespace axial::apps::size;
-using axial::apps::Robot;
-extern "C" void %s(void* argument) { run<algorithms::%s, System::scene<scenes::bare, Robot>>(argument); }
+using Algorithm = algorithms::%s;
+using Chosen = System::scene<scenes::bare, axial::apps::Robot>;
+using Result = decltype(Algorithm::run<Chosen>(std::declval<const Argument<axial::apps::Robot, System::Number>&>()));
 """
+SOURCE = 'extern "C" void %s(void* argument) { run<Algorithm, Chosen>(argument); }\n' % measure.KERNEL
 
 
 class Compilation(NamedTuple):
@@ -56,13 +61,31 @@ class Compilation(NamedTuple):
     inputs: tuple  # definitions, folders, language
     flags: tuple
 
-    def compile(self, flags, algorithm, folder):
+    def precompile(self, algorithm, header):
+        header.write_text(HEADER % algorithm, encoding="utf-8")
+        self._compile(self.flags, "-x", "c++-header", header, "-o", f"{header}.gch")
+
+    def compile(self, flags, header, folder):
         """An image of the kernel alone. It is linked only to have addresses; debug data would only take time."""
         source, made, image = (folder / ("kernel" + ending) for ending in (".cpp", ".o", ".elf"))
-        source.write_text(SOURCE % (measure.KERNEL, algorithm), encoding="utf-8")
-        subprocess.run([*self.compiler, *flags, "-g0", *self.inputs, "-c", source, "-o", made], check=True)
+        source.write_text(SOURCE, encoding="utf-8")
+        self._compile(flags, "-include", self._fitting(header, flags, folder), "-c", source, "-o", made)
         subprocess.run([self.compiler[-1], *flags, *LINK, made, "-o", image], check=True)
         return Image(image)
+
+    def _fitting(self, header, flags, folder):
+        """Precompiled, unless the flags change macros: then the front end may know them, and a copy has the text alone. Where
+        they change the target, GCC itself takes the text."""
+        same = macros(self.compiler[-1], tuple(flags)) == macros(self.compiler[-1], self.flags)
+        return header if same else shutil.copy(header, folder)
+
+    def _compile(self, flags, *words):
+        subprocess.run([*self.compiler, *flags, "-g0", *self.inputs, *words], check=True)
+
+
+@functools.lru_cache
+def macros(compiler, flags):
+    return subprocess.run([compiler, *flags, "-dM", "-E", "-x", "c++", os.devnull], check=True, capture_output=True).stdout
 
 
 def own_flags(board):
@@ -124,10 +147,10 @@ def cost(image, cpu):
 
 def figures(work):
     """The row of one kernel, board and set."""
-    chosen, board, (robot, algorithm), compilation = work
+    chosen, board, (robot, algorithm), compilation, header = work
     flags = chosen.apply(compilation.flags)
     with tempfile.TemporaryDirectory(prefix="axial-") as folder:
-        image = compilation.compile(flags, algorithm, pathlib.Path(folder))
+        image = compilation.compile(flags, header, pathlib.Path(folder))
     instructions, estimate = cost(image, measure.description(board)["cpu"])
     return {"flags": chosen.name, "changes": " ".join(chosen.changes), "board": board, "robot": robot, "scene": "bare",
             "algorithm": algorithm, "scalar": "float", "variant": "unrolled", "contract": contract(flags),
@@ -135,13 +158,22 @@ def figures(work):
             "stack_bytes": stack.StackDepth(image).of(image.functions[measure.KERNEL])}
 
 
+def precompiled(pool, folder):
+    """[(board, kernel, Compilation, header)], the headers in the folder."""
+    known = [(board, kernel, compilation, pathlib.Path(folder, "-".join((board, *kernel)) + ".hpp"))
+             for board in BOARDS for kernel, compilation in compilations(board).items()]
+    pending = [pool.submit(compilation.precompile, algorithm, header) for _, (_, algorithm), compilation, header in known]
+    for each in pending:
+        each.result()
+    return known
+
+
 def measure_all(sets):
     """Rows, set by set; a line on standard error as each is done."""
-    known = {board: compilations(board) for board in BOARDS}
     began, rows = time.monotonic(), []
-    with concurrent.futures.ProcessPoolExecutor(os.cpu_count()) as pool:
-        pending = [[pool.submit(figures, (chosen, board, kernel, known[board][kernel])) for board in BOARDS for kernel in KERNELS]
-                   for chosen in sets]
+    with tempfile.TemporaryDirectory(prefix="axial-") as folder, concurrent.futures.ProcessPoolExecutor(os.cpu_count()) as pool:
+        known = precompiled(pool, folder)
+        pending = [[pool.submit(figures, (chosen, *each)) for each in known] for chosen in sets]
         try:
             for done, (chosen, of_set) in enumerate(zip(sets, pending), 1):
                 rows += [row.result() for row in of_set]
