@@ -45,7 +45,7 @@ class NotStraight(Exception):
     pass
 
 
-# Precompiled once for all sets, with what the kernel is made of: naming its result instantiates most of it.
+# Precompiled once for all sets, with the functions whose results are deduced: naming the kernel's result instantiates them.
 HEADER = """#include <firmware/apps/size/kernel.hpp>
 using namespace axial::apps::size;
 using Algorithm = algorithms::%s;
