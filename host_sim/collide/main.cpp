@@ -1,11 +1,10 @@
 // collide: a simulated Panda with and without contacts; CSV, JSON, a picture; fails when a claim does.
 #include <host_sim/collide/collide.hpp>
 #include <host_sim/collide/payload.hpp>
+#include <host_sim/output/command_line.hpp>
 #include <host_sim/output/files.hpp>
-#include <host_sim/output/program.hpp>
 #include <host_sim/output/table.hpp>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -147,12 +146,12 @@ int measure(const Options& options) {
 
 int main(int count, char** arguments) {
   Options options;
-  CLI::App app("contacts of a simulated Panda and what a momentum observer makes of them", "collide");
-  app.add_option("--seconds", options.seconds, "of motion without contacts, and again with them")
-      ->capture_default_str()
-      ->check(CLI::Range(3.0, 36000.0));
-  app.add_option("--seed", options.seed, "of the motion and the noise")->capture_default_str();
-  app.add_option("--output", options.output, "folder of CSV, JSON and picture")->capture_default_str();
-  app.add_option("--json", options.json, "one more copy of the rows");
-  return host_sim::run_program(app, count, arguments, [&] { return measure(options); });
+  host_sim::CommandLine line("contacts of a simulated Panda and what a momentum observer makes of them", "collide");
+  line.option("--seconds", options.seconds, "of motion without contacts, and again with them")
+      .show_default()
+      .range(3.0, 36000.0);
+  line.option("--seed", options.seed, "of the motion and the noise").show_default();
+  line.option("--output", options.output, "folder of CSV, JSON and picture").show_default();
+  line.option("--json", options.json, "one more copy of the rows");
+  return line.run(count, arguments, [&] { return measure(options); });
 }

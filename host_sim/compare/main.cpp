@@ -1,13 +1,12 @@
 // Writes the errors of Newton-Euler, separation and closed form, and of two-rate feed-forward, as JSON on standard
 // output.
 #include <host_sim/compare/methods.hpp>
+#include <host_sim/output/command_line.hpp>
 #include <host_sim/trajectory/files.hpp>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <exception>
 
 namespace {
 
@@ -24,7 +23,11 @@ nlohmann::ordered_json measured(const std::string& trajectories) {
     const auto robot = host_sim::find_robot(name);
     const auto cycle = host_sim::load_trajectory(trajectories + "/" + name + ".json", name, robot.limits);
     for (const auto& e : compare::two_rate_errors(name, cycle))
-      rates.push_back({{"robot", e.robot}, {"ticks", e.ticks}, {"error", e.error}, {"error_rms", e.error_rms}, {"error_ahead", e.error_ahead}});
+      rates.push_back({{"robot", e.robot},
+                       {"ticks", e.ticks},
+                       {"error", e.error},
+                       {"error_rms", e.error_rms},
+                       {"error_ahead", e.error_ahead}});
   }
   return {{"methods", methods}, {"two_rate", rates}};
 }
@@ -32,15 +35,11 @@ nlohmann::ordered_json measured(const std::string& trajectories) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("errors of the ways to a torque");
+  host_sim::CommandLine line("errors of the ways to a torque");
   std::string trajectories;
-  app.add_option("trajectories", trajectories, "folder of the robots' cycles")->required();
-  CLI11_PARSE(app, argc, argv);
-  try {
+  line.option("trajectories", trajectories, "folder of the robots' cycles").required();
+  return line.run(argc, argv, [&] {
     std::printf("%s\n", measured(trajectories).dump(1).c_str());
     return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "compare: %s\n", error.what());
-    return 1;
-  }
+  });
 }

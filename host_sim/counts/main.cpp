@@ -3,12 +3,11 @@
 #include <host_sim/counts/congruence_rows.hpp>
 #include <host_sim/counts/errors.hpp>
 #include <host_sim/counts/rows.hpp>
+#include <host_sim/output/command_line.hpp>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <exception>
 
 namespace {
 
@@ -51,19 +50,15 @@ nlohmann::ordered_json congruences() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("operation counts of every algorithm, robot and count model");
+  host_sim::CommandLine line("operation counts of every algorithm, robot and count model");
   std::string robot;
   bool without_errors = false, only_congruences = false;
-  app.add_option("--robot", robot, "only this robot");
-  app.add_flag("--without-errors", without_errors, "counts alone");
-  app.add_flag("--congruences", only_congruences, "instead: ours beside a dense and a planar-rotation congruence");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  line.option("--robot", robot, "only this robot");
+  line.flag("--without-errors", without_errors, "counts alone");
+  line.flag("--congruences", only_congruences, "instead: ours beside a dense and a planar-rotation congruence");
+  return line.run(argc, argv, [&] {
     const auto rows = only_congruences ? congruences() : table(robot, !without_errors);
     std::printf("%s\n", rows.dump(1).c_str());
     return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "counts: %s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -1,8 +1,7 @@
 // Writes the errors of the kernels as JSON on standard output.
 #include <host_sim/errors/errors.hpp>
-#include <host_sim/output/program.hpp>
+#include <host_sim/output/command_line.hpp>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -27,12 +26,12 @@ nlohmann::ordered_json to_json(const std::vector<errors::Row>& rows) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("errors of every algorithm in every number system", "errors");
+  host_sim::CommandLine line("errors of every algorithm in every number system", "errors");
   errors::Choice choice;
-  app.add_option("--robot", choice.robot, "only this robot");
-  app.add_option("--algorithm", choice.algorithm, "only this algorithm, by its name in firmware/apps/size/matrix.txt");
-  app.add_option("--scalar", choice.scalar, "only this number system");
-  return host_sim::run_program(app, argc, argv, [&] {
+  line.option("--robot", choice.robot, "only this robot");
+  line.option("--algorithm", choice.algorithm, "only this algorithm, by its name in firmware/apps/size/matrix.txt");
+  line.option("--scalar", choice.scalar, "only this number system");
+  return line.run(argc, argv, [&] {
     std::printf("%s\n", to_json(errors::rows(choice)).dump(1).c_str());
     return 0;
   });

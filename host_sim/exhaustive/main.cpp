@@ -1,11 +1,10 @@
 // Runs the integer primitives over all their arguments.
 #include <host_sim/exhaustive/sweep.hpp>
+#include <host_sim/output/command_line.hpp>
 #include <host_sim/output/files.hpp>
-#include <host_sim/output/program.hpp>
 #include <host_sim/output/progress.hpp>
 #include <host_sim/output/table.hpp>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -70,16 +69,16 @@ void write(const std::vector<Finding>& findings, const std::string& commit, cons
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("every argument of the integer primitives", "exhaustive");
+  host_sim::CommandLine line("every argument of the integer primitives", "exhaustive");
   std::string output = "output/exhaustive", json, commit;
   unsigned threads = 2;
   std::uint32_t stride = 1;
-  app.add_option("--output", output);
-  app.add_option("--json", json);
-  app.add_option("--commit", commit);
-  app.add_option("--threads", threads)->check(CLI::Range(1, 64));
-  app.add_option("--stride", stride)->check(CLI::Range(1, 1 << 16));
-  return host_sim::run_program(app, argc, argv, [&] {
+  line.option("--output", output);
+  line.option("--json", json);
+  line.option("--commit", commit);
+  line.option("--threads", threads).range(1, 64);
+  line.option("--stride", stride).range(1, 1 << 16);
+  return line.run(argc, argv, [&] {
     std::vector<Finding> findings;
     append(findings, "sine and cosine, blocks of 4096 angles:", exhaustive::sweep_angles, threads, stride);
     append(findings, "reciprocal, blocks of 2048 integers:", exhaustive::sweep_reciprocals, threads, stride);

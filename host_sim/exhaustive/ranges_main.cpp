@@ -1,11 +1,10 @@
 // Overflows, certified errors and bounds of fixed point, robot by robot, over as many states as there is time for.
 #include <host_sim/exhaustive/ranges_rows.hpp>
+#include <host_sim/output/command_line.hpp>
 #include <host_sim/output/files.hpp>
-#include <host_sim/output/program.hpp>
 #include <host_sim/output/table.hpp>
 #include <robots/robots.hpp>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -39,17 +38,17 @@ void print(const ordered_json& rows) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("overflows, certified errors and bounds of fixed point", "exhaustive");
+  host_sim::CommandLine line("overflows, certified errors and bounds of fixed point", "exhaustive");
   Options options;
   std::string json;
-  app.add_option("--states", options.states)->check(CLI::Range(std::uint64_t{1000}, std::uint64_t{1} << 40));
-  app.add_option("--processes", options.processes)->check(CLI::Range(1, 64));
-  app.add_option("--seed", options.seed);
-  app.add_flag("--overflows", options.overflows_only);
-  app.add_option("--robot", options.robot);
-  app.add_option("--json", json);
-  app.add_option("--commit", options.commit);
-  return host_sim::run_program(app, argc, argv, [&] {
+  line.option("--states", options.states).range(std::uint64_t{1000}, std::uint64_t{1} << 40);
+  line.option("--processes", options.processes).range(1, 64);
+  line.option("--seed", options.seed);
+  line.flag("--overflows", options.overflows_only);
+  line.option("--robot", options.robot);
+  line.option("--json", json);
+  line.option("--commit", options.commit);
+  return line.run(argc, argv, [&] {
     ordered_json rows = ordered_json::array();
     bool holds = true, known = false;
     const auto visit = [&](auto robot) {

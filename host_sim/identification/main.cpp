@@ -3,9 +3,8 @@
 #include <host_sim/description/table.hpp>
 #include <host_sim/identification/regressor.hpp>
 #include <host_sim/identification/robot_file.hpp>
-#include <host_sim/output/program.hpp>
+#include <host_sim/output/command_line.hpp>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -80,20 +79,16 @@ void write_header(description::Description robot, const std::string& values, con
 
 int main(int count, char** arguments) {
   std::string robot, tip, values, path;
-  CLI::App app("a robot's parameters, limits and regressor, for identify.py and excite.py", "robot_regressor");
-  app.require_subcommand(1);
-  app.fallthrough();
-  app.add_option("--robot", robot, "name as in robots/README.md, a table (.json) or a URDF")->required();
-  app.add_option("--tip", tip, "where the chain of a URDF ends");
-  app.add_subcommand("describe", "name, limits and standard parameters as JSON")->callback([&] {
-    describe(find_robot(robot, tip));
-  });
-  app.add_subcommand("answer", "regressors of the states that come in on standard input, in binary")->callback([&] {
-    answer(find_robot(robot, tip));
-  });
-  CLI::App* header = app.add_subcommand("header", "writes the header of the robot with other parameters");
-  header->add_option("--values", values, "JSON: name, source, parameters, notes, figures")->required();
-  header->add_option("-o", path, "the header")->required();
-  header->callback([&] { write_header(find_robot(robot, tip), values, path); });
-  return host_sim::run_program(app, count, arguments, [] { return 0; });
+  host_sim::CommandLine line("a robot's parameters, limits and regressor, for identify.py and excite.py",
+                             "robot_regressor");
+  line.option("--robot", robot, "name as in robots/README.md, a table (.json) or a URDF").required();
+  line.option("--tip", tip, "where the chain of a URDF ends");
+  line.verb("describe", "name, limits and standard parameters as JSON", [&] { describe(find_robot(robot, tip)); });
+  line.verb("answer", "regressors of the states that come in on standard input, in binary",
+            [&] { answer(find_robot(robot, tip)); });
+  auto header = line.verb("header", "writes the header of the robot with other parameters",
+                          [&] { write_header(find_robot(robot, tip), values, path); });
+  header.option("--values", values, "JSON: name, source, parameters, notes, figures").required();
+  header.option("-o", path, "the header").required();
+  return line.run(count, arguments, [] { return 0; });
 }

@@ -1,9 +1,8 @@
 // import: a robot's description becomes a verified constexpr header.
 #include <host_sim/description/header.hpp>
 #include <host_sim/import/importer.hpp>
-#include <host_sim/output/program.hpp>
+#include <host_sim/output/command_line.hpp>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -87,24 +86,22 @@ int import_robot(Arguments& arguments) {
 int main(int count, char** given) {
   Arguments arguments;
   auto& options = arguments.options;
-  CLI::App app("a URDF or a Denavit-Hartenberg table as a verified header", "import");
-  app.add_option("file", arguments.file, "URDF, or JSON table")->required();
-  app.add_option("--root", options.urdf.root, "link to start from; default: the URDF's root");
-  app.add_option("--tip", options.urdf.tip, "link to end at, its frame is the tool's; default: every branch");
-  app.add_option("--name", options.name, "name of the robot; default: the file's");
-  app.add_option("-o,--output", arguments.output, "the header; default: <name>.hpp");
-  app.add_option("--json", arguments.json, "figures, assumptions, warnings");
-  app.add_option("--gravity", arguments.gravity, "m/s^2 in axes of the root link; default 0 0 -9.81")->expected(3);
-  app.add_option("--right-angles", options.urdf.right_angles, "rad within which an angle is a multiple of 90 degrees")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 0.01));
-  app.add_option("--to-speed", options.seconds_to_speed, "s to full speed, where no acceleration limit is given")
-      ->capture_default_str()
-      ->check(CLI::Range(1e-3, 1e3));
-  app.add_option("--states", options.states, "random states to verify on")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 100000));
-  app.add_option("--seed", options.seed, "of those states")->capture_default_str();
-  app.add_flag("--strict", arguments.strict, "write nothing where there are warnings");
-  return host_sim::run_program(app, count, given, [&] { return import_robot(arguments); });
+  host_sim::CommandLine line("a URDF or a Denavit-Hartenberg table as a verified header", "import");
+  line.option("file", arguments.file, "URDF, or JSON table").required();
+  line.option("--root", options.urdf.root, "link to start from; default: the URDF's root");
+  line.option("--tip", options.urdf.tip, "link to end at, its frame is the tool's; default: every branch");
+  line.option("--name", options.name, "name of the robot; default: the file's");
+  line.option("-o,--output", arguments.output, "the header; default: <name>.hpp");
+  line.option("--json", arguments.json, "figures, assumptions, warnings");
+  line.option("--gravity", arguments.gravity, "m/s^2 in axes of the root link; default 0 0 -9.81").expected(3);
+  line.option("--right-angles", options.urdf.right_angles, "rad within which an angle is a multiple of 90 degrees")
+      .show_default()
+      .range(0.0, 0.01);
+  line.option("--to-speed", options.seconds_to_speed, "s to full speed, where no acceleration limit is given")
+      .show_default()
+      .range(1e-3, 1e3);
+  line.option("--states", options.states, "random states to verify on").show_default().range(1, 100000);
+  line.option("--seed", options.seed, "of those states").show_default();
+  line.flag("--strict", arguments.strict, "write nothing where there are warnings");
+  return line.run(count, given, [&] { return import_robot(arguments); });
 }

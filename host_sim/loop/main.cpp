@@ -1,12 +1,11 @@
 // loop: the closed loop with the firmware in it, and sweeps of the same sources on the host.
 #include <host_sim/loop/loop.hpp>
 #include <host_sim/on_board/provenance.hpp>
+#include <host_sim/output/command_line.hpp>
 #include <host_sim/output/files.hpp>
-#include <host_sim/output/program.hpp>
 #include <host_sim/output/progress.hpp>
 #include <host_sim/output/table.hpp>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -198,16 +197,15 @@ int check(const Options& options) {
 
 int main(int count, char** arguments) {
   Options options;
-  CLI::App app("a closed loop with the firmware in it", "loop");
-  app.add_option("--robot", options.robot, "scara or puma560")->capture_default_str();
-  app.add_option("--board", options.board, "folder of hal/boards")->capture_default_str();
-  app.add_option("--number", options.number, "float or fixed32")->capture_default_str();
-  app.add_option("--seconds", options.seconds, "of motion")->capture_default_str()->check(CLI::Range(0.001, 3600.0));
-  app.add_flag("--sweep", options.sweep, "besides, errors of parameters, encoders and time, on the host");
-  app.add_flag("--check", options.check, "only hold the image to the same source on the host");
-  app.add_option("--output", options.output, "folder of CSV, JSON and picture")->capture_default_str();
-  app.add_option("--json", options.json, "one more copy of the figures");
-  app.add_option("--provenance", options.provenance, "file for compilers, flags and commit");
-  return host_sim::run_program(app, count, arguments,
-                               [&] { return options.check ? check(options) : measure(options); });
+  host_sim::CommandLine line("a closed loop with the firmware in it", "loop");
+  line.option("--robot", options.robot, "scara or puma560").show_default();
+  line.option("--board", options.board, "folder of hal/boards").show_default();
+  line.option("--number", options.number, "float or fixed32").show_default();
+  line.option("--seconds", options.seconds, "of motion").show_default().range(0.001, 3600.0);
+  line.flag("--sweep", options.sweep, "besides, errors of parameters, encoders and time, on the host");
+  line.flag("--check", options.check, "only hold the image to the same source on the host");
+  line.option("--output", options.output, "folder of CSV, JSON and picture").show_default();
+  line.option("--json", options.json, "one more copy of the figures");
+  line.option("--provenance", options.provenance, "file for compilers, flags and commit");
+  return line.run(count, arguments, [&] { return options.check ? check(options) : measure(options); });
 }

@@ -1,10 +1,9 @@
 // Prints the bounds, formats and certified errors of fixed point.
+#include <host_sim/output/command_line.hpp>
 #include <host_sim/output/files.hpp>
-#include <host_sim/output/program.hpp>
 #include <host_sim/output/table.hpp>
 #include <host_sim/ranges/rows.hpp>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -54,16 +53,16 @@ void run(const std::string& robot, const Choice& choice, const std::string& json
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("bounds, formats and certified errors of fixed point", "ranges");
+  host_sim::CommandLine line("bounds, formats and certified errors of fixed point", "ranges");
   Choice choice;
   std::string robot, json, rounding = "nearest", multiply = "exact";
-  app.add_option("--robot", robot);
-  app.add_option("--algorithm", choice.algorithm);
-  app.add_option("--word", choice.word)->check(CLI::IsMember({16, 32}));
-  app.add_option("--rounding", rounding)->check(CLI::IsMember({"nearest", "down"}));
-  app.add_option("--multiply", multiply)->check(CLI::IsMember({"exact", "high_word"}));
-  app.add_option("--json", json);
-  return host_sim::run_program(app, argc, argv, [&] {
+  line.option("--robot", robot);
+  line.option("--algorithm", choice.algorithm);
+  line.option("--word", choice.word).one_of({"16", "32"});
+  line.option("--rounding", rounding).one_of({"nearest", "down"});
+  line.option("--multiply", multiply).one_of({"exact", "high_word"});
+  line.option("--json", json);
+  return line.run(argc, argv, [&] {
     choice.nearest = rounding == "nearest", choice.high_word = multiply == "high_word";
     run(robot, choice, json);
     return 0;

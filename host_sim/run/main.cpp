@@ -1,13 +1,12 @@
 // run: an image of any robot in QEMU, its torques printed and checked against the run-time model in double.
 #include <host_sim/description/description.hpp>
 #include <host_sim/emulator/qemu.hpp>
-#include <host_sim/output/program.hpp>
+#include <host_sim/output/command_line.hpp>
 
 #include <axial/axial.hpp>
 #include <firmware/apps/run/motion.hpp>
 #include <robot.hpp>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -175,12 +174,10 @@ int run(const Options& options) {
 
 int main(int count, char** arguments) {
   Options options;
-  CLI::App app("an image of any robot in QEMU", "run");
-  app.add_option("--board", options.board, "folder of hal/boards")->capture_default_str();
-  app.add_option("--number", options.number, "float or fixed32")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"float", "fixed32"}));
-  app.add_option("--json", options.json, "the figures");
-  app.add_option("--csv", options.csv, "time, positions, torques, exact torques");
-  return host_sim::run_program(app, count, arguments, [&] { return run(options); });
+  host_sim::CommandLine line("an image of any robot in QEMU", "run");
+  line.option("--board", options.board, "folder of hal/boards").show_default();
+  line.option("--number", options.number, "float or fixed32").show_default().one_of({"float", "fixed32"});
+  line.option("--json", options.json, "the figures");
+  line.option("--csv", options.csv, "time, positions, torques, exact torques");
+  return line.run(count, arguments, [&] { return run(options); });
 }

@@ -1,10 +1,9 @@
 // stability_motion: the stability scenarios of motions, as a table and as JSON.
+#include <host_sim/output/command_line.hpp>
 #include <host_sim/output/files.hpp>
-#include <host_sim/output/program.hpp>
 #include <host_sim/output/table.hpp>
 #include <host_sim/simulation/rows.hpp>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -43,10 +42,11 @@ std::string table_of(const std::vector<Row>& rows) {
 
 int main(int count, char** arguments) {
   std::string filter, json;
-  CLI::App app("stability scenarios of motions: integrators against exact and reference motions", "stability_motion");
-  app.add_option("--filter", filter, "only scenarios whose names hold this");
-  app.add_option("--json", json, "the rows as an array of objects");
-  return host_sim::run_program(app, count, arguments, [&] {
+  host_sim::CommandLine line("stability scenarios of motions: integrators against exact and reference motions",
+                             "stability_motion");
+  line.option("--filter", filter, "only scenarios whose names hold this");
+  line.option("--json", json, "the rows as an array of objects");
+  return line.run(count, arguments, [&] {
     const auto rows = measure(filter);
     if (rows.empty()) throw std::runtime_error("no scenario's name holds '" + filter + "'");
     std::printf("%s", table_of(rows).c_str());

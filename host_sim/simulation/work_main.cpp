@@ -1,10 +1,9 @@
 // work_precision: error of every integrator against its work, as a table and as JSON.
+#include <host_sim/output/command_line.hpp>
 #include <host_sim/output/files.hpp>
-#include <host_sim/output/program.hpp>
 #include <host_sim/output/table.hpp>
 #include <host_sim/simulation/work_precision.hpp>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -28,9 +27,9 @@ void print(const std::vector<WorkRow>& rows) {
 
 int main(int count, char** arguments) {
   std::string json;
-  CLI::App app("error of integrators against work", "work_precision");
-  app.add_option("--json", json, "the rows as an array of objects");
-  return host_sim::run_program(app, count, arguments, [&] {
+  host_sim::CommandLine line("error of integrators against work", "work_precision");
+  line.option("--json", json, "the rows as an array of objects");
+  return line.run(count, arguments, [&] {
     const auto rows = work_precision([](const std::string& text) { std::fprintf(stderr, "%s\n", text.c_str()); });
     print(rows);
     if (!json.empty()) host_sim::write_json(json, to_json(rows));

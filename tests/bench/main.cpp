@@ -1,10 +1,10 @@
 // Races every kernel against its peers. Usage: see --help; ./axial bench runs it for each compiler.
 #include <benchmark/benchmark.h>
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <bench/catalogue.hpp>
 #include <cstdio>
 #include <fstream>
+#include <host_sim/output/command_line.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -132,17 +132,11 @@ int run(const Options& options) {
 
 int main(int count, char** values) {
   Options options;
-  CLI::App app("Races axial's kernels against Orocos KDL and DART.");
-  app.add_flag("--quick", options.quick, "fewer rounds");
-  app.add_flag("--list", options.list, "print the names and stop");
-  app.add_option("--filter", options.filter,
-                 "only names (algorithm/robot/scalar/peer) that this regular expression finds");
-  app.add_option("--json", options.json, "write the rows as an array of objects");
-  CLI11_PARSE(app, count, values);
-  try {
-    return run(options);
-  } catch (const std::exception& error) {
-    std::cerr << "bench: " << error.what() << '\n';
-    return 1;
-  }
+  host_sim::CommandLine line("Races axial's kernels against Orocos KDL and DART.");
+  line.flag("--quick", options.quick, "fewer rounds");
+  line.flag("--list", options.list, "print the names and stop");
+  line.option("--filter", options.filter,
+              "only names (algorithm/robot/scalar/peer) that this regular expression finds");
+  line.option("--json", options.json, "write the rows as an array of objects");
+  return line.run(count, values, [&] { return run(options); });
 }

@@ -1,12 +1,12 @@
 // simulated_log: the log that an altered arm would leave, by Orocos KDL and the oracle's friction, and its parameters.
 // Nothing of the library's dynamics is used. The truth is written as the standard parameters of each link: m, m c,
 // inertia about the origin (xx yy zz xy xz yz), gear^2 J, viscous, Coulomb forward and backward.
+#include <host_sim/output/command_line.hpp>
 #include <host_sim/trajectory/files.hpp>
 #include <oracle/from_axial.hpp>
 #include <oracle/kdl_chain.hpp>
 #include <robots/robots.hpp>
 
-#include <CLI/CLI.hpp>
 #include <Eigen/Dense>
 #include <nlohmann/json.hpp>
 
@@ -167,21 +167,17 @@ void run(const Options& options) {
 
 int main(int count, char** arguments) {
   Options options;
-  CLI::App app("the log of an altered arm by Orocos KDL, and its standard parameters", "simulated_log");
-  app.add_option("--robot", options.robot)->required();
-  app.add_option("--motion", options.motion, "set-points: time, q, qd, qdd")->required();
-  app.add_option("--log", options.log)->required();
-  app.add_option("--truth", options.truth)->required();
-  app.add_option("--seed", options.seed);
-  app.add_option("--spread", options.spread, "of the alterations, a share");
-  app.add_option("--counts", options.counts, "of an encoder a turn or a metre; 0: exact");
-  app.add_option("--noise", options.noise, "of torque, over the joint's RMS");
-  CLI11_PARSE(app, count, arguments);
-  try {
+  host_sim::CommandLine line("the log of an altered arm by Orocos KDL, and its standard parameters", "simulated_log");
+  line.option("--robot", options.robot).required();
+  line.option("--motion", options.motion, "set-points: time, q, qd, qdd").required();
+  line.option("--log", options.log).required();
+  line.option("--truth", options.truth).required();
+  line.option("--seed", options.seed);
+  line.option("--spread", options.spread, "of the alterations, a share");
+  line.option("--counts", options.counts, "of an encoder a turn or a metre; 0: exact");
+  line.option("--noise", options.noise, "of torque, over the joint's RMS");
+  return line.run(count, arguments, [&] {
     run(options);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "simulated_log: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -1,7 +1,6 @@
 // Runs the suite: a table, and JSON for the pictures.
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <host_sim/output/program.hpp>
+#include <host_sim/output/command_line.hpp>
 #include <stability/ablation.hpp>
 #include <stability/fixed/rows.hpp>
 #include <stability/json.hpp>
@@ -95,9 +94,9 @@ int run(const Options& options) {
 
 int main(int count, char** values) {
   Options options;
-  CLI::App app("Forward dynamics on stiff and extreme chains", "stability");
-  app.add_option("--scenario", options.scenario, "only scenarios whose names hold this");
-  app.add_option("--json", options.json, "write the rows as an array of objects");
-  app.add_flag("--ablation", options.ablation, "also what each improvement of the articulated bodies is worth");
-  return host_sim::run_program(app, count, values, [&] { return run(options); });
+  host_sim::CommandLine line("Forward dynamics on stiff and extreme chains", "stability");
+  line.option("--scenario", options.scenario, "only scenarios whose names hold this");
+  line.option("--json", options.json, "write the rows as an array of objects");
+  line.flag("--ablation", options.ablation, "also what each improvement of the articulated bodies is worth");
+  return line.run(count, values, [&] { return run(options); });
 }

@@ -1,7 +1,6 @@
 // The engines beside ours: a table of ratios, and JSON.
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <host_sim/output/program.hpp>
+#include <host_sim/output/command_line.hpp>
 #include <stability/json.hpp>
 #include <stability/peers/compare.hpp>
 
@@ -77,9 +76,9 @@ int run(const Options& options) {
 
 int main(int count, char** values) {
   Options options;
-  CLI::App app("Other engines' forward dynamics on stiff and extreme chains", "stability");
-  app.add_option("--scenario", options.scenario, "only scenarios whose names hold this");
-  app.add_option("--instances", options.instances, "perturbed instances a scenario")->check(CLI::Range(1, 1000));
-  app.add_option("--json", options.json, "write the rows as an array of objects");
-  return host_sim::run_program(app, count, values, [&] { return run(options); });
+  host_sim::CommandLine line("Other engines' forward dynamics on stiff and extreme chains", "stability");
+  line.option("--scenario", options.scenario, "only scenarios whose names hold this");
+  line.option("--instances", options.instances, "perturbed instances a scenario").range(1, 1000);
+  line.option("--json", options.json, "write the rows as an array of objects");
+  return line.run(count, values, [&] { return run(options); });
 }
