@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <fstream>
 #include <host_sim/output/command_line.hpp>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <regex>
 
