@@ -35,7 +35,7 @@ class Probe(NamedTuple):
     @property
     def function(self):
         """What its source calls the kernel."""
-        return "_".join((self.scene, self.algorithm, self.variant))
+        return "_".join((self.scene, self.algorithm, self.variant)) + suffix(self.scalar).replace("-", "_")
 
     @property
     def empty(self):
