@@ -74,6 +74,16 @@ class Size(harness.BoardTest):
                         else:
                             self.assertLess(left[name], right[name])
 
+    def test_images_of_kernels_count_what_probes_count(self):
+        """They are linked of the same objects; in hard float a count does not depend on the state."""
+        for robot in ("scara", "puma560"):
+            _, text = emulator.run(self.board, "kernels-" + robot)
+            rows = [row for row in (line.split(",") for line in text.splitlines()) if row[2:3] == ["float"]]
+            counts = {kernel: int(count) for kernel, _, _, _, count, *_ in rows}
+            bare = {probe.algorithm: row for probe, row in self.rows.items() if probe[1:3] == (robot, "bare") and probe.contract == "off"}
+            self.assertGreaterEqual(len(bare), 2)
+            self.assertEqual({name: counts[name] for name in bare}, {name: row["instructions"] for name, row in bare.items()})
+
     def test_no_static_memory(self):
         for probe, row in self.rows.items():
             self.assertEqual(row["ram_bytes"], 0, probe.name)

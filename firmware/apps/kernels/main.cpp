@@ -57,17 +57,10 @@ void print_state(int index, const MotionState<Robot, T>& state) {
   Board::print("\n");
 }
 
-/// What a kernel costs.
-template <class T>
-std::uint32_t count_of(const Kernel& kernel, Argument<T>& argument) {
-  auto code = [&] { kernel.code(&argument); };
-  return Board::count(code);
-}
-
 /// One row: kernel,robot,scalar,state,count,result bits.
 template <class T>
 void measure(const Kernel& kernel, int index, Argument<T>& argument) {
-  const std::uint32_t count = count_of(kernel, argument);
+  const std::uint32_t count = Board::Counter::count(kernel.code, &argument);
   Board::print(kernel.name);
   Board::print(",");
   Board::print(Robot::name);
@@ -120,7 +113,7 @@ void print_range(const Kernel& kernel) {
   for (int i = 0; i < range_states; ++i) {
     const auto [state, tau] = next_call<Robot>(random, i);
     argument.q = state.q, argument.qd = state.qd, argument.qdd = state.qdd, argument.tau = tau;
-    const std::uint32_t count = count_of(kernel, argument);
+    const std::uint32_t count = Board::Counter::count(kernel.code, &argument);
     least = count < least ? count : least;
     most = count > most ? count : most;
   }
