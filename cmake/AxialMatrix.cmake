@@ -33,4 +33,4 @@ function(axial_matrix variable file board)
   set(${variable} "${found}" PARENT_SCOPE)
 endfunction()
 set(AXIAL_MATRIX_ROBOTS scara scara_rrpr puma560 panda planar2r)  # what a * stands for
-set(AXIAL_MATRIX_JOINTS 3 4 6 7 2)
+set(AXIAL_MATRIX_JOINTS 3 4 6 7 2)                             # of each; firmware/apps/kernels holds them to the chains

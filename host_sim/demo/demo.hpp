@@ -12,7 +12,7 @@ struct DemoOptions {
   std::string trajectory;              ///< file; empty for the robot's own cycle
   std::string output = "output/demo";  ///< folder
   std::string json;                    ///< file; empty for none but the one in the folder
-  bool without_picture = false;
+  bool without_picture = false;        ///< data alone
 };
 
 /// Runs the demo and returns the exit status: 0 when every error is within its bound, else 1.

@@ -10,10 +10,23 @@
 
 #include "../size/argument.hpp"
 
-// In float, and in double where the image has room.
-#define AXIAL_KERNEL(algorithm)                       \
-  extern "C" void bare_##algorithm##_unrolled(void*); \
-  extern "C" void bare_##algorithm##_unrolled_double(void*);
+namespace axial::apps::kernels {
+
+template <class T>
+using Argument = size::Argument<Robot, T>;
+
+/// The code of a kernel in T. In double only where the image has room.
+namespace code {
+#define AXIAL_KERNEL(algorithm)                              \
+  extern "C" void bare_##algorithm##_unrolled(void*);        \
+  extern "C" void bare_##algorithm##_unrolled_double(void*); \
+  template <class T>                                         \
+  constexpr auto algorithm() {                               \
+    if constexpr (sizeof(T) == sizeof(float))                \
+      return bare_##algorithm##_unrolled;                    \
+    else                                                     \
+      return bare_##algorithm##_unrolled_double;             \
+  }
 AXIAL_KERNEL(inverse_dynamics)
 AXIAL_KERNEL(torque_by_separation)
 AXIAL_KERNEL(bias)
@@ -27,11 +40,7 @@ AXIAL_KERNEL(forward_dynamics_articulated_body)
 AXIAL_KERNEL(forward_dynamics_split_articulated_body)
 AXIAL_KERNEL(forward_dynamics_composite_body)
 #undef AXIAL_KERNEL
-
-namespace axial::apps::kernels {
-
-template <class T>
-using Argument = size::Argument<Robot, T>;
+}  // namespace code
 
 /// `values` numbers at the start of its result are what README.md documents.
 struct Kernel {
@@ -40,50 +49,42 @@ struct Kernel {
   int values;
 };
 
-/// The kernels in T, each from its code in float and in double.
+/// The kernels in T.
 template <class T>
 class Kernels {
  public:
   /// The torque, whose result is what forward dynamics is given.
-  static constexpr Kernel torque() {
-    return of("inverse_dynamics", bare_inverse_dynamics_unrolled, bare_inverse_dynamics_unrolled_double, n);
-  }
+  static constexpr Kernel torque() { return Kernel{"inverse_dynamics", code::inverse_dynamics<T>(), n}; }
 
   /// Calls visit(kernel) for every other one.
   template <class Visit>
   static void for_each(Visit visit) {
-    visit(of("separation", bare_torque_by_separation_unrolled, bare_torque_by_separation_unrolled_double, n));
-    visit(of("bias", bare_bias_unrolled, bare_bias_unrolled_double, n));
-    visit(of("gravity", bare_gravity_unrolled, bare_gravity_unrolled_double, n));
-    visit(of("mass_matrix", bare_mass_matrix_unrolled, bare_mass_matrix_unrolled_double, n * (n + 1) / 2));
-    visit(of("forward_dynamics", bare_forward_dynamics_unrolled, bare_forward_dynamics_unrolled_double, n));
-    visit(of("forward_kinematics", bare_forward_kinematics_unrolled, bare_forward_kinematics_unrolled_double, 12));
-    visit(of("jacobian", bare_jacobian_unrolled, bare_jacobian_unrolled_double, 6 * n));
-    if constexpr (has_closed_form)
-      visit(of("closed_form", bare_closed_form_unrolled, bare_closed_form_unrolled_double, n));
+    visit(Kernel{"separation", code::torque_by_separation<T>(), n});
+    visit(Kernel{"bias", code::bias<T>(), n});
+    visit(Kernel{"gravity", code::gravity<T>(), n});
+    visit(Kernel{"mass_matrix", code::mass_matrix<T>(), n * (n + 1) / 2});
+    visit(Kernel{"forward_dynamics", code::forward_dynamics<T>(), n});
+    visit(Kernel{"forward_kinematics", code::forward_kinematics<T>(), 12});
+    visit(Kernel{"jacobian", code::jacobian<T>(), 6 * n});
+    if constexpr (has_closed_form) visit(Kernel{"closed_form", code::closed_form<T>(), n});
   }
 
   /// The routes of forward dynamics that it does not take by itself, in float: it has its row.
   template <class Visit>
   static void for_each_other_route(Visit visit) {
     if constexpr (!is_route<ArticulatedBody>)
-      visit(Kernel{"articulated_body", bare_forward_dynamics_articulated_body_unrolled, n});
+      visit(Kernel{"articulated_body", code::forward_dynamics_articulated_body<float>(), n});
     if constexpr (!is_route<SplitArticulatedBody>)
-      visit(Kernel{"split_articulated_body", bare_forward_dynamics_split_articulated_body_unrolled, n});
+      visit(Kernel{"split_articulated_body", code::forward_dynamics_split_articulated_body<float>(), n});
     if constexpr (!is_route<CompositeBody>)
-      visit(Kernel{"composite_body", bare_forward_dynamics_composite_body_unrolled, n});
+      visit(Kernel{"composite_body", code::forward_dynamics_composite_body<float>(), n});
   }
 
  private:
-  using Code = void (*)(void*);
   static constexpr int n = joint_count<Robot>;
   static constexpr bool has_closed_form = std::string_view(Robot::name) == "scara";
   template <class Route>
   static constexpr bool is_route = forward_dynamics_route<Scene<Robot, Route>> == forward_dynamics_route<Robot>;
-
-  static constexpr Kernel of(const char* name, Code in_float, Code in_double, int values) {
-    return {name, sizeof(T) == sizeof(float) ? in_float : in_double, values};
-  }
 };
 
 }  // namespace axial::apps::kernels

@@ -15,6 +15,8 @@ namespace {
 
 using hal::Board;
 
+static_assert(joint_count<Robot> == AXIAL_JOINTS, "mend AXIAL_MATRIX_JOINTS in cmake/AxialMatrix.cmake");
+
 constexpr int states = 32;
 constexpr std::uint32_t seed = 0x20240920;
 /// In soft float a state takes a hundred times as long, and its count depends on data anyway.
