@@ -40,7 +40,7 @@ constexpr UsartDivider usart_divider(std::uint32_t clock_Hz, std::uint32_t baud)
   return {value, by_8, clock_Hz / clocks};
 }
 
-/// One serial port. `Port` gives `static UsartRegisters& registers()`.
+/// One serial port. `Port` gives `registers()`, a reference to UsartRegisters or to what plays them.
 template <class Port, std::size_t receive_capacity>
 class Usart {
  public:
@@ -54,14 +54,18 @@ class Usart {
     return divider.baud;
   }
 
-  /// The interrupt. Reading status, then data, clears the overrun flag too.
+  /// The interrupt: takes bytes until none is left; QEMU withdraws the interrupt with the first, even if it has handed
+  /// over a second. Reading status, then data, clears the overrun flag too.
   static void interrupt() {
+    using namespace usart_status;
     auto& port = Port::registers();
-    const std::uint32_t status = port.status;
-    const auto byte = static_cast<std::uint8_t>(port.data);
-    const bool lost = (status & usart_status::overrun) != 0;
-    const bool full = (status & usart_status::received) != 0 && !received_.push(byte);
-    if (lost || full) overruns_ = overruns_ + 1;
+    while (true) {
+      const std::uint32_t status = port.status;
+      if ((status & (received | overrun)) == 0) return;
+      const auto byte = static_cast<std::uint8_t>(port.data);
+      const bool full = (status & received) != 0 && !received_.push(byte);
+      if (full || (status & overrun) != 0) overruns_ = overruns_ + 1;
+    }
   }
 
   static bool read(std::uint8_t& byte) { return received_.pop(byte); }
@@ -81,7 +85,8 @@ class Usart {
   }
 
  private:
-  static bool wait_for_room(UsartRegisters& port) {
+  template <class Registers>
+  static bool wait_for_room(Registers& port) {
     constexpr unsigned polls = 20000;  // a byte takes under 1 000 looks at every supported rate
     for (unsigned i = 0; i < polls; ++i) {
       if ((port.status & usart_status::sent) != 0) return true;

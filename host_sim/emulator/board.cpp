@@ -43,10 +43,11 @@ Board read_board(const std::string& name) {
     throw std::runtime_error("unknown board '" + name + "'; there are: " + joined(known));
   std::ifstream file(description(name));
   const auto json = nlohmann::json::parse(file);
-  Board board{name, json.at("cpu"), json.at("flash_bytes"), json.at("ram_bytes"), {}};
+  Board board{name, json.at("cpu"), json.at("flash_bytes"), json.at("ram_bytes"), {}, false};
   board.emulator = {json.at("qemu").at("program").get<std::string>()};
   for (const auto& argument : json.at("qemu").at("arguments"))
     board.emulator.push_back(argument);
+  board.serial_queue = json.at("qemu").value("serial_queue", false);
   return board;
 }
 

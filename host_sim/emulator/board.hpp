@@ -11,6 +11,7 @@ struct Board {
   std::string name, cpu;
   std::uint32_t flash_bytes = 0, ram_bytes = 0;  ///< of the part
   std::vector<std::string> emulator;             ///< program and arguments
+  bool serial_queue = false;  ///< whether the emulator queues what it has for the UART: one byte at a time without
 };
 
 /// Names of all boards that run every app, sorted; those that only measure are left to host_sim/size.

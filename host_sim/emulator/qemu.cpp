@@ -25,15 +25,19 @@ std::vector<std::string> command_line(const Board& board, const std::string& ima
   return command;
 }
 
-std::vector<std::string> connected_to(const std::string& socket) {
-  return {"-chardev", "socket,id=uart,path=" + socket, "-serial", "chardev:uart"};
+/// The queue is a multiplexer's, though of one user: it hands over a byte as the board takes the one before, where two
+/// threads of QEMU would wait for each other. 256: no byte is the multiplexer's own.
+std::vector<std::string> connected_to(const std::string& socket, bool queue) {
+  const std::string line = "socket,id=uart,path=" + socket + (queue ? ",mux=on" : "");
+  return {"-chardev", line, "-serial", "chardev:uart", "-echr", "256"};
 }
 
 }  // namespace
 
 Emulator::Emulator(const Board& board, const std::string& image)
     : listener_(folder_.file("uart")),
-      process_(command_line(board, image, connected_to(folder_.file("uart"))), folder_.file("console")),
+      process_(command_line(board, image, connected_to(folder_.file("uart"), board.serial_queue)),
+               folder_.file("console")),
       serial_(connect()) {}
 
 SerialLine Emulator::connect() {

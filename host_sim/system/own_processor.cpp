@@ -28,13 +28,21 @@ void keep_on(int processor) {
   ::sched_setaffinity(0, sizeof one, &one);
 }
 
+void schedule(int policy) {
+  const sched_param none{};
+  ::sched_setscheduler(0, policy, &none);
+}
+
 }  // namespace
 
-OwnProcessor::OwnProcessor() : known_(::sched_getaffinity(0, sizeof allowed_, &allowed_) == 0) {
+OwnProcessor::OwnProcessor()
+    : known_(::sched_getaffinity(0, sizeof allowed_, &allowed_) == 0), policy_(::sched_getscheduler(0)) {
   if (const int processor = choose(); processor >= 0) keep_on(processor);
+  if (policy_ == SCHED_OTHER) schedule(SCHED_BATCH);
 }
 
 OwnProcessor::~OwnProcessor() {
+  if (policy_ == SCHED_OTHER) schedule(SCHED_OTHER);
   if (known_) ::sched_setaffinity(0, sizeof allowed_, &allowed_);
 }
 

@@ -8,8 +8,8 @@
 namespace host_sim {
 
 /// Keeps this thread and the processes that it starts on one processor: one that no other OwnProcessor has, or, where
-/// all are taken, the one on which it runs. Lifted by the destructor, for this thread. Where the system refuses,
-/// nothing changes.
+/// all are taken, the one on which it runs. None interrupts another there: who is woken runs when the other waits.
+/// Lifted by the destructor, for this thread. Where the system refuses, nothing changes.
 class OwnProcessor {
  public:
   OwnProcessor();
@@ -22,6 +22,7 @@ class OwnProcessor {
 
   cpu_set_t allowed_{};
   bool known_;
+  int policy_;
   Descriptor claim_;
 };
 
