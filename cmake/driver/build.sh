@@ -3,8 +3,7 @@
 
 readonly BOARDS=(stm32f405 stm32f100 nrf51 rv32_virt)
 readonly SELFTEST_BOARDS=(mps2_an505) # run the self-tests alone
-# Of the documents' closed loops, in fixed point: the smallest one. Its UART queues six bytes, which makes QEMU twice as fast as
-# with the stm32f405's.
+# Of the documents' closed loops, in fixed point: the smallest one. Its UART queues six bytes, which QEMU fills at once.
 readonly LOOP_BOARD=nrf51
 
 # build PRESET [TARGET...]: configures when there is something new to configure, then builds.
