@@ -9,7 +9,7 @@ struct Status {
   enum class Code : unsigned char {
     ok = 0,                  ///< nothing to report
     near_singular = 1,       ///< forward dynamics: the joint's inertia is lost in rounding
-    not_finite = 2,          ///< an input is NaN or infinite
+    not_finite = 2,          ///< an input or a result is NaN or infinite
     position_limit = 3,      ///< outside the declared limits
     speed_limit = 4,         ///< outside the declared limits
     acceleration_limit = 5,  ///< outside the declared limits
@@ -20,6 +20,8 @@ struct Status {
     not_ready = 8,           ///< asked before the first good refresh(); about no joint
     input_limit = 11,  ///< fixed point: tip wrench or gravity beyond the declared ones, or no sine-cosine pair; about
                        ///< no joint
+    angle_range = 12,  ///< angles so large that their sines are not exact: beyond 1e4 rad in float, 1e6 in double
+    inaccurate = 13,   ///< forward dynamics by elimination: the matrix is too ill-conditioned for the documented error
   };
   Code code = Code::ok;  ///< what was found
   int joint = -1;        ///< counted from 0 at the base; -1 for none

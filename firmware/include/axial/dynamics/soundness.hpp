@@ -1,0 +1,72 @@
+// Whether what went into a kernel and what came out of it are numbers, and angles small enough for their sines.
+#pragma once
+
+#include <axial/model/link_constants.hpp>
+#include <axial/model/status.hpp>
+#include <axial/scalar/select.hpp>
+
+namespace axial {
+
+/// Largest sum of |angle| (rad) for which the sines of all the angles are as exact as sincos.hpp says.
+template <class T>
+inline constexpr T largest_angles = T(1e4);
+/// In double the reduction has more bits.
+template <>
+inline constexpr double largest_angles<double> = 1e6;
+
+/// Collects what went into a kernel and what came out of it. NaN and infinity survive sums, so that two sums and two
+/// comparisons of bits judge all the numbers, without a branch: an addition a number, two operations an angle.
+/// A sum that overflows counts as not finite although its terms are finite: they are at the end of T's range.
+/// Numbers other than float and double (the counting scalar) have nothing to say and cost nothing; fixed point is held
+/// against declared limits instead (control/fixed_limits.hpp).
+template <class T, class = void>
+class Soundness {
+ public:
+  /// Looks at nothing.
+  template <class X>
+  AXIAL_INLINE constexpr void angle(const X&) {}
+  /// Looks at nothing.
+  template <class X>
+  AXIAL_INLINE constexpr void number(const X&) {}
+  /// Looks at nothing.
+  template <class Kind, class X>
+  AXIAL_INLINE constexpr void position(Kind, const X&) {}
+  AXIAL_INLINE constexpr Status status() const { return {}; }  ///< always ok
+};
+
+/// float and double.
+template <class T>
+class Soundness<T, std::enable_if_t<std::is_floating_point_v<T> && sizeof(T) <= 8>> {
+ public:
+  /// An angle, rad, of which a sine is taken.
+  AXIAL_INLINE constexpr void angle(const T& q) { angles_ = angles_ + magnitude_of(q); }
+  /// Any other number.
+  AXIAL_INLINE constexpr void number(const T& x) { others_ = others_ + x; }
+  AXIAL_INLINE constexpr void number(Zero) {}                                 ///< zero by type is a number
+  AXIAL_INLINE constexpr void position(Revolute, const T& q) { angle(q); }    ///< of a revolute joint, rad
+  AXIAL_INLINE constexpr void position(Prismatic, const T& q) { number(q); }  ///< of a prismatic joint, m
+
+  /// ok; not_finite where one of the numbers is NaN or infinite; angle_range where the angles are too large. Names no
+  /// joint.
+  [[nodiscard]] AXIAL_INLINE constexpr Status status() const {
+    // others_ - others_ is 0 or NaN. Numbers that are not negative, infinity and NaN stand in the order of their bits.
+    const Bits sum = __builtin_bit_cast(Bits, static_cast<T>(angles_ + (others_ - others_)));
+    constexpr Bits most = __builtin_bit_cast(Bits, largest_angles<T>);
+    constexpr Bits infinite = __builtin_bit_cast(Bits, std::numeric_limits<T>::infinity());
+    const int large = select(sum > most, static_cast<int>(Status::Code::angle_range), 0);
+    return {static_cast<Status::Code>(select(sum >= infinite, static_cast<int>(Status::Code::not_finite), large)), -1};
+  }
+
+ private:
+  using Bits = typename detail::BitsOf<T>::type;
+  AXIAL_INLINE static constexpr T magnitude_of(const T& x) {
+    if constexpr (sizeof(T) == sizeof(float))
+      return __builtin_fabsf(x);
+    else
+      return __builtin_fabs(x);
+  }
+  // -0 is what an addition leaves as it is; +0 would turn -0 into +0, so that compilers keep the addition.
+  T angles_ = T(-0.0), others_ = T(-0.0);
+};
+
+}  // namespace axial
