@@ -75,7 +75,7 @@ static void tick(uint32_t row) {
   print_reference(row, &q, &qd, &qdd);
   if (status.code != AXIAL_OK) {
     board_print("refused: ");
-    board_print(axial_code_text(status.code));
+    board_print(axial_status_text(status));
     board_print("\n");
   }
 }

@@ -29,6 +29,8 @@ typedef enum {
   AXIAL_SATURATED = 9,
   AXIAL_RESCALED = 10,
   AXIAL_INPUT_LIMIT = 11,
+  AXIAL_ANGLE_RANGE = 12,
+  AXIAL_INACCURATE = 13,
   AXIAL_NULL_ARGUMENT = 32
 } axial_code;
 
@@ -47,7 +49,7 @@ static inline const char* axial_code_text(int code) {
     case AXIAL_NEAR_SINGULAR:
       return "near singular: the joint's inertia is lost in rounding";
     case AXIAL_NOT_FINITE:
-      return "a value is NaN or infinite";
+      return "an input or a result is NaN or infinite";
     case AXIAL_POSITION_LIMIT:
       return "position outside the declared limits";
     case AXIAL_SPEED_LIMIT:
@@ -66,12 +68,18 @@ static inline const char* axial_code_text(int code) {
       return "efforts beyond the declared ones: right, but less exact";
     case AXIAL_INPUT_LIMIT:
       return "a run-time input is beyond the declared limit";
+    case AXIAL_ANGLE_RANGE:
+      return "an angle of so many turns that its sine is not exact";
+    case AXIAL_INACCURATE:
+      return "the inertia matrix is too ill-conditioned for the documented error";
     case AXIAL_NULL_ARGUMENT:
       return "an argument is a null pointer";
     default:
       return "unknown status code";
   }
 }
+/** The text of a status' code; the joint is the caller's to print. */
+static inline const char* axial_status_text(axial_status status) { return axial_code_text(status.code); }
 
 /** Numbers by name: what an element of an array is. */
 /**@{*/

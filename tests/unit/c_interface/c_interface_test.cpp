@@ -151,13 +151,15 @@ TEST(CInterface, NullPointersAreRefused) {
 
 TEST(CInterface, EveryCodeHasItsText) {
   std::set<std::string> texts;
-  for (int code = AXIAL_OK; code <= AXIAL_INPUT_LIMIT; ++code) {
+  for (int code = AXIAL_OK; code <= AXIAL_INACCURATE; ++code) {
     EXPECT_STRNE(c_text(code), c_text(-1)) << code;
     EXPECT_STREQ(c_text(code), axial_code_text(code));
+    EXPECT_STREQ(c_text(code), axial_status_text({code, -1}));
+    EXPECT_STREQ(c_text(code), axial::status_text(static_cast<axial::Status::Code>(code))) << "C++ says the same";
     texts.insert(c_text(code));
   }
   texts.insert(c_text(AXIAL_NULL_ARGUMENT));
-  EXPECT_EQ(texts.size(), 13u);
+  EXPECT_EQ(texts.size(), 15u);
 }
 
 }  // namespace

@@ -42,7 +42,9 @@ static_assert(AXIAL_OK == static_cast<int>(Status::Code::ok) &&
               AXIAL_NOT_READY == static_cast<int>(Status::Code::not_ready) &&
               AXIAL_SATURATED == static_cast<int>(Status::Code::saturated) &&
               AXIAL_RESCALED == static_cast<int>(Status::Code::rescaled) &&
-              AXIAL_INPUT_LIMIT == static_cast<int>(Status::Code::input_limit));
+              AXIAL_INPUT_LIMIT == static_cast<int>(Status::Code::input_limit) &&
+              AXIAL_ANGLE_RANGE == static_cast<int>(Status::Code::angle_range) &&
+              AXIAL_INACCURATE == static_cast<int>(Status::Code::inaccurate));
 
 }  // namespace axial::c_interface
 
