@@ -1,4 +1,4 @@
-// doc/observer.md: a collision in a control loop.
+// doc/observer.md: a collision in a control loop. doc/safety.md: a fall-back in one.
 #include <gtest/gtest.h>
 
 namespace {
@@ -22,4 +22,32 @@ TEST(Observer, AnEffortThatMovesNothingIsAContact) {
   EXPECT_TRUE(felt);
 }
 
+}  // namespace
+
+namespace {
+namespace fall_back {
+
+using Robot = robots::Panda;
+using Joints = axial::Joints<Robot, float>;
+#include "safety-1.inc"
+
+TEST(Safety, DrivesAreHeldThenDisabled) {
+  Drives drives;
+  bool enable = true;
+  drives.tick(enable);
+  EXPECT_FALSE(enable) << "nothing was asked for";
+  const Joints q{0.1F, -0.4F, 0.3F, -1.2F, 0.5F, 1.6F, 0.2F}, still{}, fast{100.0F};
+  drives.request(q, fast, still);
+  const Joints held = drives.tick(enable), weight = axial::gravity_torque<Robot>(q);
+  EXPECT_TRUE(enable) << "the arm does not fall";
+  EXPECT_EQ(held[1], weight[1]);
+  drives.request(q, still, still);
+  for (int k = 0; k < 20 + 50 + 1000; ++k) {
+    EXPECT_TRUE(enable);
+    drives.tick(enable);
+  }
+  EXPECT_FALSE(enable);
+}
+
+}  // namespace fall_back
 }  // namespace

@@ -5,6 +5,7 @@
 #include <axial/control/border.hpp>
 #include <axial/control/collision.hpp>
 #include <axial/control/encoder.hpp>
+#include <axial/control/fall_back.hpp>
 #include <axial/control/feedforward.hpp>
 #include <axial/control/two_rate.hpp>
 #include <axial/dynamics/base_wrench.hpp>
