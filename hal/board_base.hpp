@@ -7,13 +7,18 @@
 
 #include <hal/clock.hpp>
 #include <hal/counter.hpp>
+#include <hal/failure.hpp>
+#include <hal/kept.hpp>
 #include <hal/memory.hpp>
+#include <hal/semihosting.hpp>
+#include <hal/text.hpp>
 
 namespace axial::hal {
 
-/// `Derived` gives: baud, Serial, serial_line, start_clock(), connect_pins(); where they differ, tick_Hz and Tick too.
-/// `Core` gives: Counter, Tick, Known, start(), enable_interrupt(line), sleep_unless(predicate), print(text),
-/// exit(code). See hal/README.md for the whole interface.
+/// `Derived` gives: baud, Serial, serial_line, start_clock(), connect_pins(), DrivePin, Watchdog, take_reset_flags();
+/// where they differ, tick_Hz and Tick too. `Core` gives: Counter, Tick, Known, EmulatedWatchdog, start(),
+/// enable_interrupt(line), sleep_unless(predicate), print(text), exit(code), guard_stack(), restart(),
+/// describe(report). See hal/README.md for the whole interface.
 template <class Derived, class Core>
 struct BoardBase {
   using Counter = typename Core::Counter;
@@ -26,6 +31,8 @@ struct BoardBase {
   static void start() {
     Core::start();
     clock_ = Derived::start_clock();
+    enable_drives(false);
+    cause_ = take_cause(axial_fault_report, Derived::take_reset_flags());
     Derived::connect_pins();
     baud_ = Derived::Serial::start(clock_.uart_Hz, Derived::baud);
     Core::enable_interrupt(Derived::serial_line);
@@ -41,7 +48,10 @@ struct BoardBase {
   static std::uint32_t overruns() { return Derived::Serial::overruns(); }
 
   static void start_tick(std::uint32_t rate_Hz) { Derived::Tick::start(clock_.core_Hz, rate_Hz); }
-  static void stop_tick() { Derived::Tick::stop(); }
+  static void stop_tick() {
+    Derived::Tick::stop();
+    if constexpr (AXIAL_SEMIHOSTING != 0) Derived::EmulatedWatchdog::resume();
+  }
   static std::uint32_t ticks() { return Derived::Tick::count(); }
 
   /// Sleeps until an interrupt, unless `awake()`.
@@ -61,11 +71,83 @@ struct BoardBase {
 
   static std::uint32_t stack_used_bytes() { return hal::stack_used_bytes(); }
 
+  /// The drives' pin. Off out of reset, and written off by start-up before anything else.
+  static void enable_drives(bool on) {
+    Derived::DrivePin::set(on);
+    if ((axial_drives != 0) == on) return;
+    axial_drives = on ? 1 : 0;
+    if (emulated()) announce_drives(on);
+  }
+  static bool drives_enabled() { return axial_drives != 0; }
+
+  /// From now on the board restarts when `feed_watchdog()` is not called for `ms`; nothing stops it again. Nominal: the
+  /// board's README tells how far its oscillator may be off.
+  static void start_watchdog(std::uint32_t ms) {
+    Derived::Watchdog::start(ms);
+    if (emulated()) Derived::EmulatedWatchdog::start(clock_.core_Hz, ms);
+  }
+  static void feed_watchdog() {
+    Derived::Watchdog::feed();
+    if constexpr (AXIAL_SEMIHOSTING != 0) Derived::EmulatedWatchdog::feed();
+  }
+
+  /// Why the board started last, found out by `start()`.
+  static ResetCause reset_cause() { return cause_; }
+  /// What the last fault since power-on left; means nothing unless `sound(report)`.
+  static const FaultReport& last_fault() { return axial_fault_report; }
+
+  /// Has hardware guard the lowest `guard_bytes` of the stack: a write there is a fault. False where the part cannot.
+  /// From now on a fault restarts an emulated image too, which else ends with `fault_exit_code`.
+  static bool guard_stack() {
+    guarded_ = true;
+    return Core::guard_stack();
+  }
+  static bool guarded() { return guarded_; }
+  /// Whether nothing was written to the guard: to be asked each tick where no hardware does.
+  static bool stack_intact() { return hal::stack_intact(); }
+
+  /// Drives off, `cause` noted for the next start, restart.
+  [[noreturn]] static void fail(ResetCause cause) {
+    FaultReport report{};
+    report.cause = cause;
+    give_up<Derived>(report, axial_fault_report);
+    for (;;) {
+    }
+  }
+  [[noreturn]] static void reset() { fail(ResetCause::software); }
+
+  /// For `give_up`: what a reader of the console learns. An emulated image that never asked for a guard is no firmware
+  /// but a test or a measurement: a fault ends it.
+  static void describe(const FaultReport& report) {
+    if (report.cause == ResetCause::software) return;
+    print(headline(report.cause));
+    if (report.cause == ResetCause::watchdog) return;
+    Core::describe(report);
+    if (!guarded_) exit(fault_exit_code);
+  }
+  [[noreturn]] static void restart() { Core::restart(); }
+
   static void print(const char* text) { Core::print(text); }
   static void exit(int code) { Core::exit(code); }
 
  private:
+  /// Whether the image runs in an emulator and may print there.
+  static bool emulated() { return AXIAL_SEMIHOSTING != 0 && clock_.source == ClockSource::emulator; }
+
+  static const char* headline(ResetCause cause) {
+    if (cause == ResetCause::watchdog) return "watchdog: not fed in time\n";
+    return cause == ResetCause::stack_overflow ? "fault: the stack overflowed\n" : "fault\n";
+  }
+
+  static void announce_drives(bool on) {
+    print(on ? "drives: enabled at tick " : "drives: disabled at tick ");
+    print(hex(ticks()).text);
+    print("\n");
+  }
+
   inline static ClockReport clock_{};
+  inline static ResetCause cause_ = ResetCause::unknown;
+  inline static bool guarded_ = false;
   inline static std::uint32_t baud_ = 0;
 };
 

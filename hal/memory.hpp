@@ -16,6 +16,14 @@ namespace axial::hal {
 /// Written over the free stack at start-up.
 constexpr std::uint32_t stack_paint = 0x5AFE57AC;
 
+/// Lowest part of the stack, which no program may write: room for the frame of the fault that finds an overflow, so
+/// that its registers are saved; 27 words where there is an FPU.
+#ifdef __ARM_FP
+constexpr std::uint32_t guard_bytes = 128;
+#else
+constexpr std::uint32_t guard_bytes = 32;
+#endif
+
 inline void fill(std::uint32_t* from, const std::uint32_t* to, std::uint32_t value) {
   while (from < to)
     *from++ = value;
@@ -26,12 +34,19 @@ inline void copy(std::uint32_t* from, const std::uint32_t* to, const std::uint32
     *from++ = *source++;
 }
 
+/// Leaves alone what is painted already: a guard that outlives a reset must not be written.
+inline void paint(std::uint32_t* from, const std::uint32_t* to) {
+  for (; from < to; ++from) {
+    if (*from != stack_paint) *from = stack_paint;
+  }
+}
+
 /// Variables to their first values, paint over the free stack. Called once, before anything looks at a variable.
 inline void prepare_memory() {
   copy(axial_data_begin, axial_data_end, axial_data_image);
   fill(axial_bss_begin, axial_bss_end, 0);
   const auto* here = static_cast<const std::uint32_t*>(__builtin_frame_address(0));
-  fill(axial_stack_bottom, here - 32, stack_paint);  // what lies under the frame is in use
+  paint(axial_stack_bottom, here - 32);  // what lies under the frame is in use
 }
 
 /// Bytes of stack used since the start, by the paint that is gone.
@@ -40,6 +55,14 @@ inline std::uint32_t stack_used_bytes() {
   while (word < axial_stack_top && *word == stack_paint)
     ++word;
   return static_cast<std::uint32_t>((axial_stack_top - word) * std::ptrdiff_t{sizeof *word});
+}
+
+/// Whether the guard still holds its paint: the canary of a core without hardware that guards it.
+inline bool stack_intact() {
+  for (std::uint32_t i = 0; i < guard_bytes / sizeof(std::uint32_t); ++i) {
+    if (static_cast<const volatile std::uint32_t*>(axial_stack_bottom)[i] != stack_paint) return false;
+  }
+  return true;
 }
 
 }  // namespace axial::hal

@@ -6,8 +6,11 @@
 #include <hal/board_base.hpp>
 #include <hal/cortex_m/core.hpp>
 #include <hal/cortex_m/counter.hpp>
+#include <hal/cortex_m/emulated_watchdog.hpp>
+#include <hal/cortex_m/faults.hpp>
 #include <hal/cortex_m/known_code.hpp>
 #include <hal/cortex_m/semihosting.hpp>
+#include <hal/cortex_m/stack_guard.hpp>
 #include <hal/cortex_m/tick.hpp>
 #include <hal/interrupt.hpp>
 
@@ -28,14 +31,38 @@ struct Core {
   }
   static void print(const char* text) { Semihosting::write(text); }
   static void exit(int code) { Semihosting::exit(code); }
+
+  static void describe(const FaultReport& report) {
+    Semihosting::write_line("  exception ", report.exception);
+    Semihosting::write_line("  pc   ", report.program_counter);
+    Semihosting::write_line("  lr   ", report.return_address);
+    Semihosting::write_line("  cfsr ", report.status);
+    Semihosting::write_line("  hfsr ", report.hard_status);
+  }
+#ifdef __arm__
+  static bool guard_stack() { return cortex_m::guard_stack(); }
+  [[noreturn]] static void restart() {
+    asm volatile("dsb" ::: "memory");
+    system_control().reset_control = reset_control::key | reset_control::request;
+    for (;;)
+      asm volatile("dsb" ::: "memory");
+  }
+#endif
 };
 
 /// `Derived` gives what hal::BoardBase asks for, and interrupt_lines, interrupts[]; a part without SysTick its own Tick
-/// and sys_tick_interrupt.
+/// and sys_tick_interrupt; a part whose watchdog the emulator has, NoEmulatedWatchdog.
 template <class Derived, std::uint32_t emulator_Hz_, std::uint32_t instruction_ns = usual_instruction_ns>
 struct BoardBase : hal::BoardBase<Derived, Core<emulator_Hz_, instruction_ns>> {
   static constexpr std::uint32_t emulator_Hz = emulator_Hz_;
-  static constexpr Handler sys_tick_interrupt = Tick::interrupt;
+  using EmulatedWatchdog = cortex_m::EmulatedWatchdog<Derived>;
+  /// Whether the watchdog warns by a non-maskable interrupt before it restarts the part.
+  static constexpr bool watchdog_is_non_maskable = false;
+
+  static void sys_tick_interrupt() {
+    Derived::Tick::interrupt();
+    if constexpr (AXIAL_SEMIHOSTING != 0) Derived::EmulatedWatchdog::interrupt();
+  }
 };
 
 }  // namespace axial::hal::cortex_m

@@ -1,16 +1,25 @@
-/// Fault handlers: record, report, stop. One exception: a semihosting breakpoint without a listener is stepped over.
+/// Fault handlers: drives off, report, restart. One exception: a semihosting breakpoint without a listener is stepped
+/// over, which happens once, at start-up, while the drives are off.
 
 #include <hal/cortex_m/faults.hpp>
 
+#include <board.hpp>
+
 #include <hal/cortex_m/registers.hpp>
 #include <hal/cortex_m/semihosting.hpp>
+#include <hal/failure.hpp>
+#include <hal/kept.hpp>
 #include <hal/memory.hpp>
 
 namespace axial::hal::cortex_m {
-
-[[gnu::section(".noinit")]] FaultRecord fault_record;
-
 namespace {
+
+std::uintptr_t place(const void* p) { return reinterpret_cast<std::uintptr_t>(p); }
+
+StackBounds main_stack() {
+  const std::uintptr_t bottom = place(axial_stack_bottom);
+  return {bottom, bottom + guard_bytes, place(axial_stack_top)};
+}
 
 /// A breakpoint that no debugger takes escalates to a hard fault and leaves the configurable faults clear; any other
 /// fault sets one of them (not on ARMv6-M, which has none), and its pc need not be readable.
@@ -28,59 +37,58 @@ void step_over(ExceptionFrame& frame) {
   system_control().hard_fault = system_control().hard_fault;  // written ones clear
 }
 
-void record(const ExceptionFrame& frame) {
-  auto& control = system_control();
-  fault_record = {FaultRecord::valid,
-                  control.interrupt_control & 0x1FFu,
-                  frame.pc,
-                  frame.lr,
-                  control.configurable_fault,
-                  control.hard_fault,
-                  control.memory_address,
-                  control.bus_address};
+ResetCause cause_of(std::uint32_t exception, bool overflow) {
+  constexpr std::uint32_t non_maskable = 2;
+  if (Board::watchdog_is_non_maskable && exception == non_maskable) return ResetCause::watchdog;
+  return overflow ? ResetCause::stack_overflow : ResetCause::fault;
 }
 
-void report() {
-  Semihosting::write_line("fault: exception ", fault_record.exception);
-  Semihosting::write_line("  pc   ", fault_record.pc);
-  Semihosting::write_line("  lr   ", fault_record.lr);
-  Semihosting::write_line("  cfsr ", fault_record.configurable_fault);
-  Semihosting::write_line("  hfsr ", fault_record.hard_fault);
+/// `frame` is where the frame should be; `saved` what it holds, zeros where it could not be saved.
+FaultReport make_report(std::uintptr_t frame, const ExceptionFrame& saved) {
+  auto& control = system_control();
+  const std::uint32_t status = control.configurable_fault, exception = control.interrupt_control & 0x1FFu;
+  const std::uint32_t address = refused_address(status, control.memory_address, control.bus_address);
+  const ResetCause cause = cause_of(exception, overflowed(main_stack(), frame, status, address));
+  return {0,       cause, exception, saved.pc, saved.lr, static_cast<std::uint32_t>(frame), status, control.hard_fault,
+          address, 0};
 }
 
 }  // namespace
 }  // namespace axial::hal::cortex_m
 
-/// `frame` is null where the stack ran out of RAM: then nothing could be saved.
 extern "C" [[gnu::used]] void axial_fault_with_frame(axial::hal::cortex_m::ExceptionFrame* frame) {
   using namespace axial::hal::cortex_m;
-  if (frame != nullptr && is_unanswered_semihosting(*frame)) return step_over(*frame);
-  if (frame == nullptr) Semihosting::write("fault: the stack overflowed\n");
-  record(frame != nullptr ? *frame : ExceptionFrame{});
-  report();
-  Semihosting::exit(axial::hal::fault_exit_code);
-  for (;;)
-    asm volatile("wfi");
+  const bool readable = main_stack().holds_frame(place(frame));
+  if (readable && is_unanswered_semihosting(*frame)) return step_over(*frame);
+  axial::hal::give_up<axial::hal::Board>(make_report(place(frame), readable ? *frame : ExceptionFrame{}),
+                                         axial_fault_report);
 }
 
-/// Finds the frame: bit 2 of the return code in lr tells which stack holds it. An overflown stack starts afresh.
-/// Only instructions that ARMv6-M has too.
+extern "C" void axial_watchdog_expired() { axial::hal::Board::fail(axial::hal::ResetCause::watchdog); }
+
+/// Disables the drives by one store, before anything that a stack is needed for. Then finds the frame (bit 2 of the
+/// return code in lr tells which stack holds it) and goes on with a stack of its own. Only instructions that ARMv6-M
+/// has too.
 extern "C" [[gnu::naked]] void axial_fault() {
+  using Pin = axial::hal::Board::DrivePin;
   asm volatile(
+      "ldr r0, =%c0\n\t"
+      "ldr r1, =%c1\n\t"
+      "str r1, [r0]\n\t"
       "mov r0, lr\n\t"
       "movs r1, #4\n\t"
+      "mrs r2, msp\n\t"
       "tst r0, r1\n\t"
-      "beq 1f\n\t"
       "mrs r0, psp\n\t"
-      "b 2f\n"
-      "1:\tmrs r0, msp\n"
-      "2:\tldr r1, =axial_stack_bottom\n\t"
-      "cmp r0, r1\n\t"
-      "bhs 3f\n\t"
-      "movs r0, #0\n\t"
-      "ldr r1, =axial_stack_top\n\t"
-      "mov sp, r1\n"
-      "3:\tldr r1, =axial_fault_with_frame\n\t"
-      "bx r1\n\t"
-      ".ltorg");
+      "bne 1f\n\t"
+      "mov r0, r2\n"
+      "1:\tldr r3, =axial_fault_stack + %c2\n\t"
+      "mov sp, r3\n\t"
+      "push {r2, lr}\n\t"
+      "bl axial_fault_with_frame\n\t"
+      "pop {r2, r3}\n\t"
+      "mov sp, r2\n\t"
+      "bx r3\n\t"
+      ".ltorg" ::"i"(Pin::off_register),
+      "i"(Pin::off_word), "i"(axial::hal::fault_stack_bytes));
 }

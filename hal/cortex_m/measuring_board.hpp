@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include <hal/cmsdk/watchdog.hpp>
 #include <hal/cortex_m/board_base.hpp>
 
 namespace axial::hal::cortex_m {
@@ -18,15 +19,32 @@ struct NoSerialPort {
   static void interrupt() {}
 };
 
-/// `Derived` gives name, flash_bytes and ram_bytes.
-template <class Derived, std::uint32_t emulator_Hz, std::uint32_t instruction_ns = usual_instruction_ns>
+/// `Derived` gives name, flash_bytes and ram_bytes; `Fpga` the addresses of its lights and watchdog, and the watchdog's
+/// clock. USERLED0 stands for the drives' pin. The processor's reset leaves the lights alone: start-up and the
+/// watchdog's warning turn them off.
+template <class Derived, class Fpga, std::uint32_t emulator_Hz, std::uint32_t instruction_ns = usual_instruction_ns>
 struct MeasuringBoard : BoardBase<Derived, emulator_Hz, instruction_ns> {
   static constexpr std::uint32_t baud = 0;
   using Serial = NoSerialPort;
+  struct WatchdogPort {
+    static constexpr std::uint32_t clock_Hz = Fpga::watchdog_Hz;
+    static cmsdk::WatchdogRegisters& registers() { return at<cmsdk::WatchdogRegisters>(Fpga::watchdog_address); }
+  };
+  using Watchdog = cmsdk::Watchdog<WatchdogPort>;
+  using EmulatedWatchdog = NoEmulatedWatchdog;
+  static constexpr bool watchdog_is_non_maskable = true;
+  struct DrivePin {
+    static constexpr std::uintptr_t off_register = Fpga::lights_address;
+    static constexpr std::uint32_t off_word = 0;
+    static void start() { set(false); }
+    static void set(bool enabled) { at<Register>(off_register) = enabled ? 1u : off_word; }
+  };
 
   static constexpr unsigned interrupt_lines = 32, serial_line = 0;
   static constexpr Interrupt interrupts[] = {{serial_line, Serial::interrupt}};
 
+  /// The boards have no flags: a report tells, or nobody does.
+  static ResetCause take_reset_flags() { return ResetCause::power_on; }
   static ClockReport start_clock() { return {ClockSource::emulator, emulator_Hz, emulator_Hz}; }
   static void connect_pins() {}
 };

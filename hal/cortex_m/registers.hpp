@@ -1,5 +1,6 @@
 #pragma once
-/// Core peripherals of ARMv7-M. Source: ARMv7-M Architecture Reference Manual (DDI 0403E), sections B3.2 to B3.4, C1.8.
+/// Core peripherals of ARMv7-M. Source: ARMv7-M Architecture Reference Manual (DDI 0403E), sections B3.2 to B3.5,
+/// C1.8; of ARMv8-M's memory protection: ARMv8-M Architecture Reference Manual (DDI 0553), D1.2.
 
 #include <cstdint>
 
@@ -47,12 +48,30 @@ struct SystemControlRegisters {
 namespace interrupt_control {
 constexpr std::uint32_t set_pending_sys_tick = 1u << 26, clear_pending_sys_tick = 1u << 25;
 }
+namespace reset_control {
+constexpr std::uint32_t key = 0x05FAu << 16, request = 1u << 2;
+}
+namespace configurable_fault {
+/// MSTKERR, STKERR, STKOF: the frame of an exception did not fit the stack.
+constexpr std::uint32_t stacking = 1u << 4 | 1u << 12 | 1u << 20;
+constexpr std::uint32_t memory_address_valid = 1u << 7, bus_address_valid = 1u << 15;
+}  // namespace configurable_fault
 inline SystemControlRegisters& system_control() { return at<SystemControlRegisters>(0xE000ED00); }
+
+/// Memory protection. `type` says in bits 8 to 15 how many regions there are; `attributes` is RASR, on ARMv8-M RLAR.
+struct ProtectionRegisters {
+  Register type, control, region, base, attributes;
+};
+namespace protection_control {
+constexpr std::uint32_t enable = 1u << 0, default_map = 1u << 2;
+}
+inline ProtectionRegisters& protection() { return at<ProtectionRegisters>(0xE000ED90); }
 
 /// Coprocessor access: bits 20 to 23 grant the FPU (CP10, CP11).
 inline Register& coprocessor_access() { return at<Register>(0xE000ED88); }
 constexpr std::uint32_t fpu_full_access = 0xFu << 20;
 
+inline Register& interrupt_priorities(unsigned number) { return at<Register>(0xE000E400 + 4 * (number / 4)); }
 inline Register& interrupt_set_enable(unsigned number) { return at<Register>(0xE000E100 + 4 * (number / 32)); }
 
 }  // namespace axial::hal::cortex_m

@@ -31,6 +31,7 @@ struct VectorTable {
 }  // namespace axial::hal::cortex_m
 
 extern "C" [[gnu::used, noreturn]] void axial_reset() {
+  axial::hal::Board::DrivePin::start();
   axial::hal::cortex_m::allow_fpu();
   axial::hal::prepare_memory();
   main();

@@ -16,21 +16,27 @@ class Tick {
     timer.control = 0;
     timer.reload = (core_Hz + rate_Hz / 2) / rate_Hz - 1;
     timer.current = 0;
+    running_ = true;
     timer.control = enable | interrupts | core_clock;
   }
 
   static void stop() {
+    running_ = false;
     sys_tick().control = 0;
     system_control().interrupt_control = interrupt_control::clear_pending_sys_tick;
   }
 
-  static void interrupt() { count_ = count_ + 1; }
+  /// The timer may run on for somebody else (emulated_watchdog.hpp): then it counts nothing.
+  static void interrupt() {
+    if (running_) count_ = count_ + 1;
+  }
 
   /// Ticks since the start of the image; wraps.
   static std::uint32_t count() { return count_; }
 
  private:
   inline static volatile std::uint32_t count_ = 0;
+  inline static volatile bool running_ = false;
 };
 
 }  // namespace axial::hal::cortex_m

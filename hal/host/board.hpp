@@ -1,16 +1,27 @@
 #pragma once
 /// A board inside a host program: two byte queues for the serial port, a tick that the test advances, no counter.
-/// All state is static, as a board's is; `reset()` gives a fresh one.
+/// All state is static, as a board's is; `fresh()` gives a new one. What leads to a restart returns here: the test sees
+/// it in `state.restarts` and decides what comes next.
 
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <hal/clock.hpp>
 #include <hal/counter.hpp>
+#include <hal/failure.hpp>
+#include <hal/fault_report.hpp>
 
 namespace axial::hal {
+
+/// A change of the drives' pin.
+struct DriveChange {
+  std::uint32_t tick;
+  bool on;
+};
 
 struct HostBoardState {
   std::deque<std::uint8_t> to_board, from_board;
@@ -19,6 +30,16 @@ struct HostBoardState {
   bool exited = false;
   int exit_code = 0;
   ClockReport clock{ClockSource::internal, 0, 0};
+
+  bool drives = false;
+  std::vector<DriveChange> drive_changes;
+  std::uint32_t watchdog_ms = 0;  ///< 0: not started
+  std::uint32_t feeds = 0;        ///< times that the watchdog was fed
+  std::uint32_t fed_tick = 0;     ///< tick of the last time, or of its start
+  ResetCause cause = ResetCause::power_on;
+  FaultReport report{};  ///< what a failure leaves for the next start
+  bool guarded = false, intact = true;
+  unsigned restarts = 0;
 };
 
 struct HostBoard {
@@ -27,9 +48,19 @@ struct HostBoard {
 
   inline static HostBoardState state{};
 
-  static void reset() { state = {}; }
+  static void fresh() { state = {}; }
+  /// Power-on state but for what a reset keeps: the report and the count of restarts.
+  static void boot() {
+    HostBoardState next{};
+    next.report = state.report;
+    next.restarts = state.restarts;
+    state = std::move(next);
+  }
 
-  static void start() {}
+  static void start() {
+    enable_drives(false);
+    state.cause = take_cause(state.report, state.cause);
+  }
   static const ClockReport& clock() { return state.clock; }
   static std::uint32_t baud_running() { return baud; }
 
@@ -61,6 +92,44 @@ struct HostBoard {
     code();
     return 0;
   }
+
+  static void enable_drives(bool on) {
+    if (state.drives != on) state.drive_changes.push_back({state.ticks, on});
+    state.drives = on;
+  }
+  static bool drives_enabled() { return state.drives; }
+
+  static void start_watchdog(std::uint32_t ms) {
+    state.watchdog_ms = ms;
+    state.fed_tick = state.ticks;
+  }
+  static void feed_watchdog() {
+    ++state.feeds;
+    state.fed_tick = state.ticks;
+  }
+  /// Whether a watchdog of hardware would have restarted the board by now.
+  static bool watchdog_expired() {
+    return state.watchdog_ms != 0 &&
+           std::uint64_t{state.ticks - state.fed_tick} * 1000 >= std::uint64_t{state.watchdog_ms} * tick_Hz;
+  }
+
+  static ResetCause reset_cause() { return state.cause; }
+  static const FaultReport& last_fault() { return state.report; }
+  static bool guard_stack() {
+    state.guarded = true;
+    return true;
+  }
+  static bool guarded() { return state.guarded; }
+  static bool stack_intact() { return state.intact; }
+
+  static void fail(ResetCause cause) {
+    FaultReport report{};
+    report.cause = cause;
+    give_up<HostBoard>(report, state.report);
+  }
+  static void reset() { fail(ResetCause::software); }
+  static void describe(const FaultReport&) {}
+  static void restart() { ++state.restarts; }
 
   static std::uint32_t stack_used_bytes() { return 0; }
   static void print(const char* text) { state.printed += text; }

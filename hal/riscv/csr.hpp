@@ -15,6 +15,7 @@ enum class Csr : unsigned {
   trap_value = 0x343,
   pmp_configuration_0 = 0x3A0,
   pmp_address_0 = 0x3B0,
+  pmp_address_1 = 0x3B1,
   retired_high = 0xB82
 };
 

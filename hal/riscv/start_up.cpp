@@ -1,7 +1,10 @@
 /// Reset of every RISC-V board.
 
+#include <board.hpp>
+
 #include <hal/memory.hpp>
 #include <hal/riscv/csr.hpp>
+#include <hal/riscv/stack_guard.hpp>
 #include <hal/riscv/trap.hpp>
 
 int main();
@@ -16,11 +19,10 @@ namespace {
 /// Forbids stores into the image's code for good (PMP): an emulator's flash is RAM, and what runs out of the bottom of
 /// the stack must not spoil it. The flash is a power of two long and aligned to it. A core without PMP traps here.
 void protect_code() {
-  constexpr std::uint32_t read_execute = 1u << 0 | 1u << 2, power_of_two = 3u << 3, locked = 1u << 7;
   const auto begin = reinterpret_cast<std::uintptr_t>(axial_flash_begin);
   const auto bytes = reinterpret_cast<std::uintptr_t>(axial_flash_bytes);
-  write<Csr::pmp_address_0>(static_cast<std::uint32_t>(begin >> 2 | (bytes / 8 - 1)));
-  write<Csr::pmp_configuration_0>(read_execute | power_of_two | locked);
+  write<Csr::pmp_address_0>(power_of_two_region(begin, bytes));
+  set<Csr::pmp_configuration_0>(protection::read | protection::execute | protection::power_of_two | protection::locked);
 }
 
 }  // namespace
@@ -28,6 +30,8 @@ void protect_code() {
 
 extern "C" [[gnu::used, noreturn]] void axial_start() {
   using namespace axial::hal::riscv;
+  axial::hal::Board::DrivePin::start();
+  write<Csr::interrupt_enable>(0);  // a reset leaves it as it was
   write<Csr::trap_vector>(static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(axial_trap_entry)));
   protect_code();
   axial::hal::prepare_memory();

@@ -7,7 +7,14 @@
 
 namespace axial::hal {
 
-struct Mps2An505 : cortex_m::MeasuringBoard<Mps2An505, 20'000'000, 128> {
+namespace mps2_an505 {
+struct Fpga {
+  static constexpr std::uintptr_t lights_address = 0x50302000, watchdog_address = 0x5002E000;
+  static constexpr std::uint32_t watchdog_Hz = 32'768;
+};
+}  // namespace mps2_an505
+
+struct Mps2An505 : cortex_m::MeasuringBoard<Mps2An505, mps2_an505::Fpga, 20'000'000, 128> {
   static constexpr const char* name = "mps2_an505";
   static constexpr std::uint32_t flash_bytes = 4096 * 1024, ram_bytes = 4096 * 1024;
 };

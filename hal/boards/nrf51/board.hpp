@@ -1,13 +1,14 @@
 #pragma once
 /// nRF51822: Cortex-M0, 16 MHz, 256 KiB flash, 16 KiB RAM. Wired as on the BBC micro:bit: 16 MHz crystal; UART on P0.24
-/// (transmit) and P0.25 (receive). Emulated by QEMU's `microbit`, whose core has a SysTick that counts instructions;
-/// the part itself has none, so there no counter runs. Source: nRF51 Series Reference Manual 3.0 (clock: chapter 13;
-/// GPIO: 14; TIMER: 18; UART: 29).
+/// (transmit) and P0.25 (receive); the drives' pin is P0.03, the edge connector's ring 0, high for enabled, with a
+/// pull-down of 10 kOhm outside, because it is an open input out of reset. Emulated by QEMU's `microbit`, whose core
+/// has a SysTick that counts instructions; the part itself has none, so there no counter runs. Source: nRF51 Series
+/// Reference Manual 3.0 (clock: chapter 13; GPIO: 14; TIMER: 18; UART: 29).
 
 #include <hal/cortex_m/board_base.hpp>
-#include <hal/cortex_m/faults.hpp>
 #include <hal/nrf51/timer_tick.hpp>
 #include <hal/nrf51/uart.hpp>
+#include <hal/nrf51/watchdog.hpp>
 
 namespace axial::hal {
 
@@ -32,7 +33,9 @@ struct PinRegisters {
 static_assert(offsetof(PinRegisters, output) == 0x504 && offsetof(PinRegisters, configuration) == 0x700);
 
 inline ClockRegisters& clock_registers() { return at<ClockRegisters>(0x40000000); }
-inline PinRegisters& pins() { return at<PinRegisters>(0x50000000); }
+constexpr std::uintptr_t pins_address = 0x50000000;
+inline PinRegisters& pins() { return at<PinRegisters>(pins_address); }
+inline Register& reset_reasons() { return at<Register>(0x40000400); }
 
 namespace clock {
 constexpr std::uint32_t core_Hz = 16'000'000;  // crystal and internal oscillator alike; there is no PLL
@@ -53,6 +56,26 @@ ClockReport start(Registers& registers, std::uint32_t emulator_Hz) {
 }
 }  // namespace clock
 
+/// P0.03.
+namespace drive_pin {
+constexpr std::uint32_t on = 1u << 3;
+
+template <class Pins>
+void set(Pins& pins, bool enabled) {
+  (enabled ? pins.output_set : pins.output_clear) = on;
+}
+
+/// Low first, then an output. The registers are an argument so that a host test can play them.
+template <class Pins>
+void start(Pins& pins) {
+  set(pins, false);
+  pins.direction_set = on;
+}
+}  // namespace drive_pin
+
+struct WatchdogPort {
+  static WatchdogRegisters& registers() { return at<WatchdogRegisters>(0x40010000); }
+};
 struct Uart0 {
   static constexpr std::uint32_t transmit_pin = 24, receive_pin = 25;
   static UartRegisters& registers() { return at<UartRegisters>(0x40002000); }
@@ -72,10 +95,22 @@ struct Nrf51 : cortex_m::BoardBase<Nrf51, nrf51::clock::core_Hz, 128> {
   static constexpr std::uint32_t baud = nrf51::most_baud, tick_Hz = 500;
   using Serial = nrf51::Uart<nrf51::Uart0, 512>;
   using Tick = nrf51::TimerTick<nrf51::Timer0>;
+  using Watchdog = nrf51::Watchdog<nrf51::WatchdogPort>;
+  struct DrivePin {
+    static constexpr std::uintptr_t off_register = nrf51::pins_address + offsetof(nrf51::PinRegisters, output_clear);
+    static constexpr std::uint32_t off_word = nrf51::drive_pin::on;
+    static void start() { nrf51::drive_pin::start(nrf51::pins()); }
+    static void set(bool enabled) { nrf51::drive_pin::set(nrf51::pins(), enabled); }
+  };
 
   static constexpr unsigned interrupt_lines = 26, serial_line = 2;
   static constexpr Interrupt interrupts[] = {{serial_line, Serial::interrupt}, {nrf51::Timer0::line, Tick::interrupt}};
-  static constexpr Handler sys_tick_interrupt = axial_fault;  // nothing asks for it
+  /// Only an emulator has the timer.
+  static void sys_tick_interrupt() {
+    if constexpr (AXIAL_SEMIHOSTING != 0) EmulatedWatchdog::interrupt();
+  }
+
+  static ResetCause take_reset_flags() { return nrf51::take_reset_flags(nrf51::reset_reasons()); }
 
   static ClockReport start_clock() { return nrf51::clock::start(nrf51::clock_registers(), emulator_Hz); }
 

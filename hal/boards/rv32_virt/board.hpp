@@ -1,7 +1,8 @@
 #pragma once
 /// RV32IMAC of QEMU's `virt` machine, without a floating-point unit: no part of silicon. Memory as on a small part:
 /// 256 KiB of flash, 32 KiB of RAM, both cut out of the machine's RAM; the flash is protected from stores.
-/// Source: the machine's device tree (QEMU 7.2, -machine dumpdtb).
+/// The machine has no pins: a word of RAM, `axial_drive_pin`, stands for the drives' pin. Nor has it a watchdog: the
+/// machine timer is one. Source: the machine's device tree (QEMU 7.2, -machine dumpdtb).
 
 #include <hal/ns16550/uart.hpp>
 #include <hal/riscv/board_base.hpp>
@@ -15,6 +16,13 @@ struct Platform {
   static volatile std::uint32_t* timer_compare() { return words(0x02004000); }
   static volatile std::uint32_t* timer() { return words(0x0200BFF8); }
   static volatile std::uint32_t* plic() { return words(0x0C000000); }
+
+  /// By the machine's test device, "sifive,test1".
+  [[noreturn]] static void restart() {
+    constexpr std::uint32_t reset = 0x7777;
+    for (;;)
+      *words(0x00100000) = reset;
+  }
 
  private:
   static volatile std::uint32_t* words(std::uintptr_t address) {
@@ -36,6 +44,15 @@ struct Rv32Virt : riscv::BoardBase<Rv32Virt, rv32_virt::Platform, 64> {
   /// The most that the port's clock gives, and exact. A 7-axis arm's request and answer take 6.3 ms: the tick is 10 ms.
   static constexpr std::uint32_t baud = 230'400, tick_Hz = 100;
   using Serial = ns16550::Uart<rv32_virt::Uart0, 1024>;
+
+  struct DrivePin {
+    static constexpr volatile std::uint32_t* off_register = &axial_drive_pin;
+    static constexpr std::uint32_t off_word = 0;
+    static void start() { set(false); }
+    static void set(bool enabled) { *off_register = enabled ? 1 : off_word; }
+  };
+  /// The machine has no flags: a report tells, or nobody does.
+  static ResetCause take_reset_flags() { return ResetCause::power_on; }
 
   static constexpr unsigned serial_line = 10;
   static constexpr Interrupt interrupts[] = {{serial_line, Serial::interrupt}};

@@ -1,10 +1,12 @@
 #pragma once
 /// STM32F100RB: Cortex-M3, 24 MHz, 128 KiB flash, 8 KiB SRAM. Wired as on an STM32VLDISCOVERY: 8 MHz crystal; USART1 on
-/// PA9 (transmit) and PA10 (receive). Emulated by QEMU's `stm32vldiscovery`.
+/// PA9 (transmit) and PA10 (receive); the drives' pin is PA8, high for enabled, with a pull-down of 10 kOhm outside,
+/// because it is an open input out of reset. Emulated by QEMU's `stm32vldiscovery`, without pins and watchdog.
 /// Source: RM0041 (reset and clock control: chapter 6; GPIO: 7; USART: 23), datasheet DS5944.
 
 #include <hal/cortex_m/board_base.hpp>
 #include <hal/stm32/usart.hpp>
+#include <hal/stm32/watchdog.hpp>
 
 namespace axial::hal {
 
@@ -14,14 +16,17 @@ using cortex_m::at;
 using cortex_m::Register;
 
 struct RccRegisters {
-  Register control, configuration, interrupts, apb2_reset, apb1_reset, ahb_enable, apb2_enable, apb1_enable;
+  Register control, configuration, interrupts, apb2_reset, apb1_reset, ahb_enable, apb2_enable, apb1_enable, backup,
+      status;
 };
+static_assert(offsetof(RccRegisters, status) == 0x24);
 struct GpioRegisters {
   Register configuration[2], input, output, set_reset, reset, lock;
 };
 
 inline RccRegisters& rcc() { return at<RccRegisters>(0x40021000); }
-inline GpioRegisters& gpio_a() { return at<GpioRegisters>(0x40010800); }
+constexpr std::uintptr_t gpio_a_address = 0x40010800;
+inline GpioRegisters& gpio_a() { return at<GpioRegisters>(gpio_a_address); }
 
 namespace clock {
 constexpr std::uint32_t crystal_Hz = 8'000'000, internal_Hz = 8'000'000;
@@ -69,6 +74,29 @@ ClockReport start(Rcc& rcc, std::uint32_t emulator_Hz) {
 }
 }  // namespace clock
 
+/// PA8.
+namespace drive_pin {
+constexpr std::uint32_t on = 1u << 8, off = on << 16;  // GPIOA_BSRR
+
+template <class Gpio>
+void set(Gpio& pins, bool enabled) {
+  pins.set_reset = enabled ? on : off;
+}
+
+/// Low first, then a push-pull output of 2 MHz. The registers are arguments so that a host test can play them.
+template <class Rcc, class Gpio>
+void start(Rcc& rcc, Gpio& pins) {
+  rcc.apb2_enable = rcc.apb2_enable | 1u << 2;  // GPIOA
+  set(pins, false);
+  pins.configuration[1] = (pins.configuration[1] & ~0xFu) | 0x2u;
+}
+}  // namespace drive_pin
+
+struct WatchdogPort {
+  static constexpr std::uint32_t clock_Hz = 40'000;  // 30 to 60 kHz (DS5944)
+  static stm32::WatchdogRegisters& registers() { return at<stm32::WatchdogRegisters>(0x40003000); }
+};
+
 struct SerialPort {
   static stm32::UsartRegisters& registers() { return at<stm32::UsartRegisters>(0x40013800); }  // USART1
 };
@@ -81,9 +109,19 @@ struct Stm32f100 : cortex_m::BoardBase<Stm32f100, 24'000'000> {
   /// 24 MHz / 12, oversampled by 8: exact. Without the PLL 8 MHz / 8 = 1 Mbit/s is the most that remains.
   static constexpr std::uint32_t baud = 2'000'000;
   using Serial = stm32::Usart<stm32f100::SerialPort, 256>;
+  using Watchdog = stm32::Watchdog<stm32f100::WatchdogPort>;
+  struct DrivePin {
+    static constexpr std::uintptr_t off_register =
+        stm32f100::gpio_a_address + offsetof(stm32f100::GpioRegisters, set_reset);
+    static constexpr std::uint32_t off_word = stm32f100::drive_pin::off;
+    static void start() { stm32f100::drive_pin::start(stm32f100::rcc(), stm32f100::gpio_a()); }
+    static void set(bool enabled) { stm32f100::drive_pin::set(stm32f100::gpio_a(), enabled); }
+  };
 
   static constexpr unsigned interrupt_lines = 61, serial_line = 37;
   static constexpr Interrupt interrupts[] = {{serial_line, Serial::interrupt}};
+
+  static ResetCause take_reset_flags() { return stm32::take_reset_flags(stm32f100::rcc().status); }
 
   static ClockReport start_clock() { return stm32f100::clock::start(stm32f100::rcc(), emulator_Hz); }
 

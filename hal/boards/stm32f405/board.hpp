@@ -1,10 +1,12 @@
 #pragma once
 /// STM32F405RG: Cortex-M4F, 168 MHz, 1 MiB flash, 128 KiB SRAM (and 64 KiB CCM, unused). Wired as on a Netduino Plus 2:
-/// 25 MHz crystal; USART1 on PA9 (transmit) and PA10 (receive). Emulated by QEMU's `netduinoplus2`.
-/// Source: RM0090 (reset and clock control: chapter 7; flash: 3; GPIO: 8), datasheet DS8626.
+/// 25 MHz crystal; USART1 on PA9 (transmit) and PA10 (receive); the drives' pin is PA8, high for enabled, with a
+/// pull-down of 10 kOhm outside, because it is an open input out of reset. Emulated by QEMU's `netduinoplus2`, without
+/// pins and watchdog. Source: RM0090 (reset and clock control: chapter 7; flash: 3; GPIO: 8), datasheet DS8626.
 
 #include <hal/cortex_m/board_base.hpp>
 #include <hal/stm32/usart.hpp>
+#include <hal/stm32/watchdog.hpp>
 
 namespace axial::hal {
 
@@ -17,7 +19,10 @@ struct RccRegisters {
   Register control, pll, configuration, interrupts;
   Register ahb_reset[3], reserved0, apb_reset[2], reserved1[2];
   Register ahb_enable[3], reserved2, apb1_enable, apb2_enable;
+  Register reserved3[11];
+  Register status;
 };
+static_assert(offsetof(RccRegisters, apb2_enable) == 0x44 && offsetof(RccRegisters, status) == 0x74);
 struct FlashRegisters {
   Register access_control;
 };
@@ -27,7 +32,8 @@ struct GpioRegisters {
 
 inline RccRegisters& rcc() { return at<RccRegisters>(0x40023800); }
 inline FlashRegisters& flash() { return at<FlashRegisters>(0x40023C00); }
-inline GpioRegisters& gpio_a() { return at<GpioRegisters>(0x40020000); }
+constexpr std::uintptr_t gpio_a_address = 0x40020000;
+inline GpioRegisters& gpio_a() { return at<GpioRegisters>(gpio_a_address); }
 
 namespace clock {
 constexpr std::uint32_t crystal_Hz = 25'000'000, internal_Hz = 16'000'000;
@@ -75,6 +81,29 @@ ClockReport start(Rcc& rcc, Flash& flash, std::uint32_t emulator_Hz) {
 }
 }  // namespace clock
 
+/// PA8.
+namespace drive_pin {
+constexpr std::uint32_t on = 1u << 8, off = on << 16;  // GPIO_BSRR
+
+template <class Gpio>
+void set(Gpio& pins, bool enabled) {
+  pins.set_reset = enabled ? on : off;
+}
+
+/// Low first, then an output. The registers are arguments so that a host test can play them.
+template <class Rcc, class Gpio>
+void start(Rcc& rcc, Gpio& pins) {
+  rcc.ahb_enable[0] = rcc.ahb_enable[0] | 1u << 0;  // GPIOA
+  set(pins, false);
+  pins.mode = (pins.mode & ~(3u << 16)) | 1u << 16;
+}
+}  // namespace drive_pin
+
+struct WatchdogPort {
+  static constexpr std::uint32_t clock_Hz = 32'000;  // 17 to 47 kHz (DS8626)
+  static stm32::WatchdogRegisters& registers() { return at<stm32::WatchdogRegisters>(0x40003000); }
+};
+
 struct SerialPort {
   static stm32::UsartRegisters& registers() { return at<stm32::UsartRegisters>(0x40011000); }  // USART1
 };
@@ -87,9 +116,19 @@ struct Stm32f405 : cortex_m::BoardBase<Stm32f405, 168'000'000> {
   /// 84 MHz / 42; from the internal oscillator 16 MHz / 8. Both exact.
   static constexpr std::uint32_t baud = 2'000'000;
   using Serial = stm32::Usart<stm32f405::SerialPort, 1024>;
+  using Watchdog = stm32::Watchdog<stm32f405::WatchdogPort>;
+  struct DrivePin {
+    static constexpr std::uintptr_t off_register =
+        stm32f405::gpio_a_address + offsetof(stm32f405::GpioRegisters, set_reset);
+    static constexpr std::uint32_t off_word = stm32f405::drive_pin::off;
+    static void start() { stm32f405::drive_pin::start(stm32f405::rcc(), stm32f405::gpio_a()); }
+    static void set(bool enabled) { stm32f405::drive_pin::set(stm32f405::gpio_a(), enabled); }
+  };
 
   static constexpr unsigned interrupt_lines = 82, serial_line = 37;
   static constexpr Interrupt interrupts[] = {{serial_line, Serial::interrupt}};
+
+  static ResetCause take_reset_flags() { return stm32::take_reset_flags(stm32f405::rcc().status); }
 
   static ClockReport start_clock() {
     return stm32f405::clock::start(stm32f405::rcc(), stm32f405::flash(), emulator_Hz);

@@ -32,7 +32,7 @@ link::SetPoint set_point(float value) {
 class FeedforwardApp : public testing::Test {
  protected:
   FeedforwardApp() {
-    HostBoard::reset();
+    HostBoard::fresh();
     app_.start();
   }
 
@@ -155,7 +155,7 @@ TEST(ClosedLoopApp, PassesMeasurementsOnAndRefusesAnotherRobots) {
       return value;
     }
   };
-  HostBoard::reset();
+  HostBoard::fresh();
   Feedforward<HostBoard, Measuring> app;
   app.start();
   const auto send = [&](const Bytes& bytes) {
