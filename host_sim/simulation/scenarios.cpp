@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace host_sim::simulation {
 
@@ -62,7 +63,8 @@ PendulumRun swing(double h, double seconds) {
   const axial::Held<PointMass, T> free{};
   const auto gravity = static_cast<double>(static_cast<T>(9.81));  // as T has it: 4e-7 J of the drift would be that
   for (long k = 0; k < steps_of(seconds, h); ++k) {
-    axial::advance<Integrator>(x, static_cast<T>(h), free);
+    if (!axial::advance<Integrator>(x, static_cast<T>(h), free).ok())
+      throw std::runtime_error("the pendulum's motion is no longer a number");
     const double q = whole(x).q, qd = whole(x).qd;
     if (k % 7 == 0)
       result.energy_drift = std::max(result.energy_drift, std::fabs(0.5 * qd * qd + gravity * std::sin(q)));

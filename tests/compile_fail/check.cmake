@@ -1,5 +1,6 @@
 # cmake -DCOMPILER= -DSOURCE= -DROOT= -P check.cmake
-set(command ${COMPILER} -std=c++17 -fsyntax-only -I${ROOT}/firmware/include -I${ROOT} ${SOURCE})
+# A result that is thrown away is an error, as it is in our presets.
+set(command ${COMPILER} -std=c++17 -fsyntax-only -Werror=unused-result -I${ROOT}/firmware/include -I${ROOT} ${SOURCE})
 file(STRINGS ${SOURCE} first LIMIT_COUNT 1)
 string(REGEX REPLACE "^// expect: " "" expected "${first}")
 if(expected STREQUAL first OR expected STREQUAL "")

@@ -139,7 +139,7 @@ template <class M, class Robot>
 void expect_model(const Sample& s) {
   M model;
   for (const auto& link : Robot::chain.links)
-    model.add(link);
+    ASSERT_TRUE(model.add(link));
   model.set_base_body(Robot::chain.base_body);
   const auto q = joints<M, double>(s.q), qd = joints<M, double>(s.qd), tau = joints<M, double>(s.tau);
   expect_form<double, M, Robot>(

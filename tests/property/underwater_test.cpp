@@ -171,7 +171,7 @@ template <class M>
 void expect_model(const Sample& s) {
   M model;
   for (const auto& link : Diver::chain.links)
-    model.add(link);
+    ASSERT_TRUE(model.add(link));
   model.set_base_body(Diver::chain.base_body);
   const auto& g = Diver::chain.gravity;
   model.set_gravity(g.x, g.y, g.z);

@@ -56,7 +56,7 @@ double excursion(const Sprung& sprung, double h) {
     x.q[i] += (i % 2 == 0 ? 1e-7 : -0.5e-7);
   double worst = 0.0;
   for (int k = 0; k < 3000 && worst < 1.0; ++k) {
-    advance<Method>(sprung.model, x, h, Held<Chain, double>{});
+    if (!advance<Method>(sprung.model, x, h, Held<Chain, double>{}).ok()) return 1.0;
     for (int i = 0; i < sprung.size; ++i)
       worst = std::fmax(worst, std::isfinite(x.q[i]) ? std::fabs(x.q[i] - sprung.q[i]) : 1.0);
   }

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Checks the structure of the tree: includes point one way, the library stays freestanding, folders explain themselves.
+"""Checks the structure of the tree: includes point one way, the library stays freestanding, answers
+are [[nodiscard]], folders explain themselves.
 
 usage: check.py ROOT
 Prints each violation and exits 1 if there is one.
@@ -25,6 +26,15 @@ C_HEADER = "axial/axial.h"  # what a C source sees; the C interface alone includ
 OPTIONAL = {"eigen.hpp": {"Eigen/Core"}}  # headers that no other header includes: what else they may include
 FREESTANDING = {"cstddef", "cstdint", "limits", "type_traits", "utility"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+
+# Folders whose functions answer users; steps of kernels (AXIAL_INLINE) and namespaces of their own are not for users.
+ANSWERING = ("", "closed_form", "control", "dynamics", "simulation")
+USERS_NAMESPACES = (["axial"], ["axial", "closed_form"])
+NAMESPACE = re.compile(r"^namespace ([\w:]+) \{|^\}  // namespace", re.MULTILINE)
+# A function at the top of a namespace, or a constexpr member: attribute, specifiers and what it returns; its name; the rest.
+FUNCTION = re.compile(r"^(?P<before>(?:  (?=\[\[nodiscard\]\]|(?:static )?constexpr ))?[\w\[][\w\[\]:<>,&* .]*[\s&*])(?P<name>\w+)\((?P<rest>[^\n]*)", re.MULTILINE)
+SPECIFIERS = {"static", "inline", "constexpr", "explicit"}  # alone before a name they are a constructor's
+NOT_ANSWERS = {"AXIAL_INLINE", "void", "friend", "using", "return", "operator", "template", "struct", "class", "static_assert", "[[nodiscard]]"}
 
 
 def includes(path):
@@ -52,6 +62,31 @@ def check_library(root):
         yield from check_library_header(path, parts[0] if len(parts) > 1 else None)
 
 
+def namespace_at(text, position):
+    inside = []
+    for match in NAMESPACE.finditer(text, 0, position):
+        if match.group(1):
+            inside.append(match.group(1))
+        else:
+            inside.pop()
+    return inside
+
+
+def check_results(root):
+    """What answers a user's question is [[nodiscard]]: a status that nobody looks at protects nobody."""
+    for path in sorted((root / LIBRARY).rglob("*.hpp")):
+        parts = path.relative_to(root / LIBRARY).parts
+        if (parts[0] if len(parts) > 1 else "") not in ANSWERING:
+            continue
+        text = path.read_text()
+        for function in FUNCTION.finditer(text):
+            words = set(function.group("before").split())
+            if words & NOT_ANSWERS or words <= SPECIFIERS or function.group("rest").endswith("= delete;"):
+                continue
+            if namespace_at(text, function.start()) in USERS_NAMESPACES:
+                yield f"{path}: {function.group('name')}() answers and is not [[nodiscard]]"
+
+
 def check_folder(root, folder, pattern, reason):
     forbidden = re.compile(pattern)
     for path in sorted((root / folder).rglob("*.[hc]pp")):
@@ -73,6 +108,7 @@ def violations(root):
     yield from check_folder(root, "hal", r"axial/|robots/", "hal never sees dynamics")
     yield from check_folder(root, "robots", r"axial/(?!model/)", "robots see model only")
     yield from check_folder(root, "tests/oracle", r"axial/(?!model/chain\.hpp)", "an oracle shares no code with what it checks")
+    yield from check_results(root)
     yield from check_readmes(root)
 
 

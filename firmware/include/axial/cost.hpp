@@ -107,7 +107,7 @@ constexpr void trace_inputs(Inputs<S, Counting>& in, Trace& trace) {
 /// numbers, whatever their values; 0 and +-1 cost nothing. Constant expression; clang's default limit of steps
 /// (-fconstexpr-steps) suits about ten joints.
 template <class S, class Algorithm>
-constexpr Operations cost(Algorithm) {
+[[nodiscard]] constexpr Operations cost(Algorithm) {
   Trace trace;
   Joints<robot_of<S>, Counting> q{}, qd{}, x{};
   for (auto* joints : {&q, &qd, &x})
@@ -120,7 +120,7 @@ constexpr Operations cost(Algorithm) {
 }
 /// The same where the terms come from a separate() that was paid for before.
 template <class S>
-constexpr Operations cost(algorithm::SeparatedTorque) {
+[[nodiscard]] constexpr Operations cost(algorithm::SeparatedTorque) {
   Trace trace;
   Separated<S, Counting> separated{};
   Joints<robot_of<S>, Counting> qd{}, qdd{};

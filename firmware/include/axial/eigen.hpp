@@ -28,14 +28,14 @@ struct EntryOf {
 
 /// Joint values as a column vector, to read and to write. In floating point; fixed point has words, not numbers.
 template <class S, class T>
-auto as_eigen(Joints<S, T>& values) {
+[[nodiscard]] auto as_eigen(Joints<S, T>& values) {
   constexpr int n = Joints<S, T>::size;
   static_assert(detail::same_layout<Joints<S, T>, T>(n));
   return Eigen::Map<Eigen::Matrix<T, n, 1>>(values.values);
 }
 /// The same to read alone.
 template <class S, class T>
-auto as_eigen(const Joints<S, T>& values) {
+[[nodiscard]] auto as_eigen(const Joints<S, T>& values) {
   constexpr int n = Joints<S, T>::size;
   static_assert(detail::same_layout<Joints<S, T>, T>(n));
   return Eigen::Map<const Eigen::Matrix<T, n, 1>>(values.values);
@@ -43,21 +43,21 @@ auto as_eigen(const Joints<S, T>& values) {
 
 /// A vector, such as the position of a pose.
 template <class T>
-auto as_eigen(const Vec3<T, T, T>& v) {
+[[nodiscard]] auto as_eigen(const Vec3<T, T, T>& v) {
   static_assert(detail::same_layout<Vec3<T, T, T>, T>(3));
   return Eigen::Map<const Eigen::Matrix<T, 3, 1>>(&v.x);
 }
 
 /// A rotation matrix, such as that of a pose; rows follow one another.
 template <class T>
-auto as_eigen(const Mat3<Vec3<T>>& m) {
+[[nodiscard]] auto as_eigen(const Mat3<Vec3<T>>& m) {
   static_assert(detail::same_layout<Mat3<Vec3<T>>, T>(9));
   return Eigen::Map<const Eigen::Matrix<T, 3, 3, Eigen::RowMajor>>(&m.x.x);
 }
 
 /// The 6 x N Jacobian, angular part first.
 template <class S, class T>
-auto as_eigen(const Jacobian<S, T>& jacobian) {
+[[nodiscard]] auto as_eigen(const Jacobian<S, T>& jacobian) {
   constexpr int n = joint_count<S>;
   static_assert(detail::same_layout<Jacobian<S, T>, T>(6 * n));
   return Eigen::Map<const Eigen::Matrix<T, 6, n>>(&jacobian.columns[0].angular.x);
@@ -66,7 +66,7 @@ auto as_eigen(const Jacobian<S, T>& jacobian) {
 /// The mass matrix as an N x N expression that reads the stored triangle; `m` must outlive it. Assign it to an
 /// Eigen::Matrix for a dense copy.
 template <class S, class T>
-auto as_eigen(const MassMatrix<S, T>& m) {
+[[nodiscard]] auto as_eigen(const MassMatrix<S, T>& m) {
   constexpr int n = MassMatrix<S, T>::size;
   static_assert(detail::same_layout<MassMatrix<S, T>, T>(n * (n + 1) / 2));
   return Eigen::Matrix<T, n, n>::NullaryExpr(detail::EntryOf<S, T>{&m});

@@ -14,7 +14,7 @@ struct ErrorBound {
 
   constexpr double operator[](int i) const { return of[i]; }  ///< bound of result i; the index is not checked
   /// The largest of them.
-  constexpr double worst() const {
+  [[nodiscard]] constexpr double worst() const {
     double most = 0.0;
     for (const double error : of)
       most = error > most ? error : most;
@@ -57,42 +57,42 @@ constexpr Bounds<S, T> bound_on_efforts() {
 /// bound a row), and for poses and Jacobians the positions (m) of a link's frame.
 /// Source: the recursions of doc/ranges.md.
 template <class S, class T = Fixed32>
-constexpr auto error_bound(algorithm::InverseDynamics) {
+[[nodiscard]] constexpr auto error_bound(algorithm::InverseDynamics) {
   return detail::bound_on_efforts<S, T>();
 }
 /// Of the bias torque, N m or N.
 template <class S, class T = Fixed32>
-constexpr auto error_bound(algorithm::Bias) {
+[[nodiscard]] constexpr auto error_bound(algorithm::Bias) {
   return detail::bound_on_efforts<S, T>();
 }
 /// Of the gravity torque, N m or N.
 template <class S, class T = Fixed32>
-constexpr auto error_bound(algorithm::Gravity) {
+[[nodiscard]] constexpr auto error_bound(algorithm::Gravity) {
   return detail::bound_on_efforts<S, T>();
 }
 /// Of the SCARA's closed form, N m or N.
 template <class S, class T = Fixed32>
-constexpr auto error_bound(algorithm::ClosedForm) {
+[[nodiscard]] constexpr auto error_bound(algorithm::ClosedForm) {
   using A = detail::ArithmeticOf<scene_of<S>, typename T::Word>;
   return detail::bounds_of(closed_form::detail::ScaraTable<S, A>::value,
                            [](const LinkRange& r) { return r.joint_effort.error; });
 }
 /// Of the mass matrix, one a row: of its entries up to the diagonal, in their SI units.
 template <class S, class T = Fixed32>
-constexpr auto error_bound(algorithm::MassMatrix) {
+[[nodiscard]] constexpr auto error_bound(algorithm::MassMatrix) {
   return detail::bounds_of(
       detail::ranges_for<scene_of<S>, typename T::Word, BaseParameters, recursion::CompositeBodies>,
       [](const LinkRange& r) { return r.joint_inertia.error; });
 }
 /// Of the origins of the links' frames, m.
 template <class S, class T = Fixed32>
-constexpr auto error_bound(algorithm::ForwardKinematics) {
+[[nodiscard]] constexpr auto error_bound(algorithm::ForwardKinematics) {
   return detail::bounds_of(detail::ranges_for<scene_of<S>, typename T::Word, FullParameters, recursion::Kinematics>,
                            [](const LinkRange& r) { return r.length.error; });
 }
 /// Of accelerations, rad/s^2 or m/s^2.
 template <class S, class T = Fixed32>
-constexpr auto error_bound(algorithm::ForwardDynamics) {
+[[nodiscard]] constexpr auto error_bound(algorithm::ForwardDynamics) {
   return detail::bounds_of(
       detail::ranges_for<scene_of<S>, typename T::Word, FullParameters, recursion::ArticulatedBodiesAtRest>,
       [](const LinkRange& r) { return r.joint_acceleration.error; });

@@ -39,8 +39,8 @@ TEST(TwoRate, IsInverseDynamicsWhereItWasRefreshed) {
 
 TEST(TwoRate, HoldsTheTermsBetween) {
   TwoRateState<R, double> state;
-  refresh<R>(state, bent);
-  two_rate_feedforward<R>(state, moving, faster);
+  ASSERT_TRUE(refresh<R>(state, bent).ok());
+  ASSERT_TRUE(two_rate_feedforward<R>(state, moving, faster).status.ok());
   const auto later = two_rate_feedforward<R>(state, faster, moving);
   expect_near(later.tau, inverse_dynamics<R>(bent, faster, moving), 1e-12);
 }
@@ -54,7 +54,7 @@ TEST(TwoRate, IsNotReadyBeforeTheFirstRefresh) {
 
 TEST(TwoRate, KeepsItsTermsOnABadRefresh) {
   TwoRateState<R, double> state;
-  refresh<R>(state, bent);
+  ASSERT_TRUE(refresh<R>(state, bent).ok());
   J bad = bent;
   bad[3] = NAN;
   EXPECT_EQ(refresh<R>(state, bad).code, Code::not_finite);
@@ -66,7 +66,7 @@ TEST(TwoRate, KeepsItsTermsOnABadRefresh) {
 
 TEST(TwoRate, AnswersABadRequestWithTheLastSafeEffort) {
   TwoRateState<R, double> state;
-  refresh<R>(state, bent);
+  ASSERT_TRUE(refresh<R>(state, bent).ok());
   const auto good = two_rate_feedforward<R>(state, moving, faster).tau;
   J bad = moving;
   bad[1] = HUGE_VAL;
@@ -78,7 +78,7 @@ TEST(TwoRate, AnswersABadRequestWithTheLastSafeEffort) {
 
 TEST(TwoRate, ClampsAndReportsEfforts) {
   TwoRateState<Weak, float> state;
-  refresh<Weak>(state, Joints<Weak, float>{});
+  ASSERT_TRUE(refresh<Weak>(state, Joints<Weak, float>{}).ok());
   const auto result = two_rate_feedforward<Weak>(state, Joints<Weak, float>{}, Joints<Weak, float>{9.0F});
   EXPECT_EQ(result.status.code, Code::effort_limit);
   EXPECT_EQ(result.tau[0], 0.5F);

@@ -48,7 +48,7 @@ struct ScaraTerms : ScaraRounding<S, T> {
 /// the paper among them. Source: Djuric et al. 2016, eqs. (82) to (92), with its misprints mended
 /// (doc/scara_errata.md). In: q (rad, rad, m). Out: A, B, C, G. For another robot it does not compile and says why.
 template <class S, class T>
-constexpr auto scara(const Positions<robot_of<S>, T>& q) {
+[[nodiscard]] constexpr auto scara(const Positions<robot_of<S>, T>& q) {
   const detail::ScaraTerms<S, T> k;
   auto swing = k.swing_at(read(k, q)[Index<1>{}]);
   constexpr Index<0> shoulder;
@@ -71,8 +71,9 @@ constexpr auto scara(const Positions<robot_of<S>, T>& q) {
 
 /// Torque of the same robots: 11M 10A and one sine-cosine pair. In: q (rad, rad, m), qd, qdd. Out: N m, N m, N.
 template <class S, class T>
-constexpr EffortsOf<S, T> scara_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
-                                       const Accelerations<robot_of<S>, T>& qdd) {
+[[nodiscard]] constexpr EffortsOf<S, T> scara_torque(const Positions<robot_of<S>, T>& q,
+                                                     const Velocities<robot_of<S>, T>& qd,
+                                                     const Accelerations<robot_of<S>, T>& qdd) {
   using namespace quantity;
   constexpr Index<0> shoulder;
   constexpr Index<1> elbow;

@@ -110,7 +110,8 @@ template <class S, class Word, class T>
 /// Joint values of a role as real numbers (SI, rad in [-pi, pi)), to nearest: halves to even, angles to the last bit of
 /// T but for a few in 2^32 (float) or one unit (double). to_fixed() of the result is the argument where T is double.
 template <class T, class SceneOrRobot, class Word, class Role>
-constexpr Joints<robot_of<SceneOrRobot>, T> to_real(const Joints<SceneOrRobot, Stored<Word>, Role>& values) {
+[[nodiscard]] constexpr Joints<robot_of<SceneOrRobot>, T> to_real(
+    const Joints<SceneOrRobot, Stored<Word>, Role>& values) {
   using Values = Joints<SceneOrRobot, Stored<Word>, Role>;
   Joints<robot_of<SceneOrRobot>, T> result{};
   for (int i = 0; i < Values::size; ++i)

@@ -82,7 +82,7 @@ inline constexpr auto collision_thresholds_of = detail::collision_thresholds<S, 
 /// beyond its threshold, and ends after `calm` samples in a row in which all are below `release` of it. A function of
 /// the state and of the residuals alone; constant time; compares, and computes nothing.
 template <class S, class T, class Tuning>
-constexpr Collision detect(CollisionState& state, const Residuals<S, T, Tuning>& residual) {
+[[nodiscard]] constexpr Collision detect(CollisionState& state, const Residuals<S, T, Tuning>& residual) {
   constexpr const auto& threshold = collision_thresholds_of<S, T, Tuning>;
   bool any = false, loud = false;
   int joint = -1;

@@ -24,13 +24,15 @@ struct FallBackTimes {
 /// The phases and their clock. Requests and ticks are events; every transition stands in one of the members.
 class DrivePhases {
  public:
-  constexpr DrivePhase phase() const { return phase_; }   ///< the present one
-  constexpr std::uint32_t age() const { return ticks_; }  ///< ticks in this phase; running: since the last good request
+  [[nodiscard]] constexpr DrivePhase phase() const { return phase_; }  ///< the present one
+  [[nodiscard]] constexpr std::uint32_t age() const {
+    return ticks_;
+  }  ///< ticks in this phase; running: since the last good request
   /// Whether the drives are to be enabled.
-  constexpr bool enabled() const { return phase_ != DrivePhase::idle && phase_ != DrivePhase::disabled; }
+  [[nodiscard]] constexpr bool enabled() const { return phase_ != DrivePhase::idle && phase_ != DrivePhase::disabled; }
 
   /// A good request: the drives follow it, from whatever phase but `disabled`; false there.
-  constexpr bool follow() {
+  [[nodiscard]] constexpr bool follow() {
     if (phase_ == DrivePhase::disabled) return false;
     enter(DrivePhase::running, 0);
     return true;
@@ -38,7 +40,7 @@ class DrivePhases {
 
   /// Something to hold at before any good request: from idle the drives hold, and the time to hold begins. Nothing
   /// happens in other phases; false there.
-  constexpr bool hold() {
+  [[nodiscard]] constexpr bool hold() {
     if (phase_ != DrivePhase::idle) return false;
     enter(DrivePhase::holding, 0);
     return true;
@@ -61,7 +63,7 @@ class DrivePhases {
 
   /// The motion's share of the torque in 2^-16: all (65536) while running, falling in equal steps along the ramp, none
   /// after it.
-  constexpr std::uint32_t share(const FallBackTimes& times) const {
+  [[nodiscard]] constexpr std::uint32_t share(const FallBackTimes& times) const {
     constexpr std::uint32_t all = 1u << 16;
     if (phase_ == DrivePhase::running) return all;
     if (phase_ != DrivePhase::fading) return 0;

@@ -91,7 +91,7 @@ struct RotaryEncoder {
 
   /// Binary angle of a reading. Exact where counts is a power of two, also across the counter's own wrap; else within
   /// 3/4 of a unit (2^-32 turns) of the exact angle, and the counter must not wrap.
-  static constexpr Fixed32 position(std::int32_t reading) {
+  [[nodiscard]] static constexpr Fixed32 position(std::int32_t reading) {
     constexpr std::uint64_t factor = detail::units_a_count(counts);
     const auto n = static_cast<std::uint64_t>(std::int64_t{detail::from_zero<direction>(reading, zero)});
     return {static_cast<std::int32_t>(static_cast<std::uint32_t>((n * factor + (std::uint64_t{1} << 31)) >> 32))};
@@ -99,7 +99,7 @@ struct RotaryEncoder {
   /// Velocity of joint i in the format of `Velocities<Robot, Fixed32>`, from counts a second: nearest, to 2^-31 of
   /// itself. Beyond the declared limit: the limit, and `speed_limit`.
   template <class Values, int i>
-  static constexpr ConvertedValue<typename Values::Value> velocity(std::int32_t counts_a_second) {
+  [[nodiscard]] static constexpr ConvertedValue<typename Values::Value> velocity(std::int32_t counts_a_second) {
     return detail::counted_velocity<Values, i, counts, true, direction>(counts_a_second);
   }
 };
@@ -113,14 +113,14 @@ struct LinearEncoder {
   /// Position of joint i in the format of `Positions<Robot, Fixed32>`: nearest, to 2^-31 of itself. Beyond what the
   /// format holds: its end, and `position_limit`; the declared limits are checked where a motion is used.
   template <class Values, int i>
-  static constexpr ConvertedValue<typename Values::Value> position(std::int32_t reading) {
+  [[nodiscard]] static constexpr ConvertedValue<typename Values::Value> position(std::int32_t reading) {
     return detail::counted<Values, i, detail::UnitsACount<Values, i, counts, false>>(
         detail::from_zero<direction>(reading, zero), std::numeric_limits<std::int32_t>::max(),
         Status::Code::position_limit);
   }
   /// As RotaryEncoder::velocity().
   template <class Values, int i>
-  static constexpr ConvertedValue<typename Values::Value> velocity(std::int32_t counts_a_second) {
+  [[nodiscard]] static constexpr ConvertedValue<typename Values::Value> velocity(std::int32_t counts_a_second) {
     return detail::counted_velocity<Values, i, counts, false, direction>(counts_a_second);
   }
 };
@@ -137,7 +137,7 @@ struct CountsAUnit {
 /// together), most_counts, direction (1 or -1). Nearest, to 2^-31 of itself; beyond +-most_counts: that, and
 /// `effort_limit`.
 template <class Drive, class Values, int i>
-constexpr ConvertedValue<std::int32_t> current_command(const typename Values::Value& effort) {
+[[nodiscard]] constexpr ConvertedValue<std::int32_t> current_command(const typename Values::Value& effort) {
   static_assert(Drive::effort_a_count > 0.0 && Drive::most_counts > 0, "axial: a drive's counts are positive");
   bool saturated = false;
   const std::int32_t count =

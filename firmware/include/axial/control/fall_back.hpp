@@ -34,12 +34,12 @@ class FallBack {
   constexpr FallBack() = default;
   constexpr explicit FallBack(const FallBackTimes& times) : times_(times) {}
 
-  constexpr DrivePhase phase() const { return phases_.phase(); }  ///< what the drives are doing
-  constexpr bool enabled() const { return phases_.enabled(); }    ///< whether they are to be enabled
+  [[nodiscard]] constexpr DrivePhase phase() const { return phases_.phase(); }  ///< what the drives are doing
+  [[nodiscard]] constexpr bool enabled() const { return phases_.enabled(); }    ///< whether they are to be enabled
 
   /// A good request: from now on its torque `tau` (N m or N, as feedforward() gave it, with what a feedback adds) at
   /// its position q (rad or m). False where the drives are disabled, and stay so until rearm().
-  constexpr bool follow(const Q& q, const Tau& tau) {
+  [[nodiscard]] constexpr bool follow(const Q& q, const Tau& tau) {
     if (!phases_.follow()) return false;
     q_ = q;
     last_ = tau;
@@ -50,7 +50,7 @@ class FallBack {
   /// another reason or from encoders: the drives hold the arm there instead of letting it fall. A q that is not finite
   /// or outside the declared limits is no position. Once a request was good nothing happens: its torque stays until the
   /// clock runs out. True where holding begins.
-  constexpr bool hold_at(const Q& q, const Inputs<S, T>& in = {}) {
+  [[nodiscard]] constexpr bool hold_at(const Q& q, const Inputs<S, T>& in = {}) {
     if (phase() != DrivePhase::idle || !check_request<S, T>(q, {}, {}).ok() || !find_hold(q, in)) return false;
     return phases_.hold();
   }
@@ -68,7 +68,7 @@ class FallBack {
   /// it, tau = ID(q, sqrt(s) qd, s qdd) for a share s that falls in equal steps from 1 to 0, friction and feedback by s
   /// too: in each joint a straight line to what holds the arm; then that. No effort where the drives are disabled. It
   /// is inside the declared limits wherever the last good torque was.
-  constexpr Tau torque() const {
+  [[nodiscard]] constexpr Tau torque() const {
     if (!enabled()) return {};
     if (phase() == DrivePhase::running) return last_;
     const std::uint32_t share = phases_.share(times_);
@@ -82,7 +82,7 @@ class FallBack {
   constexpr void rearm() { phases_.rearm(); }
 
  private:
-  constexpr bool find_hold(const Q& q, const Inputs<S, T>& in) {
+  [[nodiscard]] constexpr bool find_hold(const Q& q, const Inputs<S, T>& in) {
     auto tau = gravity_torque<S>(q, in);
     if (!detail::all_finite<S>(tau)) return false;
     detail::clamp_efforts<S>(tau);

@@ -76,9 +76,11 @@ constexpr void hand_out(FeedforwardResult<S, T>& result, FeedforwardState<S, T>&
 /// Fixed point: the same, on raw words (Positions<Robot, Fixed32> ...); border.hpp brings real numbers there and back,
 /// and says what was wrong with them.
 template <class S, class T>
-constexpr FeedforwardResult<S, T> feedforward(FeedforwardState<S, T>& state, const Positions<robot_of<S>, T>& q,
-                                              const Velocities<robot_of<S>, T>& qd,
-                                              const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr FeedforwardResult<S, T> feedforward(FeedforwardState<S, T>& state,
+                                                            const Positions<robot_of<S>, T>& q,
+                                                            const Velocities<robot_of<S>, T>& qd,
+                                                            const Accelerations<robot_of<S>, T>& qdd,
+                                                            const Inputs<S, T>& in = {}) {
   FeedforwardResult<S, T> result{state.last_safe, detail::check_all<S, T>(q, qd, qdd, in)};
   if (!result.status.ok()) return result;
   auto tau = inverse_dynamics<S>(q, qd, qdd, in);

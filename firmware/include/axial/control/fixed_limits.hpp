@@ -11,14 +11,14 @@ template <class Word>
 struct RawMost {
   Word raw{};  ///< at the exponent of the role
   /// -1 where |x| is larger, else 0; a subtraction, which no compiler makes a branch.
-  constexpr std::int32_t outside(const Stored<Word>& x) const {
+  [[nodiscard]] constexpr std::int32_t outside(const Stored<Word>& x) const {
     const std::uint32_t up = static_cast<std::uint32_t>(x.raw) + static_cast<std::uint32_t>(raw);
     return static_cast<std::int32_t>((2 * std::int64_t{raw} - std::int64_t{up}) >> 32);
   }
   /// Whether |x| is no larger.
-  constexpr bool allows(const Stored<Word>& x) const { return x.raw <= raw && x.raw >= -raw; }
+  [[nodiscard]] constexpr bool allows(const Stored<Word>& x) const { return x.raw <= raw && x.raw >= -raw; }
   /// x, or the nearer end.
-  constexpr Stored<Word> nearest(const Stored<Word>& x) const {
+  [[nodiscard]] constexpr Stored<Word> nearest(const Stored<Word>& x) const {
     const std::int32_t sign = x.raw >> (8 * static_cast<int>(sizeof(Word)) - 1), end = (raw ^ sign) - sign;
     return {static_cast<Word>(x.raw ^ ((x.raw ^ end) & outside(x)))};
   }
@@ -31,9 +31,9 @@ struct RawReach {
   bool wraps = false;             ///< whether it is an arc of a circle
 
   /// One comparison for slides and arcs alike: what is below min is beyond any span.
-  constexpr bool reaches(const Fixed32& q) const { return beyond(q.raw, min) <= span; }
+  [[nodiscard]] constexpr bool reaches(const Fixed32& q) const { return beyond(q.raw, min) <= span; }
   /// q, or the nearer end; of an arc, along the circle.
-  constexpr Fixed32 nearest(const Fixed32& q) const {
+  [[nodiscard]] constexpr Fixed32 nearest(const Fixed32& q) const {
     const std::uint32_t past = beyond(q.raw, max), before = beyond(min, q.raw);
     const bool to_min = wraps ? before < past : q.raw < min;
     const int inside = -static_cast<int>(reaches(q)), low = -static_cast<int>(to_min);
@@ -41,7 +41,7 @@ struct RawReach {
   }
 
  private:
-  static constexpr std::uint32_t beyond(std::int32_t x, std::int32_t from) {
+  [[nodiscard]] static constexpr std::uint32_t beyond(std::int32_t x, std::int32_t from) {
     return static_cast<std::uint32_t>(x) - static_cast<std::uint32_t>(from);
   }
 };

@@ -9,7 +9,7 @@ namespace axial {
 
 /// True for numbers, false for NaN and infinities; looks at the bits, so no compiler flag can optimise it away.
 template <class T>
-constexpr bool is_finite(const T& x) {
+[[nodiscard]] constexpr bool is_finite(const T& x) {
   static_assert(std::numeric_limits<T>::is_iec559 && (sizeof(T) == 4 || sizeof(T) == 8));
   if constexpr (sizeof(T) == 4)
     return (__builtin_bit_cast(std::uint32_t, x) & 0x7F800000u) != 0x7F800000u;
@@ -18,13 +18,13 @@ constexpr bool is_finite(const T& x) {
 }
 /// Fixed point is always a number.
 template <class Word>
-constexpr bool is_finite(const Stored<Word>&) {
+[[nodiscard]] constexpr bool is_finite(const Stored<Word>&) {
   return true;
 }
 
 /// The largest number T not beyond a declared limit, so that the limit itself is inside.
 template <class T>
-constexpr T limit(double value) {
+[[nodiscard]] constexpr T limit(double value) {
   constexpr double largest = static_cast<double>(std::numeric_limits<T>::max());
   if (value > largest) return std::numeric_limits<T>::max();
   if (value < -largest) return std::numeric_limits<T>::lowest();
@@ -43,7 +43,7 @@ struct Limits {
 
 /// The limits that a robot's links declare; unlimited ones as the largest number T.
 template <class Robot, class T>
-constexpr Limits<Robot, T> declared_limits() {
+[[nodiscard]] constexpr Limits<Robot, T> declared_limits() {
   Limits<Robot, T> all{};
   for (int i = 0; i < Robot::chain.size; ++i) {
     const LinkParameters& p = Robot::chain.links[i];
@@ -128,8 +128,8 @@ constexpr Status::Code complaint(const L& l, const Q& q, const T& qd, const T& q
 
 /// First joint with which something is wrong in a request, and what: not finite, or outside the declared limits.
 template <class S, class T>
-constexpr Status check_request(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
-                               const Accelerations<robot_of<S>, T>& qdd) {
+[[nodiscard]] constexpr Status check_request(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+                                             const Accelerations<robot_of<S>, T>& qdd) {
   for (int i = 0; i < joint_count<S>; ++i) {
     const auto& l = detail::limits_for<S, T>().joints[i];
     if (!(detail::position_inside(l, q[i]) && detail::magnitude_inside(qd[i], l.speed) &&
@@ -152,8 +152,9 @@ struct Request {
 /// check_request() for what was asked. A revolute position in fixed point goes to the nearer end along the circle.
 /// NaN has no nearest number: it stays, and feedforward() refuses it; infinities become limits.
 template <class S, class T>
-constexpr Request<S, T> clamped_request(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
-                                        const Accelerations<robot_of<S>, T>& qdd) {
+[[nodiscard]] constexpr Request<S, T> clamped_request(const Positions<robot_of<S>, T>& q,
+                                                      const Velocities<robot_of<S>, T>& qd,
+                                                      const Accelerations<robot_of<S>, T>& qdd) {
   Request<S, T> near{q, qd, qdd, check_request<S>(q, qd, qdd)};
   for (int i = 0; i < joint_count<S>; ++i) {
     const auto& l = detail::limits_for<S, T>().joints[i];
@@ -166,13 +167,13 @@ constexpr Request<S, T> clamped_request(const Positions<robot_of<S>, T>& q, cons
 
 /// Whether a run-time payload is within what the robot declares; NaN is not.
 template <class S, class T>
-constexpr Status check_payload(const PayloadBody<T>& load) {
+[[nodiscard]] constexpr Status check_payload(const PayloadBody<T>& load) {
   constexpr PayloadLimit declared = robot_of<S>::chain.payload_limit;
   static_assert(declared.declared,
                 "axial: a run-time payload is checked against the robot's declared maximum; add "
                 "axial::payload_limit(mass, com_reach, inertia) to its chain");
   constexpr double slack = 1.0 + 4.0 * static_cast<double>(std::numeric_limits<T>::epsilon());  // squares are rounded
-  constexpr T zero(Zero{}), mass = limit<T>(declared.mass), inertia = limit<T>(declared.inertia);
+  constexpr T zero = T(Zero{}), mass = limit<T>(declared.mass), inertia = limit<T>(declared.inertia);
   constexpr T reach2 = limit<T>(declared.com_reach * declared.com_reach * slack);
   const auto& j = load.inertia_com;
   bool within = detail::inside(load.mass, zero, mass) && detail::inside(dot(load.com, load.com), zero, reach2);
@@ -185,7 +186,7 @@ constexpr Status check_payload(const PayloadBody<T>& load) {
 
 /// The same in fixed point, on raw words in the formats of InputFormats.
 template <class S, class Word>
-constexpr Status check_payload(const PayloadBody<Stored<Word>>& load) {
+[[nodiscard]] constexpr Status check_payload(const PayloadBody<Stored<Word>>& load) {
   return {detail::payload_within<S>(load) ? Status::Code::ok : Status::Code::payload_limit, -1};
 }
 

@@ -67,7 +67,7 @@ struct Residuals<S, Stored<Word>, Tuning> {
   static constexpr int size = joint_count<S>;  ///< number of joints
   Stored<Word> values[size];                   ///< from the base outwards
   /// of joint i's residual
-  static constexpr int exponent(int i) { return detail::residual_formats<S, Word, Tuning>.exponent[i]; }
+  [[nodiscard]] static constexpr int exponent(int i) { return detail::residual_formats<S, Word, Tuning>.exponent[i]; }
   constexpr Stored<Word>& operator[](int i) { return values[i]; }  ///< residual of joint i; the index is not checked
   /// Residual of joint i; the index is not checked.
   constexpr const Stored<Word>& operator[](int i) const { return values[i]; }
@@ -155,9 +155,9 @@ constexpr bool all_finite(const MomentumTerms<S, T>& terms) {
 /// A sample that is not finite or outside the declared limits (effort_limit: of tau) leaves the state untouched and
 /// says so. The first sample starts the observer at residual 0. Constant time. Fixed point: doc/observer.md.
 template <class S, class T, class Tuning>
-constexpr Status observe(ObserverState<S, T, Tuning>& state, const Positions<robot_of<S>, T>& q,
-                         const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,
-                         const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr Status observe(ObserverState<S, T, Tuning>& state, const Positions<robot_of<S>, T>& q,
+                                       const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,
+                                       const Inputs<S, T>& in = {}) {
   if (const Status status = detail::check_sample<S, T>(q, qd, tau, in); !status.ok()) return status;
   const auto now = momentum_terms<S>(q, qd, in);
   if (!detail::all_finite<S>(now)) return {Status::Code::not_finite, -1};

@@ -62,7 +62,7 @@ struct PayloadEstimate {
   Status status{};         ///< not_ready: what was seen does not tell the payload's parameters apart well enough
 
   /// As the scene's Payload takes it: a body of no extent. Without a mass beyond 0 there is none.
-  constexpr PayloadBody<T> body() const {
+  [[nodiscard]] constexpr PayloadBody<T> body() const {
     const bool some = mass > T(Zero{});
     const T kg = select(some, mass, T(One{})), zero(Zero{});
     const T per_kg = select(some, reciprocal(kg), zero);
@@ -104,7 +104,7 @@ constexpr void weigh(PayloadState<S, T>& state, const Positions<robot_of<S>, T>&
 /// Least-squares estimate of the payload from what was weighed, and how sure it is. Constant time: one L D L^T of 4x4.
 /// In fixed point in integers with an exponent each (Scaled), by the same source.
 template <class Tuning, class S, class T>
-constexpr auto estimate(const PayloadState<S, T>& state) {
+[[nodiscard]] constexpr auto estimate(const PayloadState<S, T>& state) {
   using Sums = detail::PayloadSums<S, T, Tuning>;
   using X = typename Sums::Number;
   using N = NumberTraits<X>;

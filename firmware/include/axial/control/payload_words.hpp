@@ -23,7 +23,7 @@ struct PayloadWords {
 /// An estimate as words, cut to a unit. Constant time. The robot declares its payload_limit(). Feed-forward refuses a
 /// body beyond that, as any other.
 template <class S, class Word = std::int32_t>
-constexpr PayloadWords<S, Word> payload_words(const PayloadEstimate<Scaled>& estimate) {
+[[nodiscard]] constexpr PayloadWords<S, Word> payload_words(const PayloadEstimate<Scaled>& estimate) {
   static_assert(sizeof(Word) == 4, "axial: payload words are of Fixed32");
   static_assert(robot_of<S>::chain.payload_limit.declared,
                 "axial: a payload's words take their formats from the declared payload; add axial::payload_limit(mass, "

@@ -36,7 +36,8 @@ constexpr bool all_finite(const Separated<S, T>& terms) {
 /// not finite or outside the declared limits, a payload beyond the declared maximum and inputs that make a term not
 /// finite leave the last good terms as they are; the status says which.
 template <class S, class T>
-constexpr Status refresh(TwoRateState<S, T>& state, const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr Status refresh(TwoRateState<S, T>& state, const Positions<robot_of<S>, T>& q,
+                                       const Inputs<S, T>& in = {}) {
   if (const Status status = detail::check_all<S, T>(q, {}, {}, in); !status.ok()) return status;
   const auto terms = separate<S>(q, in);
   if (!detail::all_finite<S>(terms)) return {Status::Code::not_finite, -1};
@@ -48,8 +49,9 @@ constexpr Status refresh(TwoRateState<S, T>& state, const Positions<robot_of<S>,
 /// feedforward() does, it answers a bad request with the last safe output and a status. Before the first good refresh
 /// that is no effort and `not_ready`. Error against feedforward(): doc/separation.md.
 template <class S, class T>
-constexpr FeedforwardResult<S, T> two_rate_feedforward(TwoRateState<S, T>& state, const Velocities<robot_of<S>, T>& qd,
-                                                       const Accelerations<robot_of<S>, T>& qdd) {
+[[nodiscard]] constexpr FeedforwardResult<S, T> two_rate_feedforward(TwoRateState<S, T>& state,
+                                                                     const Velocities<robot_of<S>, T>& qd,
+                                                                     const Accelerations<robot_of<S>, T>& qdd) {
   if (!state.ready) return {state.output.last_safe, {Status::Code::not_ready, -1}};
   if (const Status status = check_request<S>(state.q, qd, qdd); !status.ok()) return {state.output.last_safe, status};
   FeedforwardResult<S, T> result{state.output.last_safe, {}};

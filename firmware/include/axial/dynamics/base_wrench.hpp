@@ -43,8 +43,8 @@ AXIAL_INLINE constexpr auto force_on_base(const Links& links, const Input& in, c
 /// `base_wrench`, to move with in.base_motion; zero for the motion that forward_dynamics finds.
 /// Inputs as for inverse_dynamics. Always on full parameters: a mount feels what no joint feels.
 template <class S, class T>
-constexpr Wrench<T> base_wrench(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
-                                const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr Wrench<T> base_wrench(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+                                              const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
   static_assert(!scene_of<S>::template has<BaseParameters>,
                 "axial: base_wrench needs every link's own parameters, which BaseParameters regroups; take "
                 "BaseParameters out of the scene");
@@ -52,8 +52,9 @@ constexpr Wrench<T> base_wrench(const Positions<robot_of<S>, T>& q, const Veloci
 }
 /// The same for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr Wrench<T> base_wrench(const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd,
-                                const Accelerations<M, T>& qdd, const Inputs<M, T>& in = {}) {
+[[nodiscard]] constexpr Wrench<T> base_wrench(const Model<N, F...>& model, const Positions<M, T>& q,
+                                              const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,
+                                              const Inputs<M, T>& in = {}) {
   return rnea::force_on_base(model.template links<T>(), in, q, qd, qdd);
 }
 

@@ -55,9 +55,10 @@ AXIAL_INLINE constexpr Status solve_model(const Links& links, const Input& in, c
 /// a joint that no mass, inertia or rotor resists does not compile.
 /// In fixed point q and qd must be inside the declared limits (check_request); efforts may be any: see drive_scale.hpp.
 template <class S, class T>
-constexpr ForwardDynamicsOf<S, T> forward_dynamics(const Positions<robot_of<S>, T>& q,
-                                                   const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,
-                                                   const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr ForwardDynamicsOf<S, T> forward_dynamics(const Positions<robot_of<S>, T>& q,
+                                                                 const Velocities<robot_of<S>, T>& qd,
+                                                                 const EffortsOf<S, T>& tau,
+                                                                 const Inputs<S, T>& in = {}) {
   static_assert(
       every_joint_is_resisted<S>(),
       "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "
@@ -68,9 +69,9 @@ constexpr ForwardDynamicsOf<S, T> forward_dynamics(const Positions<robot_of<S>, 
 }
 /// The same for a run-time model: ABA, unless its features name another form.
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr ForwardDynamicsOf<M, T> forward_dynamics(const Model<N, F...>& model, const Positions<M, T>& q,
-                                                   const Velocities<M, T>& qd, const Efforts<M, T>& tau,
-                                                   const Inputs<M, T>& in = {}) {
+[[nodiscard]] constexpr ForwardDynamicsOf<M, T> forward_dynamics(const Model<N, F...>& model, const Positions<M, T>& q,
+                                                                 const Velocities<M, T>& qd, const Efforts<M, T>& tau,
+                                                                 const Inputs<M, T>& in = {}) {
   ForwardDynamicsOf<M, T> result{};
   result.status =
       detail::solve_model<detail::model_route<scene_of<M>>>(model.template links<T>(), in, q, qd, tau, result);

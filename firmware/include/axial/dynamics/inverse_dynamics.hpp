@@ -189,8 +189,10 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
 /// NaN and infinities propagate to the result, and in fixed point q, qd and qdd must be inside the declared limits; use
 /// control/feedforward.hpp where inputs are not trusted.
 template <class S, class T>
-constexpr EffortsOf<S, T> inverse_dynamics(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
-                                           const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr EffortsOf<S, T> inverse_dynamics(const Positions<robot_of<S>, T>& q,
+                                                         const Velocities<robot_of<S>, T>& qd,
+                                                         const Accelerations<robot_of<S>, T>& qdd,
+                                                         const Inputs<S, T>& in = {}) {
   EffortsOf<S, T> tau{};
   rnea::run(links_of<S, T, BaseParameters>(), in, q, qd, qdd, tau);
   return tau;
@@ -198,7 +200,8 @@ constexpr EffortsOf<S, T> inverse_dynamics(const Positions<robot_of<S>, T>& q, c
 
 /// Gravity torque g(q) (with the tip wrench that the scene names): the effort that holds the robot still.
 template <class S, class T>
-constexpr EffortsOf<S, T> gravity_torque(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr EffortsOf<S, T> gravity_torque(const Positions<robot_of<S>, T>& q,
+                                                       const Inputs<S, T>& in = {}) {
   EffortsOf<S, T> tau{};
   rnea::run(links_of<S, T, BaseParameters>(), in, q, NoMotion{}, NoMotion{}, tau);
   return tau;
@@ -206,8 +209,8 @@ constexpr EffortsOf<S, T> gravity_torque(const Positions<robot_of<S>, T>& q, con
 
 /// Bias torque c(q, qd) + g(q) [+ friction] - J^T wrench: the effort at zero acceleration.
 template <class S, class T>
-constexpr EffortsOf<S, T> bias_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
-                                      const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr EffortsOf<S, T> bias_torque(const Positions<robot_of<S>, T>& q,
+                                                    const Velocities<robot_of<S>, T>& qd, const Inputs<S, T>& in = {}) {
   EffortsOf<S, T> tau{};
   rnea::run(links_of<S, T, BaseParameters>(), in, q, qd, NoMotion{}, tau);
   return tau;
@@ -215,25 +218,25 @@ constexpr EffortsOf<S, T> bias_torque(const Positions<robot_of<S>, T>& q, const 
 
 /// The same three for a run-time model, in the looped form.
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr Efforts<M, T> inverse_dynamics(const Model<N, F...>& model, const Positions<M, T>& q,
-                                         const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,
-                                         const Inputs<M, T>& in = {}) {
+[[nodiscard]] constexpr Efforts<M, T> inverse_dynamics(const Model<N, F...>& model, const Positions<M, T>& q,
+                                                       const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,
+                                                       const Inputs<M, T>& in = {}) {
   Efforts<M, T> tau{};
   rnea::run(model.template links<T>(), in, q, qd, qdd, tau);
   return tau;
 }
 /// The same for a run-time model, in the looped form.
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr Efforts<M, T> gravity_torque(const Model<N, F...>& model, const Positions<M, T>& q,
-                                       const Inputs<M, T>& in = {}) {
+[[nodiscard]] constexpr Efforts<M, T> gravity_torque(const Model<N, F...>& model, const Positions<M, T>& q,
+                                                     const Inputs<M, T>& in = {}) {
   Efforts<M, T> tau{};
   rnea::run(model.template links<T>(), in, q, NoMotion{}, NoMotion{}, tau);
   return tau;
 }
 /// The same for a run-time model, in the looped form.
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr Efforts<M, T> bias_torque(const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd,
-                                    const Inputs<M, T>& in = {}) {
+[[nodiscard]] constexpr Efforts<M, T> bias_torque(const Model<N, F...>& model, const Positions<M, T>& q,
+                                                  const Velocities<M, T>& qd, const Inputs<M, T>& in = {}) {
   Efforts<M, T> tau{};
   rnea::run(model.template links<T>(), in, q, qd, NoMotion{}, tau);
   return tau;

@@ -85,14 +85,14 @@ AXIAL_INLINE constexpr void fill_turns(const Links& links, const Q& q, Turns& tu
 /// Sine and cosine of every revolute joint's position (rad), for the input `turns` of scenes that name SineCosines:
 /// computed once, shared by several algorithms. A prismatic joint's pair is that of 0, and ignored.
 template <class S, class T>
-constexpr Joints<robot_of<S>, SinCos<T>> sine_cosines(const Positions<robot_of<S>, T>& q) {
+[[nodiscard]] constexpr Joints<robot_of<S>, SinCos<T>> sine_cosines(const Positions<robot_of<S>, T>& q) {
   Joints<robot_of<S>, SinCos<T>> turns{};
   detail::fill_turns(links_of<S, T>(), q, turns);
   return turns;
 }
 /// The same for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr Joints<M, SinCos<T>> sine_cosines(const Model<N, F...>& model, const Positions<M, T>& q) {
+[[nodiscard]] constexpr Joints<M, SinCos<T>> sine_cosines(const Model<N, F...>& model, const Positions<M, T>& q) {
   Joints<M, SinCos<T>> turns{};
   detail::fill_turns(model.template links<T>(), q, turns);
   return turns;

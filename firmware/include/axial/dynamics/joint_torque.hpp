@@ -71,28 +71,29 @@ constexpr void check_joint() {
 /// Effort of one joint in inverse_dynamics, N m or N, without the efforts of the others: joint_torque<Robot, 2>(q, qd,
 /// qdd). Inputs as there.
 template <class S, int Joint, class T>
-constexpr T joint_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
-                         const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr T joint_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+                                       const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
   rnea::check_joint<S, Joint>();
   return rnea::run_joint(links_of<S, T, BaseParameters>(), in, Index<Joint>{}, q, qd, qdd);
 }
 /// Effort of one joint in gravity_torque: gravity_torque<Robot, 2>(q).
 template <class S, int Joint, class T>
-constexpr T gravity_torque(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr T gravity_torque(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   rnea::check_joint<S, Joint>();
   return rnea::run_joint(links_of<S, T, BaseParameters>(), in, Index<Joint>{}, q, NoMotion{}, NoMotion{});
 }
 
 /// The same two for a run-time model, 0 <= joint < model.size().
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr T joint_torque(const Model<N, F...>& model, int joint, const Positions<M, T>& q, const Velocities<M, T>& qd,
-                         const Accelerations<M, T>& qdd, const Inputs<M, T>& in = {}) {
+[[nodiscard]] constexpr T joint_torque(const Model<N, F...>& model, int joint, const Positions<M, T>& q,
+                                       const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,
+                                       const Inputs<M, T>& in = {}) {
   return rnea::run_joint(model.template links<T>(), in, joint, q, qd, qdd);
 }
 /// The same for a run-time model, 0 <= joint < model.size().
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr T gravity_torque(const Model<N, F...>& model, int joint, const Positions<M, T>& q,
-                           const Inputs<M, T>& in = {}) {
+[[nodiscard]] constexpr T gravity_torque(const Model<N, F...>& model, int joint, const Positions<M, T>& q,
+                                         const Inputs<M, T>& in = {}) {
   return rnea::run_joint(model.template links<T>(), in, joint, q, NoMotion{}, NoMotion{});
 }
 

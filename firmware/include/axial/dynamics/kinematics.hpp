@@ -119,16 +119,17 @@ inline constexpr int direction_exponent = 8 * static_cast<int>(sizeof(typename T
 
 /// Poses of all frames and of the tool in the world. In: q (rad or m). Source: Craig 2005, eq. (3.6), as two screws.
 template <class S, class T>
-constexpr ForwardKinematics<robot_of<S>, T> forward_kinematics(const Positions<robot_of<S>, T>& q,
-                                                               const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr ForwardKinematics<robot_of<S>, T> forward_kinematics(const Positions<robot_of<S>, T>& q,
+                                                                             const Inputs<S, T>& in = {}) {
   ForwardKinematics<robot_of<S>, T> result{};
   kinematics::run(links_of<S, T, FullParameters, recursion::Kinematics>(), in, q, result);
   return result;
 }
 /// The same for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr ForwardKinematics<M, T> forward_kinematics(const Model<N, F...>& model, const Positions<M, T>& q,
-                                                     const Inputs<M, T>& in = {}) {
+[[nodiscard]] constexpr ForwardKinematics<M, T> forward_kinematics(const Model<N, F...>& model,
+                                                                   const Positions<M, T>& q,
+                                                                   const Inputs<M, T>& in = {}) {
   ForwardKinematics<M, T> result{};
   kinematics::run(model.template links<T>(), in, q, result);
   return result;
@@ -137,14 +138,16 @@ constexpr ForwardKinematics<M, T> forward_kinematics(const Model<N, F...>& model
 /// Geometric Jacobian of the tool (m and dimensionless), in world axes, angular part first.
 /// Source: Craig 2005, chapter 5; column j is (z_j; z_j x (p_tool - p_j)), or (0; z_j) for a prismatic joint.
 template <class S, class T>
-constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q,
+                                                          const Inputs<S, T>& in = {}) {
   Jacobian<robot_of<S>, T> result{};
   kinematics::tool_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, q, result);
   return result;
 }
 /// The same for the origin of one link's frame, such as the other hand of a tree: jacobian<Robot, 3>(q).
 template <class S, int Link, class T>
-constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q,
+                                                          const Inputs<S, T>& in = {}) {
   static_assert(Link >= 0 && Link < joint_count<S>,
                 "axial: the robot has no such link; links are counted from 0, base outwards");
   Jacobian<robot_of<S>, T> result{};
@@ -156,15 +159,16 @@ constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q, 
 }
 /// The same for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {}) {
+[[nodiscard]] constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, const Positions<M, T>& q,
+                                                const Inputs<M, T>& in = {}) {
   Jacobian<M, T> result{};
   kinematics::tool_columns(model.template links<T>(), in, q, result);
   return result;
 }
 /// 0 <= link < model.size().
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, int link, const Positions<M, T>& q,
-                                  const Inputs<M, T>& in = {}) {
+[[nodiscard]] constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, int link, const Positions<M, T>& q,
+                                                const Inputs<M, T>& in = {}) {
   Jacobian<M, T> result{};
   kinematics::link_columns(model.template links<T>(), in, link, q, result);
   return result;

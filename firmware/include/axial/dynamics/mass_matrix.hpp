@@ -76,7 +76,7 @@ struct MassMatrix<S, Stored<Word>> {
   Stored<Word> values[size * (size + 1) / 2];  ///< lower triangle, row by row
 
   /// of entry (i, j)
-  static constexpr int exponent(int i, int j) { return detail::mass_matrix_format<S, Word>.of[i][j]; }
+  [[nodiscard]] static constexpr int exponent(int i, int j) { return detail::mass_matrix_format<S, Word>.of[i][j]; }
   /// Entry (i, j), either way round.
   AXIAL_INLINE constexpr Stored<Word>& operator()(int i, int j) { return values[at(i, j)]; }
   /// Entry (i, j), either way round.
@@ -215,15 +215,16 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
 /// Source: composite rigid bodies (Walker and Orin 1982) with the spatial-inertia congruence of McMillan and Orin 1995,
 /// Table II; underwater with added mass, as 6x6 inertias (Table II, symmetric 6x6). In: q (rad or m). Out: M(i, j).
 template <class S, class T>
-constexpr MassMatrixOf<S, T> mass_matrix(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr MassMatrixOf<S, T> mass_matrix(const Positions<robot_of<S>, T>& q,
+                                                       const Inputs<S, T>& in = {}) {
   MassMatrixOf<S, T> m{};
   crba::run(links_of<S, T, BaseParameters, recursion::CompositeBodies>(), in, q, m);
   return m;
 }
 /// The same for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr MassMatrix<M, T> mass_matrix(const Model<N, F...>& model, const Positions<M, T>& q,
-                                       const Inputs<M, T>& in = {}) {
+[[nodiscard]] constexpr MassMatrix<M, T> mass_matrix(const Model<N, F...>& model, const Positions<M, T>& q,
+                                                     const Inputs<M, T>& in = {}) {
   MassMatrix<M, T> m{};
   crba::run(model.template links<T>(), in, q, m);
   return m;

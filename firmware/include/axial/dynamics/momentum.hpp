@@ -129,8 +129,9 @@ AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, cons
 /// NaN and infinities propagate; in fixed point q and qd must be inside the declared limits, and nothing overflows
 /// there (formats: model/ranges/momentum.hpp). Cost: doc/observer.md, less than one inverse_dynamics().
 template <class S, class T>
-constexpr MomentumTerms<S, T> momentum_terms(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
-                                             const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr MomentumTerms<S, T> momentum_terms(const Positions<robot_of<S>, T>& q,
+                                                           const Velocities<robot_of<S>, T>& qd,
+                                                           const Inputs<S, T>& in = {}) {
   MomentumTerms<S, T> terms{};
   momentum::run(links_of<S, T, BaseParameters>(), links_of<S, T, BaseParameters, recursion::Momenta>(), in, q, qd,
                 terms);
@@ -138,8 +139,8 @@ constexpr MomentumTerms<S, T> momentum_terms(const Positions<robot_of<S>, T>& q,
 }
 /// The same for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr MomentumTerms<M, T> momentum_terms(const Model<N, F...>& model, const Positions<M, T>& q,
-                                             const Velocities<M, T>& qd, const Inputs<M, T>& in = {}) {
+[[nodiscard]] constexpr MomentumTerms<M, T> momentum_terms(const Model<N, F...>& model, const Positions<M, T>& q,
+                                                           const Velocities<M, T>& qd, const Inputs<M, T>& in = {}) {
   MomentumTerms<M, T> terms{};
   const auto& links = model.template links<T>();
   momentum::run(links, links, in, q, qd, terms);

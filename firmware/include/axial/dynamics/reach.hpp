@@ -92,7 +92,7 @@ AXIAL_INLINE constexpr auto scale_of(const Link&, const Body& body) {
 /// True where every joint of a robot has something outboard that resists it: its own inertia about the axis (or mass
 /// along it), any mass or inertia further out, a rotor or a payload that the scene names.
 template <class S>
-constexpr bool every_joint_is_resisted() {
+[[nodiscard]] constexpr bool every_joint_is_resisted() {
   using Scene = scene_of<S>;
   const auto& links = detail::robot_constants<typename Scene::Robot>.links;
   constexpr int n = Scene::Robot::chain.size;

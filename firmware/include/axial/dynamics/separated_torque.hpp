@@ -235,14 +235,14 @@ AXIAL_INLINE constexpr EffortsOf<S, Stored<Word>> torque(const Links& links, con
 /// at the same q, to rounding. Coefficients that vanish for every q are passed over. In: qd (rad/s or m/s), qdd. Out: N
 /// m or N.
 template <class S, class T>
-constexpr EffortsOf<S, T> torque(const Separated<S, T>& separated, const Velocities<robot_of<S>, T>& qd,
-                                 const Accelerations<robot_of<S>, T>& qdd) {
+[[nodiscard]] constexpr EffortsOf<S, T> torque(const Separated<S, T>& separated, const Velocities<robot_of<S>, T>& qd,
+                                               const Accelerations<robot_of<S>, T>& qdd) {
   return separation::torque(links_of<S, T, BaseParameters, recursion::Separation>(), separated, qd, qdd);
 }
 /// The same for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr Efforts<M, T> torque(const Model<N, F...>& model, const Separated<M, T>& separated,
-                               const Velocities<M, T>& qd, const Accelerations<M, T>& qdd) {
+[[nodiscard]] constexpr Efforts<M, T> torque(const Model<N, F...>& model, const Separated<M, T>& separated,
+                                             const Velocities<M, T>& qd, const Accelerations<M, T>& qdd) {
   return separation::torque(model.template links<T>(), separated, qd, qdd);
 }
 

@@ -174,32 +174,33 @@ AXIAL_INLINE constexpr Out collected(const Links& links, const Input& in, const 
 /// over the basis {qdd_j}, {qd_i qd_j}, {qd_j^2}, {g}; by composite rigid bodies, and Christoffel's symmetries, which
 /// the paper does not use. In: q (rad or m). Out: A, B, C, G for torque().
 template <class S, class T>
-constexpr Separated<S, T> separate(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr Separated<S, T> separate(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   return separation::collected<Separated<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
 /// The same for one of the four; what the others need alone is not computed.
 template <class S, class T>
-constexpr SeparatedA<S, T> separate_A(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr SeparatedA<S, T> separate_A(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   return separation::collected<SeparatedA<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
 /// B alone.
 template <class S, class T>
-constexpr SeparatedB<S, T> separate_B(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr SeparatedB<S, T> separate_B(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   return separation::collected<SeparatedB<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
 /// C alone.
 template <class S, class T>
-constexpr SeparatedC<S, T> separate_C(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr SeparatedC<S, T> separate_C(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   return separation::collected<SeparatedC<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
 /// G alone.
 template <class S, class T>
-constexpr SeparatedG<S, T> separate_G(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr SeparatedG<S, T> separate_G(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   return separation::collected<SeparatedG<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
 /// All four for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
-constexpr Separated<M, T> separate(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {}) {
+[[nodiscard]] constexpr Separated<M, T> separate(const Model<N, F...>& model, const Positions<M, T>& q,
+                                                 const Inputs<M, T>& in = {}) {
   return separation::collected<Separated<M, T>, M, T>(model.template links<T>(), in, q);
 }
 

@@ -8,7 +8,7 @@ namespace axial {
 /// True where an inertia tensor about a centre of mass (xx yy zz xy xz yz) belongs to a distribution of mass >= 0: its
 /// pseudo-inertia tr(J)/2 1 - J is positive semidefinite, which says the triangle inequality in every axes
 /// (Wensing, Kim and Slotine 2018). `tolerance` is relative to the trace.
-constexpr bool physically_consistent(const double (&j)[6], double mass, double tolerance = 1e-9) {
+[[nodiscard]] constexpr bool physically_consistent(const double (&j)[6], double mass, double tolerance = 1e-9) {
   const double trace = j[0] + j[1] + j[2], slack = tolerance * trace;
   if (mass < 0.0 || trace < 0.0) return false;
   if (mass == 0.0) return j[0] == 0.0 && j[1] == 0.0 && j[2] == 0.0 && j[3] == 0.0 && j[4] == 0.0 && j[5] == 0.0;
@@ -22,7 +22,7 @@ constexpr bool physically_consistent(const double (&j)[6], double mass, double t
 
 /// Index of the first link of a robot that no distribution of mass >= 0 has, or -1.
 template <class S>
-constexpr int first_inconsistent_link(double tolerance = 1e-9) {
+[[nodiscard]] constexpr int first_inconsistent_link(double tolerance = 1e-9) {
   constexpr auto& chain = robot_of<S>::chain;
   for (int i = 0; i < chain.size; ++i)
     if (!physically_consistent(chain.links[i].inertia_com, chain.links[i].mass, tolerance)) return i;
@@ -31,7 +31,7 @@ constexpr int first_inconsistent_link(double tolerance = 1e-9) {
 
 /// For a static_assert or a report: every link could be made of matter. A massless link with an inertia could not.
 template <class S>
-constexpr bool physically_consistent(double tolerance = 1e-9) {
+[[nodiscard]] constexpr bool physically_consistent(double tolerance = 1e-9) {
   return first_inconsistent_link<S>(tolerance) < 0;
 }
 

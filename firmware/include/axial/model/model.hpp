@@ -47,7 +47,7 @@ class Model {
                                    axial::Scene<Model, Features...>>;
 
   /// Adds a link whose parent is before it; false where it is refused.
-  constexpr bool add(const LinkParameters& link) {
+  [[nodiscard]] constexpr bool add(const LinkParameters& link) {
     const int parent = link.parent == LinkParameters::previous ? size_ - 1 : link.parent;
     if (Scene::template has<Unbranched> && link_constants(link, parent).branches()) return false;
     if (size_ >= N || parent >= size_ || parent < LinkParameters::base) return false;
@@ -56,7 +56,9 @@ class Model {
     table_[size_++] = link_constants(link, parent);
     return true;
   }
-  constexpr bool add(const Link& link) { return add(link.parameters()); }  ///< as revolute() or prismatic() describe it
+  [[nodiscard]] constexpr bool add(const Link& link) {
+    return add(link.parameters());
+  }  ///< as revolute() or prismatic() describe it
   /// Acceleration of free fall in frame 0, m/s^2.
   constexpr void set_gravity(double x, double y, double z) { mounting_.gravity = {x, y, z}; }
   /// Pose of frame 0 in the world, and of the tool in the last link's frame: only kinematics sees them.

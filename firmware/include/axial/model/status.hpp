@@ -26,7 +26,7 @@ struct Status {
   Code code = Code::ok;  ///< what was found
   int joint = -1;        ///< counted from 0 at the base; -1 for none
 
-  constexpr bool ok() const { return code == Code::ok; }  ///< true where nothing was found
+  [[nodiscard]] constexpr bool ok() const { return code == Code::ok; }  ///< true where nothing was found
 };
 
 /// What a code means, in one English sentence without a full stop; never a null pointer, nothing allocated. A number

@@ -115,7 +115,7 @@ struct NumberTraits<Scaled> {
 
 /// x as floating point, for a host.
 template <class T>
-constexpr T to_real(const Scaled& x) {
+[[nodiscard]] constexpr T to_real(const Scaled& x) {
   return static_cast<T>(x.mantissa) * static_cast<T>(detail::power_of_two(x.mantissa == 0 ? 0 : x.exponent));
 }
 

@@ -136,7 +136,7 @@ AXIAL_INLINE constexpr SinCos<T> sincos_of(T x) {
 /// double: within 1 ulp for |x| <= 10^6. float: within 1.5 * 2^-24 (absolute) for |x| <= 10^4.
 /// Beyond that the reduction loses digits gradually.
 template <class T, std::enable_if_t<std::is_floating_point_v<T>, int> = 0>
-AXIAL_INLINE constexpr SinCos<T> sincos(T x) {
+[[nodiscard]] AXIAL_INLINE constexpr SinCos<T> sincos(T x) {
   return detail::sincos_of(x);
 }
 

@@ -62,7 +62,7 @@ struct SemiImplicitEuler {
 
   /// One step of h seconds; `system` answers accelerations. Out: status of forward dynamics.
   template <class System, class X, class T, class Drive>
-  static constexpr Status step(const System& system, X& x, T h, const Drive& drive) {
+  [[nodiscard]] static constexpr Status step(const System& system, X& x, T h, const Drive& drive) {
     using S = typename System::Subject;
     const auto driven = detail::ask<S, T>(drive, {x.q, x.qd, x.time(h)});
     const auto a = system.accelerations(x.q, x.qd, driven.tau, driven.in);
@@ -87,7 +87,7 @@ struct RungeKutta4 {
 
   /// One step of h seconds; `system` answers accelerations. Out: the first status of the four that was not ok.
   template <class System, class X, class T, class Drive>
-  static constexpr Status step(const System& system, X& x, T h, const Drive& drive) {
+  [[nodiscard]] static constexpr Status step(const System& system, X& x, T h, const Drive& drive) {
     using S = typename System::Subject;
     const T half = h * T(0.5), time = x.time(h);
     const auto a = slope<S>(system, x.q, x.qd, time, drive);
@@ -111,14 +111,16 @@ struct RungeKutta4 {
   };
 
   template <class S, class System, class Q, class V, class T, class Drive>
-  static constexpr Slope<S, T> slope(const System& system, const Q& q, const V& qd, T time, const Drive& drive) {
+  [[nodiscard]] static constexpr Slope<S, T> slope(const System& system, const Q& q, const V& qd, T time,
+                                                   const Drive& drive) {
     const auto driven = detail::ask<S, T>(drive, {q, qd, time});
     const auto a = system.accelerations(q, qd, driven.tau, driven.in);
     return {qd, a, a.status};
   }
   /// The slope where the slope `last` leads in h.
   template <class System, class X, class T, class Last, class Drive>
-  static constexpr auto behind(const System& system, const X& x, T h, const Last& last, T time, const Drive& drive) {
+  [[nodiscard]] static constexpr auto behind(const System& system, const X& x, T h, const Last& last, T time,
+                                             const Drive& drive) {
     auto q = x.q;
     auto qd = x.qd;
     for (int i = 0; i < system.size(); ++i)
@@ -138,7 +140,7 @@ struct LinearlyImplicitEuler {
 
   /// One step of h seconds; `system` answers accelerations. Out: status of forward dynamics.
   template <class System, class X, class T, class Drive>
-  static constexpr Status step(const System& system, X& x, T h, const Drive& drive) {
+  [[nodiscard]] static constexpr Status step(const System& system, X& x, T h, const Drive& drive) {
     using S = typename System::Subject;
     const Instant<S, T> instant{x.q, x.qd, x.time(h)};
     detail::Driven<S, T> driven{};
@@ -154,7 +156,8 @@ struct LinearlyImplicitEuler {
 
  private:
   template <class System, class X, class T, class Driven, class Stiffness>
-  static constexpr Status solved(const System& system, X& x, T h, const Driven& driven, const Stiffness& stiffness) {
+  [[nodiscard]] static constexpr Status solved(const System& system, X& x, T h, const Driven& driven,
+                                               const Stiffness& stiffness) {
     const auto a = detail::implicit_accelerations(system, h, x.q, x.qd, driven.tau, driven.in, stiffness);
     SemiImplicitEuler::move(system.size(), x, h, a);
     return a.status;
@@ -167,7 +170,7 @@ struct LinearlyImplicitEuler {
 /// Out: the first status of forward dynamics that was not ok; x is moved all the same. See step_limit.hpp for how large
 /// h may be.
 template <class Method, class X, class Drive>
-constexpr Status advance(X& x, typename X::Scalar h, const Drive& drive) {
+[[nodiscard]] constexpr Status advance(X& x, typename X::Scalar h, const Drive& drive) {
   using S = typename X::Subject;
   detail::check_fixed_base<S>();
   const Status status = Method::step(detail::StaticSystem<S>{}, x, h, drive);
@@ -176,7 +179,7 @@ constexpr Status advance(X& x, typename X::Scalar h, const Drive& drive) {
 }
 /// The same for a run-time model.
 template <class Method, int N, class... F, class X, class Drive>
-constexpr Status advance(const Model<N, F...>& model, X& x, typename X::Scalar h, const Drive& drive) {
+[[nodiscard]] constexpr Status advance(const Model<N, F...>& model, X& x, typename X::Scalar h, const Drive& drive) {
   detail::check_fixed_base<Model<N, F...>>();
   const Status status = Method::step(detail::ModelSystem<Model<N, F...>>{model}, x, h, drive);
   ++x.steps;

@@ -18,7 +18,7 @@ struct Motion {
   std::uint64_t steps = 0;          ///< made since time 0
 
   /// Seconds after that many steps of h, rounded twice, however many there were.
-  constexpr T time(T h) const { return static_cast<T>(steps) * h; }
+  [[nodiscard]] constexpr T time(T h) const { return static_cast<T>(steps) * h; }
 };
 
 /// The same with what rounding left of each sum: two more words a joint. In float, steps may then be as small as they

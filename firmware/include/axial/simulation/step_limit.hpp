@@ -123,13 +123,14 @@ constexpr T limit_of(LinearlyImplicitEuler, const StiffBounds<T>&) {
 /// centrifugal efforts and of contacts is not in it. Costs n structures at rest and O(n^3): for a set-up, not for a
 /// tick.
 template <class Method, class S, class T, class Stiffness = NoStiffness>
-constexpr T step_limit(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}, const Stiffness& drive = {}) {
+[[nodiscard]] constexpr T step_limit(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {},
+                                     const Stiffness& drive = {}) {
   return detail::limit_of(Method{}, detail::stiff_bounds<T>(detail::StaticSystem<S>{}, q, in, drive));
 }
 /// The same for a run-time model.
 template <class Method, int N, class... F, class T, class Stiffness = NoStiffness, class M = Model<N, F...>>
-constexpr T step_limit(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {},
-                       const Stiffness& drive = {}) {
+[[nodiscard]] constexpr T step_limit(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {},
+                                     const Stiffness& drive = {}) {
   return detail::limit_of(Method{}, detail::stiff_bounds<T>(detail::ModelSystem<M>{model}, q, in, drive));
 }
 
