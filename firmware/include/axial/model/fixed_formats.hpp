@@ -39,41 +39,36 @@ constexpr auto loaded_mechanism() {
 
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::NewtonEuler) {
-  return newton_euler_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(),
-                             rounding_of<S>(Scene::template has<Looped>));
+  return newton_euler_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
 }
 
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::CompositeBodies) {
-  return composite_body_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(),
-                               rounding_of<S>(Scene::template has<Looped>));
+  return composite_body_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
 }
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::ArticulatedBodies) {
-  return articulated_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(),
-                            rounding_of<S>(Scene::template has<Looped>));
+  return articulated_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
 }
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::ArticulatedBodiesAtRest) {
-  return articulated_at_rest_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(),
-                                    rounding_of<S>(Scene::template has<Looped>));
+  return articulated_at_rest_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
 }
 
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::Kinematics) {
-  return kinematics_ranges(mechanism_of<Scene, Parameters>, rounding_of<S>(Scene::template has<Looped>));
+  return kinematics_ranges(mechanism_of<Scene, Parameters>, rounding_in<Scene, S>());
 }
 
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::Separation) {
-  return separation_ranges_of(loaded_mechanism<Scene, Parameters, typename S::Word>(),
-                              rounding_of<S>(Scene::template has<Looped>));
+  return separation_ranges_of(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
 }
 
 template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::Momenta) {
   return momentum_ranges(loaded_mechanism<Scene, Parameters, typename S::Word, role::Momentum>(),
-                         rounding_of<S>(Scene::template has<Looped>));
+                         rounding_in<Scene, S>());
 }
 
 /// Ranges of a scene's recursion in an arithmetic.

@@ -160,12 +160,13 @@ class LinkAccess {
   AXIAL_INLINE constexpr auto turned_screw(const SinCos<T>& q) const {
     auto ct = self().template get<&C::cos_theta>();
     auto st = self().template get<&C::sin_theta>();
-    return z_screw(ct * q.cos - st * q.sin, st * q.cos + ct * q.sin, self().template get<&C::d>());
+    return z_screw(turned(ct * q.cos - st * q.sin), turned(st * q.cos + ct * q.sin), self().template get<&C::d>());
   }
   template <class Q>
   AXIAL_INLINE constexpr auto joint_screw(Revolute, const Q& q) const {
     if constexpr (is_structural_v<decltype(self().template get<&C::cos_theta>())> || !View::adds_angles) {
-      return turned_screw(sincos(joint_angle(q)));  // exact for quarter turns
+      // Exact for quarter turns. Floating point never adds theta to q: of many turns the sum would lose digits.
+      return turned_screw(sincos(joint_angle(q)));
     } else {
       auto pair = sincos(self().with_offset(joint_angle(q)));
       return z_screw(pair.cos, pair.sin, self().template get<&C::d>());
@@ -186,10 +187,11 @@ template <class SceneType, int I, class T, class Parameters, class Rounding = Pl
 class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Parameters, Rounding>, double>,
                    public Rounding {
  public:
-  using Scene = SceneType;                   ///< what the link belongs to
-  using Scalar = T;                          ///< the number, or arithmetic of fixed point
-  static constexpr bool unrolled = true;     ///< every link has its own type
-  static constexpr bool adds_angles = true;  ///< a theta that is no quarter turn is added to the angle of a joint
+  using Scene = SceneType;                ///< what the link belongs to
+  using Scalar = T;                       ///< the number, or arithmetic of fixed point
+  static constexpr bool unrolled = true;  ///< every link has its own type
+  /// a theta that is no quarter turn is added to the angle of a joint: exact in binary angles, of fixed point alone
+  static constexpr bool adds_angles = !is_number_v<T>;
   /// whether it is the chain's last link, which bears payload and tip wrench
   static constexpr bool is_last = I + 1 == Scene::Robot::chain.size;
 
@@ -210,7 +212,7 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
   AXIAL_INLINE static constexpr auto drive() {
     return literal<T>([] { return detail::robot_drives<typename Scene::Robot, double>.links[I].*M; });
   }
-  /// A joint's angle with the constant part of its turn.
+  /// A joint's binary angle with the constant part of its turn.
   template <class Q>
   AXIAL_INLINE static constexpr auto with_offset(const Q& q) {
     return turned_by(q, [] { return detail::robot_constants<typename Scene::Robot, Parameters>.links[I].theta; });

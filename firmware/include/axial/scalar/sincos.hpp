@@ -140,10 +140,4 @@ template <class T, std::enable_if_t<std::is_floating_point_v<T>, int> = 0>
   return detail::sincos_of(x);
 }
 
-/// An angle (rad) and a constant one, `get()`.
-template <class T, class Get>
-AXIAL_INLINE constexpr auto turned_by(const T& angle, Get get) {
-  return angle + literal<T>(get);
-}
-
 }  // namespace axial

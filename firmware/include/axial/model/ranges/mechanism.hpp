@@ -201,7 +201,28 @@ constexpr auto mechanism(std::integer_sequence<int, I...>) {
                                  load_range<Scene>()};
 }
 
+// Whether a pair from the caller, the sine and cosine of q alone, is turned by a joint's theta and rounded.
+template <class Scene>
+constexpr bool turns_given_pairs() {
+  bool any = false;
+  if constexpr (Scene::template has<SineCosines>)
+    for (const auto& link : Scene::Robot::chain.links) {
+      const bool quarter = link.theta.sin == 0.0 || (link.theta.cos == 0.0 && !Scene::template has<Looped>);
+      any = any || (link.type == JointType::revolute && !quarter);
+    }
+  return any;
+}
+
 }  // namespace detail
+
+/// Rounding of a scene's kernels over the arithmetic S. Turning a pair keeps the length of its error and rounds twice.
+template <class Scene, class S>
+constexpr Rounding rounding_in() {
+  Rounding r = rounding_of<S>(Scene::template has<Looped>);
+  const int unit = r.bits - 2;
+  if (detail::turns_given_pairs<Scene>()) r.turn_error += r.products(2, unit, unit, unit) + r.ulp(unit);
+  return r;
+}
 
 /// A robot as an analysis sees it.
 template <class Scene, class Parameters>
