@@ -79,6 +79,8 @@ struct BoardBase {
     if (emulated()) announce_drives(on);
   }
   static bool drives_enabled() { return axial_drives != 0; }
+  /// What the register of the pin's output holds; off in an emulator that has no such pin (the STM32s').
+  static bool drive_pin() { return Derived::DrivePin::level(); }
 
   /// From now on the board restarts when `feed_watchdog()` is not called for `ms`; nothing stops it again. Nominal: the
   /// board's README tells how far its oscillator may be off.
@@ -121,8 +123,7 @@ struct BoardBase {
   static void describe(const FaultReport& report) {
     if (report.cause == ResetCause::software) return;
     print(headline(report.cause));
-    if (report.cause == ResetCause::watchdog) return;
-    Core::describe(report);
+    if (report.exception != 0) Core::describe(report);
     if (!guarded_) exit(fault_exit_code);
   }
   [[noreturn]] static void restart() { Core::restart(); }

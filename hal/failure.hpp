@@ -10,7 +10,8 @@ namespace axial::hal {
 template <class Board>
 void give_up(const FaultReport& report, FaultReport& kept) {
   Board::enable_drives(false);
-  kept = sealed(report, FaultReport::fresh);
+  kept = report;
+  seal(kept, FaultReport::fresh);
   Board::describe(report);
   Board::restart();
 }

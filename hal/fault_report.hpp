@@ -34,22 +34,23 @@ struct FaultReport {
 
 /// Differs for any two reports that differ in one word: each step is a bijection of the sum. Source: FNV-1a, by words.
 constexpr std::uint32_t check_word(const FaultReport& report) {
-  const std::uint32_t words[] = {report.mark,           static_cast<std::uint32_t>(report.cause),
-                                 report.exception,      report.program_counter,
-                                 report.return_address, report.stack_pointer,
-                                 report.status,         report.hard_status,
-                                 report.address};
-  static_assert(sizeof words + sizeof report.check == sizeof report, "the check word covers every word above it");
   std::uint32_t sum = 2166136261u;
-  for (const std::uint32_t word : words)
-    sum = (sum ^ word) * 16777619u;
+  const auto add = [&sum](std::uint32_t word) { sum = (sum ^ word) * 16777619u; };
+  add(report.mark);
+  add(static_cast<std::uint32_t>(report.cause));
+  add(report.exception);
+  add(report.program_counter);
+  add(report.return_address);
+  add(report.stack_pointer);
+  add(report.status);
+  add(report.hard_status);
+  add(report.address);
   return sum;
 }
 
-constexpr FaultReport sealed(FaultReport report, std::uint32_t mark) {
+constexpr void seal(FaultReport& report, std::uint32_t mark) {
   report.mark = mark;
   report.check = check_word(report);
-  return report;
 }
 
 /// Whether the report is whole, be it fresh or told.
@@ -62,7 +63,7 @@ constexpr bool sound(const FaultReport& report) {
 constexpr ResetCause take_cause(FaultReport& kept, ResetCause hardware) {
   if (kept.mark != FaultReport::fresh) return hardware;
   const bool whole = sound(kept);
-  kept = sealed(kept, whole ? FaultReport::told : 0);
+  seal(kept, whole ? FaultReport::told : 0);
   return whole ? kept.cause : ResetCause::unknown;
 }
 

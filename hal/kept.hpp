@@ -19,6 +19,6 @@ extern std::uint32_t axial_fault_stack[];
 
 namespace axial::hal {
 
-constexpr std::size_t fault_stack_bytes = 256;
+constexpr std::size_t fault_stack_bytes = 192;
 
 }  // namespace axial::hal

@@ -16,13 +16,8 @@ namespace axial::hal {
 /// Written over the free stack at start-up.
 constexpr std::uint32_t stack_paint = 0x5AFE57AC;
 
-/// Lowest part of the stack, which no program may write: room for the frame of the fault that finds an overflow, so
-/// that its registers are saved; 27 words where there is an FPU.
-#ifdef __ARM_FP
-constexpr std::uint32_t guard_bytes = 128;
-#else
+/// Lowest part of the stack, which no program may write: the smallest region of an Arm memory protection unit.
 constexpr std::uint32_t guard_bytes = 32;
-#endif
 
 inline void fill(std::uint32_t* from, const std::uint32_t* to, std::uint32_t value) {
   while (from < to)

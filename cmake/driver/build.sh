@@ -3,6 +3,7 @@
 
 readonly BOARDS=(stm32f405 stm32f100 nrf51 rv32_virt)
 readonly SELFTEST_BOARDS=(mps2_an505) # run the self-tests alone
+readonly FAULT_BOARDS=(mps2_an500)    # run the image of faults alone
 # Of the documents' closed loops, in fixed point: the smallest one. Its UART queues six bytes, which QEMU fills at once.
 readonly LOOP_BOARD=nrf51
 
@@ -22,6 +23,9 @@ build_boards() {
   local board
   for board in "${BOARDS[@]}" "${SELFTEST_BOARDS[@]}"; do
     build "$board"
+  done
+  for board in "${FAULT_BOARDS[@]}"; do
+    build "$board" faults
   done
 }
 

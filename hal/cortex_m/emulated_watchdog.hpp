@@ -1,7 +1,7 @@
 #pragma once
-/// Stands for the watchdog of a part whose emulator has none: SysTick's interrupt, above all others, which restarts as
-/// the part's own would. In images for emulators only, and only where the clock says that one runs. It does not see a
-/// hang with interrupts masked; the part's own does.
+/// Stands for the watchdog of a part whose emulator has none: SysTick's interrupt, which restarts as the part's own
+/// would. In images for emulators only, and only where the clock says that one runs. It does not see a hang with
+/// interrupts masked or in another handler; the part's own does.
 
 #include <cstdint>
 
@@ -12,15 +12,7 @@ extern "C" void axial_watchdog_expired();
 
 namespace axial::hal::cortex_m {
 
-template <class Interrupts>
-void lower_priority_of(const Interrupts& interrupts) {
-  for (const auto& interrupt : interrupts) {
-    auto& priorities = interrupt_priorities(interrupt.number);
-    priorities = priorities | 0x80u << (8 * (interrupt.number % 4));
-  }
-}
-
-/// `Board` gives interrupts[] and tick_Hz.
+/// `Board` gives tick_Hz.
 template <class Board>
 class EmulatedWatchdog {
  public:
@@ -29,7 +21,6 @@ class EmulatedWatchdog {
     core_Hz_ = core_Hz;
     limit_ = core_Hz / 1000 * ms;
     feed();
-    lower_priority_of(Board::interrupts);
     resume();
   }
 

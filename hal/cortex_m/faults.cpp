@@ -43,6 +43,11 @@ ResetCause cause_of(std::uint32_t exception, bool overflow) {
   return overflow ? ResetCause::stack_overflow : ResetCause::fault;
 }
 
+/// Whether the processor could save its registers at `frame`.
+bool is_saved(std::uintptr_t frame) {
+  return main_stack().holds_frame(frame) && (system_control().configurable_fault & configurable_fault::stacking) == 0;
+}
+
 /// `frame` is where the frame should be; `saved` what it holds, zeros where it could not be saved.
 FaultReport make_report(std::uintptr_t frame, const ExceptionFrame& saved) {
   auto& control = system_control();
@@ -58,9 +63,9 @@ FaultReport make_report(std::uintptr_t frame, const ExceptionFrame& saved) {
 
 extern "C" [[gnu::used]] void axial_fault_with_frame(axial::hal::cortex_m::ExceptionFrame* frame) {
   using namespace axial::hal::cortex_m;
-  const bool readable = main_stack().holds_frame(place(frame));
-  if (readable && is_unanswered_semihosting(*frame)) return step_over(*frame);
-  axial::hal::give_up<axial::hal::Board>(make_report(place(frame), readable ? *frame : ExceptionFrame{}),
+  const bool saved = is_saved(place(frame));
+  if (saved && is_unanswered_semihosting(*frame)) return step_over(*frame);
+  axial::hal::give_up<axial::hal::Board>(make_report(place(frame), saved ? *frame : ExceptionFrame{}),
                                          axial_fault_report);
 }
 

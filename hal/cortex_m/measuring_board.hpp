@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include <hal/cmsdk/light_pin.hpp>
 #include <hal/cmsdk/watchdog.hpp>
 #include <hal/cortex_m/board_base.hpp>
 
@@ -20,8 +21,7 @@ struct NoSerialPort {
 };
 
 /// `Derived` gives name, flash_bytes and ram_bytes; `Fpga` the addresses of its lights and watchdog, and the watchdog's
-/// clock. USERLED0 stands for the drives' pin. The processor's reset leaves the lights alone: start-up and the
-/// watchdog's warning turn them off.
+/// clock.
 template <class Derived, class Fpga, std::uint32_t emulator_Hz, std::uint32_t instruction_ns = usual_instruction_ns>
 struct MeasuringBoard : BoardBase<Derived, emulator_Hz, instruction_ns> {
   static constexpr std::uint32_t baud = 0;
@@ -33,12 +33,7 @@ struct MeasuringBoard : BoardBase<Derived, emulator_Hz, instruction_ns> {
   using Watchdog = cmsdk::Watchdog<WatchdogPort>;
   using EmulatedWatchdog = NoEmulatedWatchdog;
   static constexpr bool watchdog_is_non_maskable = true;
-  struct DrivePin {
-    static constexpr std::uintptr_t off_register = Fpga::lights_address;
-    static constexpr std::uint32_t off_word = 0;
-    static void start() { set(false); }
-    static void set(bool enabled) { at<Register>(off_register) = enabled ? 1u : off_word; }
-  };
+  using DrivePin = cmsdk::LightPin<Fpga::lights_address>;
 
   static constexpr unsigned interrupt_lines = 32, serial_line = 0;
   static constexpr Interrupt interrupts[] = {{serial_line, Serial::interrupt}};

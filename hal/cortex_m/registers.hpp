@@ -71,7 +71,6 @@ inline ProtectionRegisters& protection() { return at<ProtectionRegisters>(0xE000
 inline Register& coprocessor_access() { return at<Register>(0xE000ED88); }
 constexpr std::uint32_t fpu_full_access = 0xFu << 20;
 
-inline Register& interrupt_priorities(unsigned number) { return at<Register>(0xE000E400 + 4 * (number / 4)); }
 inline Register& interrupt_set_enable(unsigned number) { return at<Register>(0xE000E100 + 4 * (number / 32)); }
 
 }  // namespace axial::hal::cortex_m

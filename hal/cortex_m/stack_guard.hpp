@@ -1,6 +1,6 @@
 #pragma once
 /// The guard under the stack: a region of the memory protection unit that may be read, for the paint in it, and not be
-/// written. The unit rests while a fault is served (HFNMIENA is 0), so that the frame of the fault fits the guard.
+/// written. The unit rests while a fault is served (HFNMIENA is 0).
 
 #include <cstdint>
 
@@ -48,8 +48,8 @@ bool guard(Registers& unit, RegionWords words) {
 inline bool guard_stack() {
   const auto begin = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(axial_stack_bottom));
 #ifdef __ARM_ARCH_8M_MAIN__
-  // The limit sees what jumps over the region; at the region's lower end it leaves the frame its room.
-  asm volatile("msr msplim, %0" ::"r"(begin));
+  // The limit sees what would jump over the region.
+  asm volatile("msr msplim, %0" ::"r"(begin + guard_bytes));
   const bool guarded = guard(protection(), read_only_v8(begin, guard_bytes));
 #else
   const bool guarded = guard(protection(), read_only_v7(begin, guard_bytes));

@@ -98,6 +98,7 @@ struct HostBoard {
     state.drives = on;
   }
   static bool drives_enabled() { return state.drives; }
+  static bool drive_pin() { return state.drives; }
 
   static void start_watchdog(std::uint32_t ms) {
     state.watchdog_ms = ms;

@@ -99,7 +99,8 @@ extern "C" [[gnu::naked, gnu::aligned(4)]] void axial_trap_entry() {
       "call axial_interrupt\n\t"
       "restore_registers\n\t"
       "mret\n"
-      // Two words at the bottom of the stack of faults keep t1 and sp.
+      // Two words at the bottom of the stack of faults keep t1 and sp. No address is taken from gp: it may be wrong.
+      ".option push\n\t.option norelax\n"
       "1:\tla t0, axial_fault_stack\n\t"
       "sw t1, 0(t0)\n\t"
       "la t0, %1\n\t"
@@ -109,6 +110,8 @@ extern "C" [[gnu::naked, gnu::aligned(4)]] void axial_trap_entry() {
       "lw t1, 0(t0)\n\t"
       "sw sp, 4(t0)\n\t"
       "addi sp, t0, %3\n\t"
+      "la gp, __global_pointer$\n\t"
+      ".option pop\n\t"
       "csrr t0, mscratch\n\t"
       "save_registers\n\t"
       "lw a1, axial_fault_stack + 4\n\t"

@@ -125,15 +125,18 @@ copy_of_the_project() {
     xargs -0 tar --ignore-failed-read -cf - 2>/dev/null) | tar -xf - -C "$FOLDER/axial"
 }
 
-# A skeleton runs the self-test of the instruments at once, here on a Cortex-M7.
+# A skeleton runs the self-test of the instruments and all that ends in a restart at once, here on a Cortex-M7.
 NewBoardRuns() {
   copy_of_the_project
   quietly "$FOLDER/axial/axial" new-board my_board --like mps2_an500
   cd "$FOLDER/axial"
   quietly cmake --preset my_board
-  quietly cmake --build --preset my_board --target selftest
-  AXIAL_IMAGES_ROOT=$PWD/build PYTHONPATH=tests/target /usr/bin/python3 -B -c \
-    'import emulator, sys; code, text = emulator.run("my_board", "selftest"); print(text); sys.exit(code)'
+  quietly cmake --build --preset my_board --target selftest faults
+  local image
+  for image in selftest faults; do
+    AXIAL_IMAGES_ROOT=$PWD/build PYTHONPATH=tests/target /usr/bin/python3 -B -c \
+      'import emulator, sys; code, text = emulator.run("my_board", sys.argv[1]); print(text); sys.exit(code)' $image
+  done
 }
 
 # The board that doc/porting.md ports: the self-test of the instruments, and a torque over its serial port.

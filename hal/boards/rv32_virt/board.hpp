@@ -50,6 +50,7 @@ struct Rv32Virt : riscv::BoardBase<Rv32Virt, rv32_virt::Platform, 64> {
     static constexpr std::uint32_t off_word = 0;
     static void start() { set(false); }
     static void set(bool enabled) { *off_register = enabled ? 1 : off_word; }
+    static bool level() { return *off_register != 0; }
   };
   /// The machine has no flags: a report tells, or nobody does.
   static ResetCause take_reset_flags() { return ResetCause::power_on; }

@@ -116,6 +116,7 @@ struct Stm32f100 : cortex_m::BoardBase<Stm32f100, 24'000'000> {
     static constexpr std::uint32_t off_word = stm32f100::drive_pin::off;
     static void start() { stm32f100::drive_pin::start(stm32f100::rcc(), stm32f100::gpio_a()); }
     static void set(bool enabled) { stm32f100::drive_pin::set(stm32f100::gpio_a(), enabled); }
+    static bool level() { return (stm32f100::gpio_a().output & stm32f100::drive_pin::on) != 0; }
   };
 
   static constexpr unsigned interrupt_lines = 61, serial_line = 37;

@@ -123,6 +123,7 @@ struct Stm32f405 : cortex_m::BoardBase<Stm32f405, 168'000'000> {
     static constexpr std::uint32_t off_word = stm32f405::drive_pin::off;
     static void start() { stm32f405::drive_pin::start(stm32f405::rcc(), stm32f405::gpio_a()); }
     static void set(bool enabled) { stm32f405::drive_pin::set(stm32f405::gpio_a(), enabled); }
+    static bool level() { return (stm32f405::gpio_a().output & stm32f405::drive_pin::on) != 0; }
   };
 
   static constexpr unsigned interrupt_lines = 82, serial_line = 37;

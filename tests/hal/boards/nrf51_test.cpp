@@ -32,5 +32,43 @@ TEST(Nrf51Clock, AnEmulatorIsToldFromASoundBoard) {
   expect_clock(start(1, 1), ClockSource::emulator, 16'000'000, 16'000'000);
 }
 
+/// A port whose levels count from the moment that the pin drives.
+struct PlayedPins {
+  std::uint32_t output_set = 0, output_clear = 0;
+  struct Direction {
+    std::uint32_t written = 0, cleared_when_driven = 0;
+    const std::uint32_t* cleared;
+    void operator=(std::uint32_t value) {
+      written = value;
+      cleared_when_driven = *cleared;
+    }
+  } direction_set{0, 0, &output_clear};
+};
+
+constexpr std::uint32_t p0_03 = 1u << 3;
+
+TEST(Nrf51DrivePin, IsLowBeforeItDrives) {
+  PlayedPins pins;
+  nrf51::drive_pin::start(pins);
+  EXPECT_EQ(pins.direction_set.written, p0_03);
+  EXPECT_EQ(pins.direction_set.cleared_when_driven, p0_03);
+  EXPECT_EQ(pins.output_set, 0u);
+}
+
+TEST(Nrf51DrivePin, HighEnables) {
+  PlayedPins pins;
+  nrf51::drive_pin::set(pins, true);
+  EXPECT_EQ(pins.output_set, p0_03);
+  EXPECT_EQ(pins.output_clear, 0u);
+  nrf51::drive_pin::set(pins, false);
+  EXPECT_EQ(pins.output_clear, p0_03);
+}
+
+/// nRF51 reference manual, GPIO registers: base 0x5000 0000, OUTCLR at 0x50C.
+TEST(Nrf51DrivePin, AFaultDisablesByOneStore) {
+  EXPECT_EQ(Nrf51::DrivePin::off_register, 0x5000050Cu);
+  EXPECT_EQ(Nrf51::DrivePin::off_word, p0_03);
+}
+
 }  // namespace
 }  // namespace axial::hal

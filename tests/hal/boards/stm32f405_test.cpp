@@ -36,5 +36,47 @@ TEST(Stm32f405Clock, AFailedStartLeavesTheInternalOscillatorSelected) {
   EXPECT_EQ(rcc.control.written & (crystal_on | pll_on), 0u);
 }
 
+/// A port whose levels count from the moment that the pin drives.
+struct PlayedPins {
+  std::uint32_t set_reset = 0;
+  struct Mode {
+    std::uint32_t value = 0xA8000000, level_when_driven = 0;
+    const std::uint32_t* level;
+    void operator=(std::uint32_t written) {
+      value = written;
+      level_when_driven = *level;
+    }
+    operator std::uint32_t() const { return value; }
+  } mode{0xA8000000, 0, &set_reset};
+};
+struct PlayedClocks {
+  std::uint32_t ahb_enable[3]{};
+};
+
+constexpr std::uint32_t pa8 = 1u << 8;
+
+TEST(Stm32f405DrivePin, IsLowBeforeItDrives) {
+  PlayedClocks clocks;
+  PlayedPins pins;
+  stm32f405::drive_pin::start(clocks, pins);
+  EXPECT_EQ(clocks.ahb_enable[0], 1u) << "GPIOA has its clock";
+  EXPECT_EQ(pins.mode.level_when_driven, pa8 << 16) << "reset before the output drives";
+  EXPECT_EQ(pins.mode.value, 0xA8010000u) << "PA8 is an output, the other pins stay as they were";
+}
+
+TEST(Stm32f405DrivePin, HighEnables) {
+  PlayedPins pins;
+  stm32f405::drive_pin::set(pins, true);
+  EXPECT_EQ(pins.set_reset, pa8);
+  stm32f405::drive_pin::set(pins, false);
+  EXPECT_EQ(pins.set_reset, pa8 << 16);
+}
+
+/// RM0090, memory map and GPIO registers: GPIOA at 0x4002 0000, BSRR at 0x18.
+TEST(Stm32f405DrivePin, AFaultDisablesByOneStore) {
+  EXPECT_EQ(Stm32f405::DrivePin::off_register, 0x40020018u);
+  EXPECT_EQ(Stm32f405::DrivePin::off_word, pa8 << 16);
+}
+
 }  // namespace
 }  // namespace axial::hal
