@@ -76,7 +76,7 @@ AXIAL_INLINE constexpr Status solve(const Links& links, Matrix& m, X& x) {
   auto composite = map_links(links, [&](auto i) AXIAL_INLINE { return m(i, i); });
   int singular = -1;
   for_each_link_inwards(links, [&](auto k) AXIAL_INLINE {
-    auto left = resistance(m(k, k), composite[k]);
+    auto left = resistance_at(links.link(k), m(k, k), composite[k]);
     singular = select(left.singular, static_cast<int>(k), singular);
     eliminate(links, k, left.inverse, m, x);
     x[k] = links.link(k).quotient(quantity::JointAcceleration{}, left.inverse, x[k]);

@@ -23,9 +23,14 @@ AXIAL_INLINE constexpr Status solve(const Input& in, const Q& q, const V& qd, co
 
 /// Over numbers T: fixed point takes an articulated body, of which ranges are proved; the split one unless named.
 template <class S, class T>
-inline constexpr Route route_over = !is_stored_v<T>                              ? forward_dynamics_route<S>
-                                    : scene_of<S>::template has<ArticulatedBody> ? Route::articulated_body
-                                                                                 : Route::split_articulated_body;
+constexpr Route chosen_route_over() {
+  if constexpr (!is_stored_v<T>)
+    return forward_dynamics_route<S>;
+  else
+    return scene_of<S>::template has<ArticulatedBody> ? Route::articulated_body : Route::split_articulated_body;
+}
+template <class S, class T>
+inline constexpr Route route_over = chosen_route_over<S, T>();
 
 /// A run-time model has full parameters and no compile-time choice: ABA unless its features name another form.
 template <class Scene>

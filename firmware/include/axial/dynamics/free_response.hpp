@@ -42,16 +42,17 @@ AXIAL_INLINE constexpr const W& submerged(const Dry&, const W& weight) {
 }
 
 /// What the structure keeps of a joint: its gain K, D and 1/D; and what its parent bears.
-template <class K, class D, class R, class W>
+template <class K, class D, class R, class L, class W>
 struct AtRest {
   K gain{};               ///< k = U / D
   D resistance{};         ///< D, kg m^2 or kg
   R inverse{};            ///< 1 / D
   bool singular = false;  ///< whether D is lost in rounding
+  L left{};               ///< whether anything is left of D: the joint is held if not
   W sent{};               ///< weight that its parent bears, in the parent's frame
 };
-template <class K, class D, class R, class W>
-AtRest(K, D, R, bool, W) -> AtRest<K, D, R, W>;
+template <class K, class D, class R, class L, class W>
+AtRest(K, D, R, bool, L, W) -> AtRest<K, D, R, L, W>;
 
 /// The structure at the joint screws, from the tips to the base.
 template <class Links, class Input, class Screws>
@@ -70,7 +71,8 @@ AXIAL_INLINE constexpr auto structure_at_rest(const Links& links, const Input& i
       auto h = hinge(joint, link, tree.inertia, singularity_scale(joint, tree.reach));
       Weight sent{to_parent(x, to_parent(screws[i], h.inertia, link), link.outer()),
                   seen_from(tree.reach, shift_length(x) + shift_length(screws[i]))};
-      return AtRest{link.shape(h.gain), link.shape(h.resistance), link.shape(h.inverse), h.singular, link.shape(sent)};
+      return AtRest{link.shape(h.gain), link.shape(h.resistance), link.shape(h.inverse), h.singular, h.left,
+                    link.shape(sent)};
     });
   });
 }

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <axial/dynamics/joint_axis.hpp>
-#include <axial/dynamics/reach.hpp>
-#include <axial/model/link_view.hpp>
-#include <axial/scalar/select.hpp>
+#include <axial/dynamics/resistance.hpp>
 #include <axial/spatial/inertia.hpp>
 
 namespace axial {
@@ -32,17 +30,18 @@ AXIAL_INLINE constexpr auto axis_inertia(Prismatic, const I& i) {
   return i.linear.zz;
 }
 
-// K_s = I_ss / D, exactly 1 without a rotor: then the joint transmits its effort and nothing else.
-template <class Link, class I, class J, class R>
-AXIAL_INLINE constexpr auto axis_gain(const Link& link, const I& inertia, const J& rotor, const R& inverse) {
+// K_s = I_ss / D, exactly 1 without a rotor: then the joint transmits its effort and nothing else. 0 of a joint that is
+// held, whose link turns as its parent does.
+template <class Link, class I, class J, class R, class Left>
+AXIAL_INLINE constexpr auto axis_gain(const Link& link, const I& inertia, const J& rotor, const R& inverse, Left left) {
   if constexpr (is_zero_v<J>) {
-    return One{};
+    return where_left<R>(left, One{}, Zero{});
   } else {
     auto gain = link.quotient(quantity::AngularGain{}, inverse, inertia);
     if constexpr (Link::unrolled)
       return gain;
     else
-      return select(rotor > J(Zero{}), gain, J(One{}));
+      return select(rotor > J(Zero{}), gain, J(where_left<J>(left, One{}, Zero{})));
   }
 }
 
@@ -142,20 +141,6 @@ struct Reflection {
 template <class I, class P, class K, class U>
 Reflection(I, P, K, U, bool) -> Reflection<I, P, K, U>;
 
-/// Composite inertia that a joint's D is compared with: about the axis (bounded by the polar moment), or the mass.
-AXIAL_INLINE constexpr Unscaled singularity_scale(Revolute, Unscaled) { return {}; }
-AXIAL_INLINE constexpr Unscaled singularity_scale(Prismatic, Unscaled) { return {}; }  ///< nor of a slide
-/// Of a revolute joint, kg m^2.
-template <class R>
-AXIAL_INLINE constexpr auto singularity_scale(Revolute, const R& reach) {
-  return reach.polar;
-}
-/// Of a prismatic joint, kg.
-template <class R>
-AXIAL_INLINE constexpr auto singularity_scale(Prismatic, const R& reach) {
-  return reach.mass;
-}
-
 namespace detail {
 
 template <class K, class KS>
@@ -169,46 +154,18 @@ AXIAL_INLINE constexpr auto gain_vector(Prismatic, const K& k, const KS& axis) {
 
 }  // namespace detail
 
-/// 1/D, and whether D is lost in the rounding of the composite inertia that it was subtracted from.
-template <class R>
-struct Resistance {
-  R inverse;      ///< 1 / D
-  bool singular;  ///< whether D is lost
-};
-
-/// In floating point: D below 16 eps times the composite inertia `scale` is singular; where not even eps^2 of it is
-/// left, 1/D is taken as 0, so that the result stays finite. Both are selected, not branched on. Number systems that
-/// know a lower bound of D overload it.
-template <class T, class Scale>
-AXIAL_INLINE constexpr Resistance<T> resistance(const T& d, const Scale& scale) {
-  const T eps = NumberTraits<T>::epsilon();
-  const bool left = d > T(eps * eps * scale);
-  return {select(left, reciprocal(d), T(Zero{})), !(d > T(T(Int<16>{}) * eps * scale))};
-}
-
-/// Where a lower bound of D is proved: a reciprocal of fixed length.
-template <int E, class S, class Scale>
-AXIAL_INLINE constexpr Resistance<Inverse<E, S>> resistance(const Fx<E, S>& d, const Scale&) {
-  return {inverse_of(d), false};
-}
-
-/// Of a slide that carries one kilogram, known to the compiler.
-template <class Scale>
-AXIAL_INLINE constexpr Resistance<One> resistance(One, const Scale&) {
-  return {One{}, false};
-}
-
 /// What a joint makes of an articulated body's inertia, whatever drives it: N, D and its inverse, and K.
-template <class N, class D, class R, class K>
+template <class N, class D, class R, class K, class Left>
 struct Hinge {
   N inertia;      ///< N, an ArticulatedInertia
   D resistance;   ///< D = I_ss + rotor, kg m^2 or kg
-  R inverse;      ///< 1 / D
+  R inverse;      ///< 1 / D, 0 of a joint that is held
   K gain;         ///< k = U / D with K_s = I_ss / D
   bool singular;  ///< whether D is lost in the rounding of the composite inertia
+  Left left;      ///< whether anything is left of D: the joint is held if not
 };
-template <class N, class D, class R, class K>
-Hinge(N, D, R, K, bool) -> Hinge<N, D, R, K>;
+template <class N, class D, class R, class K, class Left>
+Hinge(N, D, R, K, bool, Left) -> Hinge<N, D, R, K, Left>;
 
 /// Of an articulated body's inertia at its joint; `scale` is what D is compared with.
 template <class Joint, class Link, class I, class Scale>
@@ -217,13 +174,13 @@ AXIAL_INLINE constexpr auto hinge(Joint joint, const Link& link, const I& inerti
   auto rotor = link.rotor();
   auto own = detail::axis_inertia(joint, inertia);
   auto d = link.sum(JointInertia{}, own, rotor);
-  auto [inverse, singular] = resistance(d, scale);
+  auto [inverse, singular, left] = resistance_at(link, d, scale);
   auto column = joint_column(joint, inertia);
   MotionVector k{link.quotient(AngularGain{}, inverse, column.angular),
                  link.quotient(LinearGain{}, inverse, column.linear)};
-  auto axis = detail::axis_gain(link, own, rotor, inverse);
+  auto axis = detail::axis_gain(link, own, rotor, inverse, left);
   auto n = reflected(joint, link, inertia, column, k, axis, rotor);
-  return Hinge{n, d, inverse, detail::gain_vector(joint, k, axis), singular};
+  return Hinge{n, d, inverse, detail::gain_vector(joint, k, axis), singular, left};
 }
 
 namespace detail {
@@ -246,7 +203,8 @@ struct Passage {
 template <class P, class U>
 Passage(P, U) -> Passage<P, U>;
 
-/// Sets `lost` where u / 2^magnified is beyond what formats are made for.
+/// Across a joint that is held all of p passes, and u / D is 0. Sets `lost` where u / 2^magnified is beyond what
+/// formats are made for.
 template <class Joint, class Link, class H, class N, class P, class Tau, class M>
 AXIAL_INLINE constexpr auto passage(Joint joint, const Link& link, const H& hinge, const N& swept, const P& p,
                                     const Tau& tau, M magnified, bool& lost) {
@@ -254,7 +212,8 @@ AXIAL_INLINE constexpr auto passage(Joint joint, const Link& link, const H& hing
   auto held = along_joint(joint, p);
   auto axis = detail::along_axis_of(joint, hinge.gain);
   auto u = link.admitted(lost, hinge.resistance, link.sum(JointEffort{}, tau, -held), magnified);
-  auto passed = link.sum(JointEffort{}, link.quotient(AngularGain{}, hinge.inverse, link.rotor()) * held, axis * tau);
+  auto across = link.sum(JointEffort{}, link.quotient(AngularGain{}, hinge.inverse, link.rotor()) * held, axis * tau);
+  auto passed = where_left<decltype(across)>(hinge.left, across, held);
   return Passage{passed_bias(joint, link, p, swept, hinge.gain, u, passed),
                  link.quotient(JointAcceleration{}, hinge.inverse, u)};
 }

@@ -1,7 +1,7 @@
 // Which of the three forms of forward dynamics a scene takes, decided by the compiler.
 #pragma once
 
-#include <axial/dynamics/reach.hpp>
+#include <axial/dynamics/elimination_loss.hpp>
 
 namespace axial {
 
@@ -48,56 +48,30 @@ constexpr RouteCost route_cost() {
   return cost;
 }
 
-// How far a prismatic joint moves its link, as far as its limits say.
-constexpr double travel(const LinkParameters& link) {
-  const double down = magnitude(link.position_min), up = magnitude(link.position_max);
-  const double far = down > up ? down : up;
-  return link.type == JointType::prismatic && far < LinkParameters::unlimited ? far : 0.0;
-}
-
-/// Largest ratio of a bound of the composite inertia about a joint to what its own link and rotor alone resist with:
-/// the elimination loses at most the logarithm of that (the articulated inertia lies between the two). Infinite for
-/// massless links.
-template <class S>
-constexpr double elimination_loss() {
-  using Scene = scene_of<S>;
-  using Robot = typename Scene::Robot;
-  constexpr int n = Robot::chain.size;
-  Reach<double, double, double> carried[n] = {};
-  double worst = 1.0;
-  for (int i = n; i-- > 0;) {
-    const auto& c = robot_constants<Robot>.links[i];
-    const double rotor = Scene::template has<RotorInertia> ? c.rotor : 0.0;
-    const Vec3<double> h{c.hx, c.hy, c.hz};
-    carried[i] = carried[i] + reach(RigidInertia{c.mass, h, Sym3<double>{c.jxx, c.jyy, c.jzz, 0.0, 0.0, 0.0}});
-    const double own = (c.prismatic ? c.mass : c.jzz) + rotor;
-    const double all = (c.prismatic ? carried[i].mass : 0.5 * carried[i].polar) + rotor;
-    worst = all > worst * own ? (own > 0.0 ? all / own : 1e300) : worst;
-    if (c.parent >= 0)
-      carried[c.parent] = carried[c.parent] + seen_from(carried[i], magnitude(c.branch.b) + magnitude(c.a) +
-                                                                        magnitude(c.d) + travel(Robot::chain.links[i]));
-  }
-  return worst;
-}
-
 template <class Scene>
 constexpr Route chosen_route() {
-  if (Scene::template has<ArticulatedBody>) return Route::articulated_body;
-  if (Scene::template has<FloatingBase>) return Route::articulated_body;
-  if (Scene::template has<SplitArticulatedBody>) return Route::split_articulated_body;
-  if (Scene::template has<CompositeBody>) return Route::composite_body;
-  if (Scene::template has<Underwater>) return Route::articulated_body;  // composites with added mass are 6x6 too
-  constexpr double ten_bits = 1024.0;
-  constexpr auto cost = route_cost<typename Scene::Robot>();
-  return cost.composite < cost.articulated && elimination_loss<Scene>() <= ten_bits ? Route::composite_body
-                                                                                    : Route::articulated_body;
+  if constexpr (Scene::template has<ArticulatedBody> || Scene::template has<FloatingBase>) {
+    return Route::articulated_body;
+  } else if constexpr (Scene::template has<SplitArticulatedBody>) {
+    return Route::split_articulated_body;
+  } else if constexpr (Scene::template has<CompositeBody>) {
+    return Route::composite_body;
+  } else if constexpr (Scene::template has<Underwater>) {
+    return Route::articulated_body;  // composites with added mass are 6x6 too
+  } else {
+    constexpr auto cost = route_cost<typename Scene::Robot>();
+    if constexpr (cost.composite < cost.articulated)
+      return elimination_loses_little<Scene> ? Route::composite_body : Route::articulated_body;
+    else
+      return Route::articulated_body;
+  }
 }
 
 }  // namespace detail
 
 /// The form that `forward_dynamics<S>` takes: the one that the scene names (ArticulatedBody, SplitArticulatedBody,
-/// CompositeBody), else composite bodies where they are cheaper and the elimination can lose at most ten bits, else
-/// ABA. A floating base, an underwater scene and a run-time Model take ABA.
+/// CompositeBody), else composite bodies where they are cheaper and the elimination loses little over the whole chain
+/// or tree (elimination_loss.hpp), else ABA. A floating base, an underwater scene and a run-time Model take ABA.
 template <class S>
 inline constexpr Route forward_dynamics_route = detail::chosen_route<scene_of<S>>();
 }  // namespace axial
