@@ -3,6 +3,7 @@
 
 #include <axial/dynamics/articulated_body.hpp>
 #include <axial/dynamics/composite_body.hpp>
+#include <axial/dynamics/forward_soundness.hpp>
 #include <axial/dynamics/route.hpp>
 #include <axial/dynamics/split_form.hpp>
 
@@ -54,11 +55,13 @@ AXIAL_INLINE constexpr Status solve_model(const Links& links, const Input& in, c
 /// Accelerations for given efforts, by the route that `forward_dynamics_route<S>` names: ABA on full parameters
 /// (articulated_body.hpp), its split form, or composite bodies on base parameters (composite_body.hpp).
 /// In: q (rad or m), qd, tau (N m or N); `in` carries the run-time inputs that the scene names.
-/// Out: rad/s^2 or m/s^2, indexed by joint, and a status: near_singular names a joint whose articulated inertia is lost
-/// in the rounding of the composite one; it is solved all the same, or held (acceleration 0) where nothing is left of
-/// it. On a floating base the result holds the base's acceleration too, and joint -1 stands for the base. A robot with
-/// a joint that no mass, inertia or rotor resists does not compile.
-/// In fixed point q and qd must be inside the declared limits (check_request); efforts may be any: see drive_scale.hpp.
+/// Out: rad/s^2 or m/s^2, indexed by joint, and a status: not_finite where an input or a result is NaN or infinite,
+/// angle_range where angles are too large for exact sines; near_singular names a joint whose articulated inertia is
+/// lost in the rounding of the composite one. It is solved for all the same; where nothing is left of it, it is held:
+/// its acceleration is 0 and the rest moves as if it were locked. On a floating base the result holds the base's
+/// acceleration too, and joint -1 stands for the base. A robot with a joint that no mass, inertia or rotor resists does
+/// not compile. In fixed point q and qd must be inside the declared limits (check_request); efforts may be any: see
+/// drive_scale.hpp.
 template <class S, class T>
 [[nodiscard]] constexpr ForwardDynamicsOf<S, T> forward_dynamics(const Positions<robot_of<S>, T>& q,
                                                                  const Velocities<robot_of<S>, T>& qd,
@@ -70,6 +73,8 @@ template <class S, class T>
       "each joint a mass, an inertia about the joint axis, or rotor_inertia()");
   ForwardDynamicsOf<S, T> result{};
   result.status = detail::solve<detail::route_over<S, T>, scene_of<S>, T>(in, q, qd, tau, result);
+  if constexpr (!is_stored_v<T>)
+    result.status = detail::sound_status(links_of<S, T>(), in, q, qd, result, result.status);
   return result;
 }
 /// The same for a run-time model: ABA, unless its features name another form.
@@ -78,8 +83,9 @@ template <int N, class... F, class T, class M = Model<N, F...>>
                                                                  const Velocities<M, T>& qd, const Efforts<M, T>& tau,
                                                                  const Inputs<M, T>& in = {}) {
   ForwardDynamicsOf<M, T> result{};
-  result.status =
-      detail::solve_model<detail::model_route<scene_of<M>>>(model.template links<T>(), in, q, qd, tau, result);
+  const auto links = model.template links<T>();
+  const Status solved = detail::solve_model<detail::model_route<scene_of<M>>>(links, in, q, qd, tau, result);
+  result.status = detail::sound_status(links, in, q, qd, result, solved);
   return result;
 }
 

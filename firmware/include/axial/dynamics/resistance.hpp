@@ -113,6 +113,13 @@ AXIAL_INLINE constexpr auto resistance(One, const Scale&) {
   return Resistance{One{}, std::false_type{}, std::true_type{}};
 }
 
+/// Of a joint that nothing resists by structure: a slide between masses and the parent, all along one direction. It is
+/// held.
+template <class Scale>
+AXIAL_INLINE constexpr auto resistance(Zero, const Scale&) {
+  return Resistance{Zero{}, std::true_type{}, std::false_type{}};
+}
+
 /// Of a link's joint: nothing is compared where the compiler knows that the joint always resists.
 template <class Link, class D, class Scale>
 AXIAL_INLINE constexpr auto resistance_at(const Link&, const D& d, const Scale& scale) {
@@ -126,6 +133,11 @@ AXIAL_INLINE constexpr auto resistance_at(const Link&, const D& d, const Scale& 
 template <class T, class Yes, class No>
 AXIAL_INLINE constexpr Yes where_left(std::true_type, const Yes& yes, const No&) {
   return yes;
+}
+/// Nothing is left, which the compiler knows too.
+template <class T, class Yes, class No>
+AXIAL_INLINE constexpr No where_left(std::false_type, const Yes&, const No& no) {
+  return no;
 }
 /// The same, selected at run time.
 template <class T, class Yes, class No>

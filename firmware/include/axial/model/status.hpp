@@ -20,8 +20,9 @@ struct Status {
     not_ready = 8,           ///< asked before the first good refresh(); about no joint
     input_limit = 11,  ///< fixed point: tip wrench or gravity beyond the declared ones, or no sine-cosine pair; about
                        ///< no joint
-    angle_range = 12,  ///< angles so large that their sines are not exact: beyond 1e4 rad in float, 1e6 in double
-    inaccurate = 13,   ///< forward dynamics by elimination: the matrix is too ill-conditioned for the documented error
+    angle_range =
+        12,  ///< angles so large that their sines are not exact: in sum beyond 8192 rad in float, 524288 in double
+    inaccurate = 13,  ///< forward dynamics by elimination: the matrix is too ill-conditioned for the documented error
   };
   Code code = Code::ok;  ///< what was found
   int joint = -1;        ///< counted from 0 at the base; -1 for none

@@ -1,0 +1,79 @@
+// Whether forward dynamics was asked of numbers, and answered with numbers.
+#pragma once
+
+#include <axial/dynamics/forward_result.hpp>
+#include <axial/dynamics/passes.hpp>
+#include <axial/dynamics/soundness.hpp>
+
+namespace axial {
+namespace detail {
+
+template <class T, class V>
+AXIAL_INLINE constexpr void collect(Soundness<T>& all, const V& x) {
+  all.number(x);
+}
+template <class T, class X, class Y, class Z>
+AXIAL_INLINE constexpr void collect(Soundness<T>& all, const Vec3<X, Y, Z>& v) {
+  all.number(v.x), all.number(v.y), all.number(v.z);
+}
+template <class T, class A, class B>
+AXIAL_INLINE constexpr void collect(Soundness<T>& all, const ForceVector<A, B>& f) {
+  collect(all, f.moment), collect(all, f.force);
+}
+template <class T, class A, class B>
+AXIAL_INLINE constexpr void collect(Soundness<T>& all, const MotionVector<A, B>& m) {
+  collect(all, m.angular), collect(all, m.linear);
+}
+
+// Run-time inputs of a scene, one after the other.
+template <class Scene, class T, class Input>
+AXIAL_INLINE constexpr void collect_inputs(Soundness<T>& all, const Input& in) {
+  if constexpr (Scene::template has<RuntimeGravity>) collect(all, in.gravity);
+  if constexpr (Scene::template has<BaseMotion> || Scene::template has<FloatingBase>) {
+    collect(all, in.base_motion.angular_velocity);
+    if constexpr (Scene::template has<BaseMotion>)  // a free base's accelerations are the answer, not asked for
+      collect(all, in.base_motion.angular_acceleration), collect(all, in.base_motion.linear_acceleration);
+  }
+  if constexpr (Scene::template has<BaseWrench>) collect(all, in.base_wrench);
+  if constexpr (Scene::template has<VelocityThroughWater>) collect(all, in.velocity_through_water);
+  if constexpr (Scene::template has<TipWrench>) collect(all, in.tip_wrench);
+  if constexpr (Scene::template has<ExternalWrenches>)
+    for (const auto& wrench : in.wrenches.values)
+      collect(all, wrench);
+  if constexpr (Scene::template has<Payload>) {
+    const auto& j = in.payload.inertia_com;
+    all.number(in.payload.mass), collect(all, in.payload.com);
+    collect(all, Vec3{j.xx, j.yy, j.zz}), collect(all, Vec3{j.xy, j.xz, j.yz});
+  }
+}
+
+// A joint's position, or the sine and cosine that the caller gives instead.
+template <class Links, class T, class Input, class Q, class I>
+AXIAL_INLINE constexpr void collect_position(Soundness<T>& all, const Links& links, const Input& in, const Q& q, I i) {
+  links.link(i).on_joint([&](auto kind) AXIAL_INLINE {
+    if constexpr (Links::Scene::template has<SineCosines> && std::is_same_v<decltype(kind), Revolute>)
+      all.number(in.turns[i].sin), all.number(in.turns[i].cos);
+    else
+      all.position(kind, q[i]);
+  });
+}
+
+/// The status of an answer that a solver calls `solved`: what is not finite, and angles without exact sines, come
+/// first. Efforts need no look: each is a term of its joint's acceleration.
+template <class Links, class Input, class Q, class V, class A>
+AXIAL_INLINE constexpr Status sound_status(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd,
+                                           Status solved) {
+  Soundness<typename Links::Scalar> all;
+  for_each_link(links, [&](auto i) AXIAL_INLINE { all.number(qd[i]); });
+  for_each_link(links, [&](auto i) AXIAL_INLINE { collect_position(all, links, in, q, i); });
+  collect_inputs<typename Links::Scene>(all, in);
+  for_each_link(links, [&](auto i) AXIAL_INLINE { all.number(qdd[i]); });
+  if constexpr (Links::Scene::template has<FloatingBase>) collect(all, qdd.base_acceleration);
+  const Status found = all.status();
+  const int unsound = -static_cast<int>(!found.ok());  // all ones: about no joint, and no other code
+  const int code = static_cast<int>(found.code) | (static_cast<int>(solved.code) & ~unsound);
+  return {static_cast<Status::Code>(code), solved.joint | unsound};
+}
+
+}  // namespace detail
+}  // namespace axial
