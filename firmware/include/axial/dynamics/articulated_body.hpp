@@ -116,21 +116,22 @@ AXIAL_INLINE constexpr auto immersed(const Dry&, const Tree& tree) {
 }
 
 /// What the outward pass needs of a joint, and what the parent gets.
-template <class G, class U, class Z, class S>
+template <class G, class U, class Z, class L, class S>
 struct Left {
   G gain{};               ///< K = U / D
   U free{};               ///< u / D: the acceleration of the joint if its parent did not accelerate
   Z zeta{};               ///< bias acceleration of its motion
   bool singular = false;  ///< whether D is lost in rounding
+  L left{};               ///< whether anything is left of D: the joint is held if not
   S sent{};               ///< subtree that its parent bears, in the parent's frame
 };
-template <class G, class U, class Z, class S>
-Left(G, U, Z, bool, S) -> Left<G, U, Z, S>;
+template <class G, class U, class Z, class L, class S>
+Left(G, U, Z, bool, L, S) -> Left<G, U, Z, L, S>;
 
 /// The same in the form in which the link keeps results.
-template <class Link, class G, class U, class Z, class S>
-AXIAL_INLINE constexpr auto shaped(const Link& link, const Left<G, U, Z, S>& left) {
-  return Left{link.shape(left.gain), link.shape(left.free), link.shape(left.zeta), left.singular,
+template <class Link, class G, class U, class Z, class L, class S>
+AXIAL_INLINE constexpr auto shaped(const Link& link, const Left<G, U, Z, L, S>& left) {
+  return Left{link.shape(left.gain), link.shape(left.free), link.shape(left.zeta), left.singular, left.left,
               link.shape(left.sent)};
 }
 
@@ -143,7 +144,7 @@ AXIAL_INLINE constexpr auto reflect(Kind joint, const Link& link, const Screw& s
   Subtree sent{to_parent(x, to_parent(screw, r.inertia, link), link.outer()),
                to_parent(x, to_parent(screw, r.bias, link), link.outer()),
                seen_from(tree.reach, shift_length(x) + shift_length(screw))};
-  return Left{r.gain, r.free, velocity.zeta, r.singular, sent};
+  return Left{r.gain, r.free, velocity.zeta, r.singular, r.left, sent};
 }
 
 /// What drives a moving structure: joint speeds, the base's motion, forces from outside, friction and springs.
@@ -237,7 +238,7 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
     auto moved = with_joint(link, to_child(screws[i], to_child(link.x(), parent, link), link), left.zeta);
     bool lost = left.singular;
     auto answer = link.on_joint([&](auto joint) AXIAL_INLINE {
-      auto own = link.limited(quantity::JointAcceleration{}, lost, left.free, -gain_times(left.gain, moved));
+      auto own = joint_acceleration(link, left.free, left.gain, moved, left.left, lost);
       write(links, qdd, i, own);
       return link.shape(with_joint(link, moved, along_axis(joint, own)));
     });

@@ -119,8 +119,7 @@ AXIAL_INLINE constexpr int respond(const Links& links, const Screws& screws, con
     auto moved = with_joint(link, to_child(screws[i], across, link), MotionVector<ZeroVec3, ZeroVec3>{});
     bool lost = forces[i].lost;
     auto answer = link.on_joint([&](auto joint) AXIAL_INLINE {
-      auto own =
-          link.limited(quantity::JointAcceleration{}, lost, forces[i].free, -gain_times(structure[i].gain, moved));
+      auto own = joint_acceleration(link, forces[i].free, structure[i].gain, moved, structure[i].left, lost);
       auto motion = with_joint(link, moved, along_axis(joint, own));
       watch(across, moved, own, motion);
       take(i, own);

@@ -30,18 +30,17 @@ AXIAL_INLINE constexpr auto axis_inertia(Prismatic, const I& i) {
   return i.linear.zz;
 }
 
-// K_s = I_ss / D, exactly 1 without a rotor: then the joint transmits its effort and nothing else. 0 of a joint that is
-// held, whose link turns as its parent does.
-template <class Link, class I, class J, class R, class Left>
-AXIAL_INLINE constexpr auto axis_gain(const Link& link, const I& inertia, const J& rotor, const R& inverse, Left left) {
+// K_s = I_ss / D, exactly 1 without a rotor: then the joint transmits its effort and nothing else.
+template <class Link, class I, class J, class R>
+AXIAL_INLINE constexpr auto axis_gain(const Link& link, const I& inertia, const J& rotor, const R& inverse) {
   if constexpr (is_zero_v<J>) {
-    return where_left<R>(left, One{}, Zero{});
+    return One{};
   } else {
     auto gain = link.quotient(quantity::AngularGain{}, inverse, inertia);
     if constexpr (Link::unrolled)
       return gain;
     else
-      return select(rotor > J(Zero{}), gain, J(where_left<J>(left, One{}, Zero{})));
+      return select(rotor > J(Zero{}), gain, J(One{}));
   }
 }
 
@@ -130,16 +129,17 @@ AXIAL_INLINE constexpr auto passed_bias(Prismatic, const Link& link, const P& p,
 }
 
 /// Everything that a joint's reflection yields.
-template <class I, class P, class K, class U>
+template <class I, class P, class K, class U, class L>
 struct Reflection {
   I inertia;      ///< N, inertia seen on the inboard side
   P bias;         ///< force seen on the inboard side
   K gain;         ///< K = U / D with K_s = I_ss / D
   U free;         ///< u / D
   bool singular;  ///< D is lost in the rounding of the composite inertia
+  L left;         ///< whether anything is left of D: the joint is held if not
 };
-template <class I, class P, class K, class U>
-Reflection(I, P, K, U, bool) -> Reflection<I, P, K, U>;
+template <class I, class P, class K, class U, class L>
+Reflection(I, P, K, U, bool, L) -> Reflection<I, P, K, U, L>;
 
 namespace detail {
 
@@ -178,7 +178,7 @@ AXIAL_INLINE constexpr auto hinge(Joint joint, const Link& link, const I& inerti
   auto column = joint_column(joint, inertia);
   MotionVector k{link.quotient(AngularGain{}, inverse, column.angular),
                  link.quotient(LinearGain{}, inverse, column.linear)};
-  auto axis = detail::axis_gain(link, own, rotor, inverse, left);
+  auto axis = detail::axis_gain(link, own, rotor, inverse);
   auto n = reflected(joint, link, inertia, column, k, axis, rotor);
   return Hinge{n, d, inverse, detail::gain_vector(joint, k, axis), singular, left};
 }
@@ -225,13 +225,22 @@ AXIAL_INLINE constexpr auto reflection(Joint joint, const Link& link, const I& i
   auto h = hinge(joint, link, inertia, scale);
   bool lost = h.singular;
   auto passed = passage(joint, link, h, swept(h.inertia, zeta), p, tau, Zero{}, lost);
-  return Reflection{h.inertia, passed.bias, h.gain, passed.free, lost};
+  return Reflection{h.inertia, passed.bias, h.gain, passed.free, lost, h.left};
 }
 
 /// K . a, the part of a motion that the joint's inertia answers.
 template <class K, class M>
 AXIAL_INLINE constexpr auto gain_times(const K& k, const M& motion) {
   return dot(k.angular, motion.angular) + dot(k.linear, motion.linear);
+}
+
+/// Acceleration of a joint whose link's inboard side moves so: u / D - K . a; 0 of a joint that is held. Sets `lost`
+/// where the format is too small for it.
+template <class Link, class U, class K, class M, class Left>
+AXIAL_INLINE constexpr auto joint_acceleration(const Link& link, const U& free, const K& gain, const M& motion,
+                                               Left left, bool& lost) {
+  auto own = link.limited(quantity::JointAcceleration{}, lost, free, -gain_times(gain, motion));
+  return where_left<decltype(own)>(left, own, Zero{});
 }
 
 }  // namespace axial
