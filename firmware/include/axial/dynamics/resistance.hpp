@@ -70,11 +70,10 @@ inline constexpr auto own_shares_of = own_shares<Scene>();
 /// Whether a link's joint is never near singular over the link's numbers: what is articulated lies between the link's
 /// own inertia and the composite one.
 template <class Link>
-struct AlwaysResists : std::bool_constant<Link::ranged> {};
+struct AlwaysResists : std::false_type {};
 template <class Scene, int I, class T, class Parameters, class Rounding>
 struct AlwaysResists<StaticLink<Scene, I, T, Parameters, Rounding>>
-    : std::bool_constant<Rounding::ranged ||
-                         (own_shares_of<Scene>.of[I] >
+    : std::bool_constant<(own_shares_of<Scene>.of[I] >
                           64.0 * (std::is_same_v<T, double> ? std::numeric_limits<double>::epsilon()
                                                             : std::numeric_limits<float>::epsilon()))> {};
 
@@ -123,7 +122,7 @@ AXIAL_INLINE constexpr auto resistance(Zero, const Scale&) {
 /// Of a link's joint: nothing is compared where the compiler knows that the joint always resists.
 template <class Link, class D, class Scale>
 AXIAL_INLINE constexpr auto resistance_at(const Link&, const D& d, const Scale& scale) {
-  if constexpr (detail::AlwaysResists<Link>::value && is_number_v<D>)
+  if constexpr (detail::AlwaysResists<Link>::value && !Link::ranged && is_number_v<D>)
     return Resistance{reciprocal(d), std::false_type{}, std::true_type{}};
   else
     return resistance(d, scale);
