@@ -1,7 +1,7 @@
 // Counts of encoders and of converters (DAC, PWM) at the border of fixed point.
 #pragma once
 
-#include <axial/control/fixed_limits.hpp>
+#include <axial/model/fixed_limits.hpp>
 #include <axial/model/status.hpp>
 #include <axial/scalar/integer.hpp>
 

@@ -1,8 +1,8 @@
 // Checks of run-time requests against what a robot declares.
 #pragma once
 
-#include <axial/control/fixed_inputs_check.hpp>
-#include <axial/control/fixed_limits.hpp>
+#include <axial/model/fixed_inputs_check.hpp>
+#include <axial/model/fixed_limits.hpp>
 #include <axial/model/status.hpp>
 
 namespace axial {

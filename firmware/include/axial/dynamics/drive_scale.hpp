@@ -31,10 +31,15 @@ AXIAL_INLINE constexpr Fx<F, S> divided(std::int64_t x, int shift) {
   return {static_cast<typename S::Word>(shifted_by(x * (std::int64_t{1} << room), shift + (E - F + room)))};
 }
 
-/// x in another format of its size: 2^up x, or x / 2^down rounded; one of them is 0.
-template <class S>
-AXIAL_INLINE constexpr std::int64_t rescaled_word(typename S::Word x, int up, int down) {
-  return integer::multiply(moved_down<S>(x, static_cast<unsigned char>(down)), std::int32_t{1} << up);
+/// 2^shift x, rounded where shift is negative, which it never is if `up`.
+template <class S, bool up>
+AXIAL_INLINE constexpr std::int64_t rescaled_word(typename S::Word x, int shift) {
+  if constexpr (up) {
+    return integer::multiply(x, std::int32_t{1} << shift);
+  } else {
+    const int left = select(is_negative(shift), 0, shift), right = left - shift;
+    return integer::multiply(moved_down<S>(x, static_cast<unsigned char>(right)), std::int32_t{1} << left);
+  }
 }
 
 }  // namespace detail

@@ -6,6 +6,7 @@
 #include <axial/dynamics/forward_soundness.hpp>
 #include <axial/dynamics/route.hpp>
 #include <axial/dynamics/split_form.hpp>
+#include <axial/model/fixed_state_check.hpp>
 
 namespace axial {
 
@@ -60,8 +61,12 @@ AXIAL_INLINE constexpr Status solve_model(const Links& links, const Input& in, c
 /// lost in the rounding of the composite one. It is solved for all the same; where nothing is left of it, it is held:
 /// its acceleration is 0 and the rest moves as if it were locked. On a floating base the result holds the base's
 /// acceleration too, and joint -1 stands for the base. A robot with a joint that no mass, inertia or rotor resists does
-/// not compile. In fixed point q and qd must be inside the declared limits (check_request); efforts may be any: see
-/// drive_scale.hpp.
+/// not compile.
+/// In fixed point any words may be given. Efforts beyond the declared ones: see drive_scale.hpp. A position or a speed
+/// beyond its limit is named (position_limit, speed_limit: the first joint from the base), inputs beyond what is
+/// declared likewise (payload_limit, input_limit); accelerations are then 0, for formats hold no more, unless nothing
+/// but the angles of turning joints is beyond: those have no end, and are solved all the same. Who wants the nearest
+/// state inside takes clamped_request() first.
 template <class S, class T>
 [[nodiscard]] constexpr ForwardDynamicsOf<S, T> forward_dynamics(const Positions<robot_of<S>, T>& q,
                                                                  const Velocities<robot_of<S>, T>& qd,
@@ -72,8 +77,11 @@ template <class S, class T>
       "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "
       "each joint a mass, an inertia about the joint axis, or rotor_inertia()");
   ForwardDynamicsOf<S, T> result{};
+  [[maybe_unused]] const detail::StateCheck<S, T> check(in, q, qd);
   result.status = detail::solve<detail::route_over<S, T>, scene_of<S>, T>(in, q, qd, tau, result);
-  if constexpr (!is_stored_v<T>)
+  if constexpr (is_stored_v<T>)
+    check.judge(result);
+  else
     result.status = detail::sound_status(links_of<S, T>(), in, q, qd, result, result.status);
   return result;
 }

@@ -56,13 +56,13 @@ AXIAL_INLINE constexpr Status answer_in_ranges(const Links& links, const Screws&
   for_each_link(links, [&](auto i) AXIAL_INLINE {
     constexpr int exponent = decltype(links.link(i))::format.joint_acceleration;
     const std::int32_t first = all[0].raw[i], second = all[solves - 1].raw[i];
-    const std::int32_t apart = detail::moved_down<S>(second, static_cast<unsigned char>(magnified)) - first;
+    const std::int32_t near = detail::moved_down<S>(second, static_cast<unsigned char>(magnified));
+    const auto apart = static_cast<std::int32_t>(static_cast<std::uint32_t>(near) - static_cast<std::uint32_t>(first));
     const bool agrees = is_negative(all[solves - 1].lost) & detail::is_less(apart, second_solve_tolerance) &
                         detail::is_less(-second_solve_tolerance, apart);
     const int net = halvings - select(agrees, magnified, 0);
     const std::int64_t whole =
-        detail::rescaled_word<S>(static_cast<typename S::Word>(select(agrees, second, first)),
-                                 select(detail::is_less(0, net), net, 0), select(detail::is_less(net, 0), -net, 0));
+        detail::rescaled_word<S, solves == 1>(static_cast<typename S::Word>(select(agrees, second, first)), net);
     bool spilt = false;
     write(links, qdd, i, Fx<exponent, S>{detail::held_in_word<S>(spilt, whole)});
     lost = first_found(lost, spilt, static_cast<int>(i));

@@ -214,13 +214,14 @@ AXIAL_INLINE constexpr bool is_less(std::int64_t a, std::int64_t b) {  // where 
 /// x where it fits a word, else the largest or smallest number; sets `lost` there. |x| < 2^(31 + the word's bits).
 template <class S>
 AXIAL_INLINE constexpr typename S::Word held_in_word(bool& lost, std::int64_t x) {
-  const auto sign = static_cast<std::int32_t>(x >> 63);
-  const auto spill = static_cast<std::uint32_t>(static_cast<std::int32_t>(x >> (S::bits - 1)) ^ sign);
-  const auto beyond = static_cast<std::int32_t>((spill | (0U - spill)) >> 31);
-  lost = lost | (beyond != 0);
+  const auto sign = static_cast<std::int32_t>(x >> 63), held = static_cast<std::int32_t>(x);
+  const std::int32_t spill = S::bits == 32 ? static_cast<std::int32_t>(x >> 32) ^ (held >> 31)
+                                           : static_cast<std::int32_t>(x >> (S::bits - 1)) ^ sign;
+  const auto some = static_cast<std::uint32_t>(spill) | (0U - static_cast<std::uint32_t>(spill));
+  lost = lost | (some >> 31 != 0);
   constexpr auto most = static_cast<std::int32_t>(S::capacity);
-  const std::int32_t limit = (most ^ sign) - sign, held = static_cast<std::int32_t>(x);
-  return static_cast<typename S::Word>((held & (beyond - 1)) | (limit & -beyond));
+  const std::int32_t limit = (most ^ sign) - sign, mask = static_cast<std::int32_t>(some) >> 31;
+  return static_cast<typename S::Word>(held ^ ((held ^ limit) & mask));
 }
 }  // namespace detail
 /// Comparison of numbers of one format, without a branch.

@@ -39,8 +39,8 @@ template <int G, int E, int F, class S>
 AXIAL_INLINE constexpr Fx<G, S> quotient(const Inverse<E, S>& inverse, const Fx<F, S>& x) {
   const std::int64_t product = integer::multiply(static_cast<std::int32_t>(x.raw), inverse.mantissa);
   const int shift = inverse.exponent + (F - E - G);
-  const std::int32_t down = detail::shifted_by(product, shift);
-  const std::int32_t half = S::nearest ? detail::shifted_by(product, shift - 1) & 1 : 0;
+  const auto down = static_cast<std::uint32_t>(detail::shifted_by(product, shift));
+  const std::uint32_t half = S::nearest ? static_cast<std::uint32_t>(detail::shifted_by(product, shift - 1)) & 1U : 0U;
   return {static_cast<typename S::Word>(down + half)};
 }
 /// Of a constant.

@@ -124,7 +124,7 @@ AXIAL_INLINE constexpr typename S::Upper moved(typename S::Upper bits) {
   else if constexpr (S::nearest && -Shift >= S::bits)
     return 0;
   else if constexpr (S::nearest)
-    return static_cast<Upper>(((x >> (-Shift - 1)) + 1) >> 1);
+    return static_cast<Upper>(static_cast<Signed>(static_cast<Upper>(x >> (-Shift - 1)) + Upper{1}) >> 1);
   else
     return static_cast<Upper>(x >> smaller(-Shift, S::bits - 1));
 }

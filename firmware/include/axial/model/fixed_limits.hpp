@@ -31,7 +31,11 @@ struct RawReach {
   bool wraps = false;             ///< whether it is an arc of a circle
 
   /// One comparison for slides and arcs alike: what is below min is beyond any span.
-  [[nodiscard]] constexpr bool reaches(const Fixed32& q) const { return beyond(q.raw, min) <= span; }
+  [[nodiscard]] constexpr bool reaches(const Fixed32& q) const { return outside(q) == 0; }
+  /// -1 where q is not reached, else 0; by a subtraction.
+  [[nodiscard]] constexpr std::int32_t outside(const Fixed32& q) const {
+    return static_cast<std::int32_t>((std::int64_t{span} - std::int64_t{beyond(q.raw, min)}) >> 32);
+  }
   /// q, or the nearer end; of an arc, along the circle.
   [[nodiscard]] constexpr Fixed32 nearest(const Fixed32& q) const {
     const std::uint32_t past = beyond(q.raw, max), before = beyond(min, q.raw);
