@@ -19,7 +19,7 @@ inline constexpr double largest_angles<double> = 524288.0;
 /// comparisons of bits judge all the numbers, without a branch: an addition a number, two operations an angle.
 /// A sum that overflows counts as not finite although its terms are finite: they are at the end of T's range.
 /// Numbers other than float and double (the counting scalar) have nothing to say and cost nothing; fixed point is held
-/// against declared limits instead (control/fixed_limits.hpp).
+/// against declared limits instead (model/fixed_state_check.hpp).
 template <class T, class = void>
 class Soundness {
  public:
