@@ -11,11 +11,20 @@ namespace detail {
 
 inline constexpr int most_halvings = 5, most_doublings = 12;
 
-/// Halvings that bring |x| to `limit` or below, at most most_halvings; the same instructions whatever they are.
-template <int... K>
-AXIAL_INLINE constexpr int halvings(std::int64_t x, std::int64_t limit, std::integer_sequence<int, K...>) {
-  const std::int64_t sign = x >> 63, size = (x ^ sign) - sign;
-  return (0 + ... + static_cast<int>(is_less(limit << K, size)));
+/// limit 2^k without its last bit, at most what a word holds.
+template <std::int64_t limit, int k>
+inline constexpr std::uint32_t half_of = [] {
+  constexpr std::int64_t most = std::numeric_limits<std::uint32_t>::max();
+  return static_cast<std::uint32_t>(limit > most >> k ? most : (limit << k) >> 1);
+}();
+
+/// Halvings that bring |x| to `limit` or below, to two units, at most most_halvings; the same instructions whatever
+/// they are. |x| < 2^32, so that without its last bit it is compared as a word.
+template <std::int64_t limit, int... K>
+AXIAL_INLINE constexpr int halvings(std::int64_t x, std::integer_sequence<int, K...>) {
+  const auto half = static_cast<std::int32_t>(x >> 1);
+  const auto size = static_cast<std::uint32_t>(half ^ (half >> 31));
+  return (0 + ... + static_cast<int>(half_of<limit, K> < size));
 }
 
 template <int E, class S>
@@ -50,8 +59,8 @@ AXIAL_INLINE constexpr int halvings_of(const Links& links, const Tau& tau, const
   int shift = 0;
   for_each_link(links, [&](auto i) AXIAL_INLINE {
     constexpr std::int64_t limit = Links::template drive_limit<i>(decltype(tau[i])::exponent);
-    const int own = detail::halvings(detail::difference(tau[i], bias[i]), limit,
-                                     std::make_integer_sequence<int, detail::most_halvings>{});
+    const int own = detail::halvings<limit>(detail::difference(tau[i], bias[i]),
+                                            std::make_integer_sequence<int, detail::most_halvings>{});
     shift = select(detail::is_less(shift, own), own, shift);
   });
   return shift;
