@@ -29,7 +29,7 @@ struct SlidingTree {
       axial::prismatic().parent(0).a(0.2).alpha_deg(90)
           .mass(2.0).com(0.01, 0.0, 0.05).inertia_com(0.006, 0.006, 0.002)
           .position_limits(0.05, 0.4).speed_limit(0.8).acceleration_limit(8.0).effort_limit(60.0),
-      axial::revolute().parent(0).branch_deg(120.0, 0.1).a(0.25).alpha_deg(-90).theta(0.3)
+      axial::revolute().parent(0).branch_deg(120.0, 0.1).a(0.25).alpha_deg(-90).theta_deg(90)
           .mass(2.5).com(0.1, 0.0, 0.02).inertia_com(0.004, 0.02, 0.018).rotor_inertia(1e-5, 80.0)
           .position_limits(-1.5, 1.5).speed_limit(4.0).acceleration_limit(25.0).effort_limit(30.0),
       axial::prismatic().a(0.15).alpha(0.4)
