@@ -97,7 +97,7 @@ constexpr bool loses_little() {
 template <class T, bool known_to_be_little>
 class Loss {
  public:
-  static constexpr int most = 256;  ///< largest sum that is called ok: errors up to 2^13 roundings
+  static constexpr int most = 128;  ///< largest sum that is called ok: errors up to 2^13 roundings
   /// Sees a joint's composite inertia, and the inverse of what is left of it.
   AXIAL_INLINE constexpr void see(const T& composite, const T& inverse) { sum_ = sum_ + composite * inverse; }
   /// ok, or inaccurate; about no joint.
