@@ -11,14 +11,13 @@
 #include <hal/kept.hpp>
 #include <hal/memory.hpp>
 #include <hal/semihosting.hpp>
-#include <hal/text.hpp>
 
 namespace axial::hal {
 
 /// `Derived` gives: baud, Serial, serial_line, start_clock(), connect_pins(), DrivePin, Watchdog, take_reset_flags();
 /// where they differ, tick_Hz and Tick too. `Core` gives: Counter, Tick, Known, EmulatedWatchdog, start(),
-/// enable_interrupt(line), sleep_unless(predicate), print(text), exit(code), guard_stack(), restart(),
-/// describe(report). See hal/README.md for the whole interface.
+/// enable_interrupt(line), sleep_unless(predicate), print(text), print_line(name, value), exit(code),
+/// guard_stack(), restart(), describe(report). See hal/README.md for the whole interface.
 template <class Derived, class Core>
 struct BoardBase {
   using Counter = typename Core::Counter;
@@ -141,9 +140,7 @@ struct BoardBase {
   }
 
   static void announce_drives(bool on) {
-    print(on ? "drives: enabled at tick " : "drives: disabled at tick ");
-    print(hex(ticks()).text);
-    print("\n");
+    Core::print_line(on ? "drives: enabled at tick " : "drives: disabled at tick ", ticks());
   }
 
   inline static ClockReport clock_{};

@@ -19,6 +19,11 @@ extern std::uint32_t axial_fault_stack[];
 
 namespace axial::hal {
 
+/// RISC-V's entry saves all that a function may change, and its frames are longer.
+#ifdef __riscv
+constexpr std::size_t fault_stack_bytes = 256;
+#else
 constexpr std::size_t fault_stack_bytes = 192;
+#endif
 
 }  // namespace axial::hal

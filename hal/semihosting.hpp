@@ -32,8 +32,8 @@ struct Semihosting {
     if (present()) call(write_string, text);
   }
 
-  /// A name and a number in hexadecimal.
-  static void write_line(const char* name, std::uint32_t value) {
+  /// A name and a number in hexadecimal. Once in an image.
+  [[gnu::noinline]] static void write_line(const char* name, std::uint32_t value) {
     write(name);
     write(hex(value).text);
     write("\n");

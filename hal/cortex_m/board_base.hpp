@@ -30,6 +30,7 @@ struct Core {
     cortex_m::sleep_unless(awake);
   }
   static void print(const char* text) { Semihosting::write(text); }
+  static void print_line(const char* name, std::uint32_t value) { Semihosting::write_line(name, value); }
   static void exit(int code) { Semihosting::exit(code); }
 
   static void describe(const FaultReport& report) {

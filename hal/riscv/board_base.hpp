@@ -33,6 +33,7 @@ struct Core {
     riscv::sleep_unless(awake);
   }
   static void print(const char* text) { Semihosting::write(text); }
+  static void print_line(const char* name, std::uint32_t value) { Semihosting::write_line(name, value); }
   static void exit(int code) { Semihosting::exit(code); }
 
   static void describe(const FaultReport& report) {
