@@ -78,7 +78,7 @@ struct BoardBase {
     if (emulated()) announce_drives(on);
   }
   static bool drives_enabled() { return axial_drives != 0; }
-  /// What the register of the pin's output holds; off in an emulator that has no such pin (the STM32s').
+  /// Whether the pin is driven high, by the port's own registers; false in an emulator without them (the STM32s').
   static bool drive_pin() { return Derived::DrivePin::level(); }
 
   /// From now on the board restarts when `feed_watchdog()` is not called for `ms`; nothing stops it again. Nominal: the

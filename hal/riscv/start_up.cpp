@@ -31,7 +31,6 @@ void protect_code() {
 extern "C" [[gnu::used, noreturn]] void axial_start() {
   using namespace axial::hal::riscv;
   axial::hal::Board::DrivePin::start();
-  write<Csr::interrupt_enable>(0);  // a reset leaves it as it was
   write<Csr::trap_vector>(static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(axial_trap_entry)));
   protect_code();
   axial::hal::prepare_memory();

@@ -71,6 +71,12 @@ void start(Pins& pins) {
   set(pins, false);
   pins.direction_set = on;
 }
+
+/// Whether the port drives the pin high.
+template <class Pins>
+bool level(Pins& pins) {
+  return (pins.direction & pins.output & on) != 0;
+}
 }  // namespace drive_pin
 
 struct WatchdogPort {
@@ -101,7 +107,7 @@ struct Nrf51 : cortex_m::BoardBase<Nrf51, nrf51::clock::core_Hz, 128> {
     static constexpr std::uint32_t off_word = nrf51::drive_pin::on;
     static void start() { nrf51::drive_pin::start(nrf51::pins()); }
     static void set(bool enabled) { nrf51::drive_pin::set(nrf51::pins(), enabled); }
-    static bool level() { return (nrf51::pins().output & nrf51::drive_pin::on) != 0; }
+    static bool level() { return nrf51::drive_pin::level(nrf51::pins()); }
   };
 
   static constexpr unsigned interrupt_lines = 26, serial_line = 2;

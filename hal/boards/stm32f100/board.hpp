@@ -90,6 +90,12 @@ void start(Rcc& rcc, Gpio& pins) {
   set(pins, false);
   pins.configuration[1] = (pins.configuration[1] & ~0xFu) | 0x2u;
 }
+
+/// Whether the port drives the pin high.
+template <class Gpio>
+bool level(Gpio& pins) {
+  return (pins.configuration[1] & 0xFu) == 2u && (pins.output & on) != 0;
+}
 }  // namespace drive_pin
 
 struct WatchdogPort {
@@ -116,7 +122,7 @@ struct Stm32f100 : cortex_m::BoardBase<Stm32f100, 24'000'000> {
     static constexpr std::uint32_t off_word = stm32f100::drive_pin::off;
     static void start() { stm32f100::drive_pin::start(stm32f100::rcc(), stm32f100::gpio_a()); }
     static void set(bool enabled) { stm32f100::drive_pin::set(stm32f100::gpio_a(), enabled); }
-    static bool level() { return (stm32f100::gpio_a().output & stm32f100::drive_pin::on) != 0; }
+    static bool level() { return stm32f100::drive_pin::level(stm32f100::gpio_a()); }
   };
 
   static constexpr unsigned interrupt_lines = 61, serial_line = 37;

@@ -97,6 +97,12 @@ void start(Rcc& rcc, Gpio& pins) {
   set(pins, false);
   pins.mode = (pins.mode & ~(3u << 16)) | 1u << 16;
 }
+
+/// Whether the port drives the pin high.
+template <class Gpio>
+bool level(Gpio& pins) {
+  return (pins.mode >> 16 & 3u) == 1u && (pins.output & on) != 0;
+}
 }  // namespace drive_pin
 
 struct WatchdogPort {
@@ -123,7 +129,7 @@ struct Stm32f405 : cortex_m::BoardBase<Stm32f405, 168'000'000> {
     static constexpr std::uint32_t off_word = stm32f405::drive_pin::off;
     static void start() { stm32f405::drive_pin::start(stm32f405::rcc(), stm32f405::gpio_a()); }
     static void set(bool enabled) { stm32f405::drive_pin::set(stm32f405::gpio_a(), enabled); }
-    static bool level() { return (stm32f405::gpio_a().output & stm32f405::drive_pin::on) != 0; }
+    static bool level() { return stm32f405::drive_pin::level(stm32f405::gpio_a()); }
   };
 
   static constexpr unsigned interrupt_lines = 82, serial_line = 37;

@@ -64,6 +64,15 @@ TEST(Nrf51DrivePin, HighEnables) {
   EXPECT_EQ(pins.output_clear, p0_03);
 }
 
+TEST(Nrf51DrivePin, IsHighWhereThePortDrivesIt) {
+  struct {
+    std::uint32_t direction, output;
+  } pins{p0_03, p0_03}, open{0, p0_03}, low{p0_03, 0};
+  EXPECT_TRUE(nrf51::drive_pin::level(pins));
+  EXPECT_FALSE(nrf51::drive_pin::level(open));
+  EXPECT_FALSE(nrf51::drive_pin::level(low));
+}
+
 /// nRF51 reference manual, GPIO registers: base 0x5000 0000, OUTCLR at 0x50C.
 TEST(Nrf51DrivePin, AFaultDisablesByOneStore) {
   EXPECT_EQ(Nrf51::DrivePin::off_register, 0x5000050Cu);

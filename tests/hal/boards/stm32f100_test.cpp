@@ -58,6 +58,15 @@ TEST(Stm32f100DrivePin, HighEnables) {
   EXPECT_EQ(pins.set_reset, pa8 << 16);
 }
 
+TEST(Stm32f100DrivePin, IsHighWhereThePortDrivesIt) {
+  struct {
+    std::uint32_t configuration[2], output;
+  } pins{{0, 2}, pa8}, open{{0, 4}, pa8}, low{{0, 2}, 0};
+  EXPECT_TRUE(stm32f100::drive_pin::level(pins));
+  EXPECT_FALSE(stm32f100::drive_pin::level(open));
+  EXPECT_FALSE(stm32f100::drive_pin::level(low));
+}
+
 /// RM0041, memory map and GPIO registers: GPIOA at 0x4001 0800, BSRR at 0x10.
 TEST(Stm32f100DrivePin, AFaultDisablesByOneStore) {
   EXPECT_EQ(Stm32f100::DrivePin::off_register, 0x40010810u);

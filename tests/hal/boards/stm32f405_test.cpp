@@ -72,6 +72,16 @@ TEST(Stm32f405DrivePin, HighEnables) {
   EXPECT_EQ(pins.set_reset, pa8 << 16);
 }
 
+TEST(Stm32f405DrivePin, IsHighWhereThePortDrivesIt) {
+  struct {
+    std::uint32_t mode, output;
+  } pins{1u << 16, pa8}, open{0, pa8}, alternate{2u << 16, pa8}, low{1u << 16, 0};
+  EXPECT_TRUE(stm32f405::drive_pin::level(pins));
+  EXPECT_FALSE(stm32f405::drive_pin::level(open));
+  EXPECT_FALSE(stm32f405::drive_pin::level(alternate));
+  EXPECT_FALSE(stm32f405::drive_pin::level(low));
+}
+
 /// RM0090, memory map and GPIO registers: GPIOA at 0x4002 0000, BSRR at 0x18.
 TEST(Stm32f405DrivePin, AFaultDisablesByOneStore) {
   EXPECT_EQ(Stm32f405::DrivePin::off_register, 0x40020018u);
