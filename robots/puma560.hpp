@@ -39,7 +39,7 @@ struct Puma560 : Puma560Drives {
       axial::gravity(0.0, 0.0, -9.81), axial::payload_limit(2.5, 0.25, 0.05),
       drive(
           axial::revolute().a(0.0).alpha_deg(0).d(0.0)
-          .inertia_com(0.0, 0.0, 0.35)
+          .inertia_com(0.0, 0.0, 0.35).accept(axial::as_published)  // no mass: the paper has what torques can tell
           .position_limits(-160 * deg, 160 * deg)
           .speed_limit(1.4).acceleration_limit(6.0).effort_limit(97.6),
           291e-6, -62.6111, 1.48e-3, 0.395, -0.435),

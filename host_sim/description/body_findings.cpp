@@ -42,27 +42,44 @@ void check_numbers(const std::string& link, const axial::LinkParameters& p, std:
     refuse("inertia is (" + list(p.inertia_com, 6) + ") kg m^2", "give kg m^2 below 1e9: xx yy zz xy xz yz");
 }
 
-void check_moments(const std::string& link, const axial::LinkParameters& p, std::vector<Finding>& found) {
-  const auto warn = [&](const std::string& what, const std::string& remedy) {
-    found.push_back({false, link, what, remedy});
-  };
+void check_moments(const std::string& link, const axial::LinkParameters& p, bool as_published,
+                   std::vector<Finding>& found) {
   const Eigen::Vector3d moments = principal_moments(p.inertia_com);
   const double least = moments[0], middle = moments[1], largest = moments[2],
                slack = rounding * std::abs(moments.sum());
-  if (least < -slack) {
-    warn("inertia is not positive definite: its least principal moment is " + number(least, 4) + " kg m^2",
-         "check signs and order of the entries (xx yy zz xy xz yz, about the centre of mass)");
-  } else if (largest > least + middle + slack) {
-    const double excess = 100.0 * (largest / (least + middle) - 1.0);
-    warn("inertia violates the triangle inequality by " + number(excess, 3) + " %: principal moments " +
-             number(least, 4) + ", " + number(middle, 4) + ", " + number(largest, 4) + " kg m^2",
-         "no body has it; check the entries, or keep it if the source is a fit to measured torques");
-  }
+  const axial::InertiaDefect defect = axial::inertia_defect({least, middle, largest});
+  const auto report = [&](double share, const std::string& what, const std::string& correct) {
+    const bool beyond = share > axial::detail::bound::inertia_defect;
+    found.push_back({false, link, what,
+                     beyond ? correct_or_keep(as_published, correct) : correct + ", or leave them: it is little",
+                     beyond && !as_published});
+  };
+  const std::string moments_are = number(least, 4) + ", " + number(middle, 4) + ", " + number(largest, 4) + " kg m^2";
+  if (least < -slack)
+    report(defect.negative > defect.triangle ? defect.negative : defect.triangle,
+           "inertia is not positive definite: its least principal moment is negative: " + moments_are,
+           "check signs and order of the entries (xx yy zz xy xz yz, about the centre of mass)");
+  else if (largest > least + middle + slack)
+    report(defect.triangle,
+           "inertia violates the triangle inequality by " +
+               (defect.triangle > 10.0 ? "more than 1000" : number(100.0 * defect.triangle, 3)) +
+               " %: principal moments " + moments_are,
+           "no body has it: check the entries");
 }
 
 }  // namespace
 
-std::vector<Finding> body_findings(const std::string& link, const axial::LinkParameters& p) {
+std::string correct_or_keep(bool as_published, const std::string& correct) {
+  return as_published ? "kept as published" : correct + ", or keep what was published with --as-published";
+}
+
+bool needs_acceptance(const axial::LinkParameters& p) {
+  axial::detail::Given given;
+  given.note(axial::detail::Quantity::mass);
+  return axial::detail::doubtful_problem(p, given) != axial::detail::Problem::none;
+}
+
+std::vector<Finding> body_findings(const std::string& link, const axial::LinkParameters& p, bool as_published) {
   std::vector<Finding> found;
   check_numbers(link, p, found);
   if (!found.empty()) return found;
@@ -73,8 +90,9 @@ std::vector<Finding> body_findings(const std::string& link, const axial::LinkPar
   else if (no_inertia)
     found.push_back({false, link, "has neither mass nor inertia", "give both, or leave it massless on purpose"});
   else if (p.mass == 0.0)
-    found.push_back({false, link, "has an inertia and a mass of 0 kg", "no body has it; give its mass"});
-  if (!no_inertia) check_moments(link, p, found);
+    found.push_back({false, link, "has an inertia and a mass of 0 kg",
+                     correct_or_keep(as_published, "no body has it: give its mass"), !as_published});
+  if (!no_inertia && p.mass > 0.0) check_moments(link, p, as_published, found);
   return found;
 }
 

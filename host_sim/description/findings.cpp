@@ -13,11 +13,11 @@ bool usable(double value) { return std::abs(value) <= largest_number; }  // fals
 
 class Inspector {
  public:
-  explicit Inspector(const Link& link) : link_(link), p_(link.parameters) {}
+  Inspector(const Link& link, bool as_published) : link_(link), p_(link.parameters), as_published_(as_published) {}
 
   std::vector<Finding> all() {
-    found_ = body_findings(link_.name, p_);
-    geometry(), drive(), friction(), limits();
+    found_ = body_findings(link_.name, p_, as_published_);
+    geometry(), drive(), friction(), limits(), range();
     return found_;
   }
 
@@ -26,6 +26,10 @@ class Inspector {
     found_.push_back({true, link_.name, what, remedy});
   }
   void warn(const std::string& what, const std::string& remedy) { found_.push_back({false, link_.name, what, remedy}); }
+  /// What axial compiles only where it is accepted.
+  void doubt(const std::string& what, const std::string& correct) {
+    found_.push_back({false, link_.name, what, correct_or_keep(as_published_, correct), !as_published_});
+  }
   std::string joint() const { return "joint '" + link_.joint + "': "; }
 
   void geometry() {
@@ -36,9 +40,12 @@ class Inspector {
     for (const auto& [name, value] : {Length{"a", p_.a}, Length{"d", p_.d}, Length{"b", p_.b}}) {
       if (!usable(value))
         refuse(joint() + name + " is " + number(value) + " m", "give metres");
+      else if (axial::detail::is_far(value))
+        doubt(joint() + name + " is " + number(value, 4) + " m",
+              "give metres, not millimetres; if two axes were meant to be parallel, see --snap");
       else if (std::abs(value) > longest_arm)
         warn(joint() + name + " is " + number(value, 4) + " m",
-             "if these are millimetres, give metres; if two axes were meant to be parallel, see --right-angles");
+             "if these are millimetres, give metres; if two axes were meant to be parallel, see --snap");
     }
     for (const auto& angle : {p_.alpha, p_.theta, p_.gamma})
       if (!usable(angle.radians)) refuse(joint() + "an angle is " + number(angle.radians) + " rad", "give radians");
@@ -75,12 +82,26 @@ class Inspector {
              "give the lower one first; a joint that can not move is a fixed joint");
     limit("speed", p_.speed_limit), limit("acceleration", p_.acceleration_limit), limit("effort", p_.effort_limit);
   }
+  void range() {
+    const std::string limits = number(p_.position_min) + " to " + number(p_.position_max);
+    switch (axial::detail::range_problem(p_)) {
+      case axial::detail::Problem::position_limits_look_like_degrees:
+        return doubt(joint() + "position limits look like degrees: " + limits + " rad", "give radians");
+      case axial::detail::Problem::position_limits_are_beyond_1000_rad:
+        return doubt(joint() + "position limits are beyond 1000 rad: " + limits, "give radians");
+      case axial::detail::Problem::position_limits_are_beyond_100_m:
+        return doubt(joint() + "position limits are beyond 100 m: " + limits, "give metres");
+      default:
+        if (axial::detail::is_far(p_.com)) doubt("centre of mass is beyond 100 m", "give metres");
+    }
+  }
   void limit(const std::string& of, double value) {
     if (!(value > 0.0)) refuse(joint() + of + " limit is " + number(value), "give a value > 0, or leave it out");
   }
 
   const Link& link_;
   const axial::LinkParameters& p_;
+  bool as_published_;
   std::vector<Finding> found_;
 };
 
@@ -115,6 +136,9 @@ void check_robot(const Description& robot, std::vector<Finding>& found) {
            "import at most 64; --root and --tip cut one chain");
   const auto& g = robot.gravity;
   if (!usable(g.x) || !usable(g.y) || !usable(g.z)) refuse("gravity is not finite", "give three numbers in m/s^2");
+  if (frames_are_far(robot))
+    found.push_back({false, "", "the base or the tool is more than 100 m away",
+                     correct_or_keep(robot.as_published, "give metres"), !robot.as_published});
   for (int i = 0; i < robot.size(); ++i)
     if (robot.parent(i) < axial::LinkParameters::base || robot.parent(i) >= i)
       refuse("the parent of link '" + robot.links[static_cast<std::size_t>(i)].name + "' does not stand before it",
@@ -125,11 +149,16 @@ void check_robot(const Description& robot, std::vector<Finding>& found) {
 
 std::string Finding::text() const { return (link.empty() ? "" : "link '" + link + "': ") + what + "; " + remedy; }
 
+bool frames_are_far(const Description& robot) {
+  return axial::detail::is_far(robot.base.position) || axial::detail::is_far(robot.tool.position) ||
+         axial::detail::is_far(robot.payload_limit.com_reach);
+}
+
 std::vector<Finding> findings(const Description& robot) {
   std::vector<Finding> found;
   check_robot(robot, found);
   for (const Link& link : robot.links) {
-    const auto more = Inspector(link).all();
+    const auto more = Inspector(link, robot.as_published).all();
     found.insert(found.end(), more.begin(), more.end());
   }
   unresisted(robot, found);
@@ -140,6 +169,13 @@ std::string lines(const std::vector<Finding>& found, bool errors) {
   std::string text;
   for (const Finding& finding : found)
     if (finding.error == errors) text += (text.empty() ? "" : "\n") + finding.text();
+  return text;
+}
+
+std::string lines_to_accept(const std::vector<Finding>& found) {
+  std::string text;
+  for (const Finding& finding : found)
+    if (finding.must_be_accepted) text += (text.empty() ? "" : "\n") + finding.text();
   return text;
 }
 

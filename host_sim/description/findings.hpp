@@ -5,13 +5,15 @@
 
 namespace description {
 
-/// One problem. Errors can not be used (axial would not compile them, or the numbers mean nothing); warnings are
-/// bodies that matter can not have, or that leave a joint without resistance: published models in daily use have them.
+/// One problem. Errors cannot be used: the numbers mean nothing. Of warnings, some must be accepted: axial compiles
+/// such a link only with `.accept(axial::as_published)`; the others miss by little what matter can have, or leave a
+/// joint without resistance.
 struct Finding {
   bool error = false;
   std::string link;  ///< empty: the whole robot
   std::string what;  ///< with the value
   std::string remedy;
+  bool must_be_accepted = false;  ///< and the description does not say yet that it is kept as published
 
   std::string text() const;  ///< "link 'x': what; remedy"
 };
@@ -23,7 +25,19 @@ constexpr double largest_number = 1e9;
 std::vector<Finding> findings(const Description& robot);
 
 /// One link's body alone: mass, centre of mass and inertia about it.
-std::vector<Finding> body_findings(const std::string& link, const axial::LinkParameters& p);
+std::vector<Finding> body_findings(const std::string& link, const axial::LinkParameters& p, bool as_published);
+
+/// Whether axial compiles this link, as a header writes it, only with `.accept(axial::as_published)`.
+bool needs_acceptance(const axial::LinkParameters& p);
+
+/// Whether base, tool or reach of the payload do.
+bool frames_are_far(const Description& robot);
+
+/// What to do about numbers that no robot should have, or that they are kept.
+std::string correct_or_keep(bool as_published, const std::string& correct);
+
+/// Lines of the findings that must be accepted.
+std::string lines_to_accept(const std::vector<Finding>& found);
 
 /// Lines of the findings that are errors, or of those that are warnings.
 std::string lines(const std::vector<Finding>& found, bool errors);

@@ -68,13 +68,15 @@ class LinkText {
   }
   std::string body() const {
     const double *c = p_.com, *j = p_.inertia_com;
-    std::string row = call_unless_zero("mass", p_.mass);
-    if (c[0] != 0.0 || c[1] != 0.0 || c[2] != 0.0) row += call("com", {c[0], c[1], c[2]});
+    const bool has_com = c[0] != 0.0 || c[1] != 0.0 || c[2] != 0.0;
+    std::string row = has_com ? call("mass", {p_.mass}) : call_unless_zero("mass", p_.mass);
+    if (has_com) row += call("com", {c[0], c[1], c[2]});
     if (any_inertia()) {
       const bool products = j[3] != 0.0 || j[4] != 0.0 || j[5] != 0.0;
       row += products ? call("inertia_com", {j[0], j[1], j[2], j[3], j[4], j[5]})
                       : call("inertia_com", {j[0], j[1], j[2]});
     }
+    if (needs_acceptance(p_)) row += ".accept(axial::as_published)";
     return row;
   }
   std::string drive() const {
@@ -132,6 +134,7 @@ std::string frame_parts(const Description& robot) {
   const auto& g = robot.gravity;
   std::string text = "      axial::gravity(" + arguments({g.x, g.y, g.z}) + "),\n";
   const auto add = [&](const std::string& part) { text += part.empty() ? "" : "      " + part + ",\n"; };
+  add(frames_are_far(robot) ? "axial::accept(axial::as_published)" : "");
   add(pose_part("base", robot.base)), add(pose_part("tool", robot.tool));
   const auto& load = robot.payload_limit;
   if (load.declared) add("axial::payload_limit(" + arguments({load.mass, load.com_reach, load.inertia}) + ")");
@@ -190,6 +193,8 @@ std::string plain_name(const Description& robot) { return words(robot, false, "_
 
 std::string header(const Description& robot, const std::vector<std::string>& figures) {
   const auto warnings = check(robot);
+  const std::string doubtful = lines_to_accept(warnings);
+  if (!doubtful.empty()) throw Refused(doubtful);
   return leading_comment(robot, warnings, figures) +
          "#pragma once\n\n#include <axial/model/chain.hpp>\n\nnamespace robots {\n\nstruct " + type_name(robot) +
          " {\n  static constexpr const char* name = \"" + plain_name(robot) +

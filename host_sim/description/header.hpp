@@ -11,7 +11,8 @@ namespace description {
 /// The text of a header that describes the robot: `namespace robots { struct Name { name; chain; }; }`, a line a group
 /// of values, every number such that it reads back as the same double, angles in degrees where that is exact. The
 /// leading comment holds source, notes, assumptions, warnings and the lines of `figures` (of a verification). The same
-/// description gives the same text. Throws Refused where check() does.
+/// description gives the same text. Throws Refused where check() does,
+/// and where numbers must be accepted and the description is not kept as published.
 std::string header(const Description& robot, const std::vector<std::string>& figures);
 
 /// Name of the struct in it: "my-arm 2" becomes "MyArm2".

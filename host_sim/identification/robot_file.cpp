@@ -17,6 +17,7 @@ bool ends_with(const std::string& text, const std::string& ending) {
 description::Description read_urdf(const std::string& path, const std::string& tip) {
   importer::Options options;
   options.urdf.tip = tip;
+  options.as_published = true;  // a nominal model is to be improved, whatever it is
   const auto result = importer::import_file(path, options);
   if (!result.figures.good())
     throw description::Refused("'" + path + "' misses the bounds of its verification; see ./axial import");
@@ -33,7 +34,11 @@ description::Description read_urdf(const std::string& path, const std::string&) 
 description::Description find_robot(const std::string& robot, const std::string& tip) {
   if (ends_with(robot, ".urdf")) return read_urdf(robot, tip);
   if (!tip.empty()) throw description::Refused("--tip is for a URDF; '" + robot + "' is none");
-  if (ends_with(robot, ".json")) return description::to_mdh(description::read_table(robot));
+  if (ends_with(robot, ".json")) {
+    auto table = description::to_mdh(description::read_table(robot));
+    table.as_published = true;
+    return table;
+  }
   if (robot.find_first_of("./") != std::string::npos)
     throw description::Refused("'" + robot + "' is neither a URDF (.urdf) nor a Denavit-Hartenberg table (.json)");
   return description::known_robot(robot);

@@ -17,6 +17,7 @@ from tables import fill, markdown  # noqa: E402
 
 def imported(program, folder, entry, scratch):
     options = [f"--{end}={entry[end]}" for end in ("root", "tip") if end in entry]
+    options += ["--as-published"] if entry.get("as_published") else []
     run = subprocess.run([program, folder / entry["file"], "-o", scratch / "robot.hpp", "--json", scratch / "robot.json", *options],
                          capture_output=True, text=True)
     if run.returncode != 0:

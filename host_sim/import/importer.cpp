@@ -4,6 +4,7 @@
 
 #include <axial/model/classical.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -27,7 +28,7 @@ void check(Imported& imported, const std::string& from, std::vector<Finding> fou
     imported.warnings.push_back(finding);
 }
 
-/// Bodies as the file has them, before any is merged into another.
+/// Bodies as the file has them, before any is merged into another: what of them axial refuses is said of the sum.
 std::vector<Finding> source_findings(const SourceTree& source) {
   std::vector<Finding> found;
   for (const auto& link : source.links) {
@@ -39,8 +40,10 @@ std::vector<Finding> source_findings(const SourceTree& source) {
     body.mass = link.mass;
     std::memcpy(body.com, link.inertial.position.data(), sizeof body.com);
     std::memcpy(body.inertia_com, link.inertia.data(), sizeof body.inertia_com);
-    for (auto& finding : description::body_findings(link.name, body))
+    for (auto& finding : description::body_findings(link.name, body, false)) {
+      finding.must_be_accepted = false;
       found.push_back(finding);
+    }
   }
   return found;
 }
@@ -53,9 +56,17 @@ std::vector<Finding> other_findings(const description::Description& robot, const
     if (source != nullptr)
       for (const auto& link : source->links)
         said = said || (link.name == finding.link && link.has_inertial && finding.what.rfind("joint '", 0) != 0);
-    if (!said || finding.error) found.push_back(finding);
+    if (!said || finding.error || finding.must_be_accepted) found.push_back(finding);
   }
   return found;
+}
+
+/// What was said of a body already is not said again of the link that is this body alone.
+void drop_repeated(std::vector<Finding>& earlier, const std::vector<Finding>& now) {
+  const auto repeated = [&](const Finding& finding) {
+    return std::any_of(now.begin(), now.end(), [&](const Finding& other) { return other.text() == finding.text(); });
+  };
+  earlier.erase(std::remove_if(earlier.begin(), earlier.end(), repeated), earlier.end());
 }
 
 bool branches(const description::Description& robot) {
@@ -96,7 +107,10 @@ Result import_urdf(const std::string& text, const std::string& from, const Optio
   if (!options.gravity)
     robot.assumptions.push_back("gravity of 9.81 m/s^2 along -z of link '" + source.links[0].name + "'");
   robot.assumptions.push_back("no rotor inertias: a URDF has none");
-  check(imported, from, other_findings(robot, &source));
+  robot.as_published = options.as_published;
+  const auto found = other_findings(robot, &source);
+  drop_repeated(imported.warnings, found);
+  check(imported, from, found);
   std::vector<std::string> joints;
   for (const auto& link : robot.links)
     joints.push_back(link.joint);
@@ -112,6 +126,7 @@ Result import_table(const std::string& text, const std::string& from, const Opti
   const auto table = description::parse_table(text, from);
   Imported imported;
   imported.robot = description::to_mdh(table);
+  imported.robot.as_published = options.as_published;
   check(imported, from, description::findings(imported.robot));
   for (int i = 0; i < imported.robot.size(); ++i) {
     TrackedFrame tracked{segment_name(i + 1), i, {}};

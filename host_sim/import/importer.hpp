@@ -14,6 +14,7 @@ struct Options {
   UrdfOptions urdf;
   std::string name;                             ///< empty: the source's
   std::optional<axial::GravityVector> gravity;  ///< of a URDF, in axes of its root; (0, 0, -9.81) when not given
+  bool as_published = false;                    ///< keep what axial compiles only with accept(as_published)
   double seconds_to_speed = 0.25;               ///< where a source gives no acceleration: the time to full speed
   unsigned seed = 1;
   int states = 100;

@@ -1,4 +1,5 @@
 // import: a robot's description becomes a verified constexpr header.
+#include <host_sim/description/findings.hpp>
 #include <host_sim/description/header.hpp>
 #include <host_sim/import/importer.hpp>
 #include <host_sim/output/command_line.hpp>
@@ -74,6 +75,10 @@ int import_robot(Arguments& arguments) {
     throw description::Refused(arguments.file +
                                ": not written: the figures above miss their bounds; axes that are almost "
                                "parallel put frames far away: see --right-angles");
+  if (!description::lines_to_accept(result.imported.warnings).empty())
+    throw description::Refused(arguments.file +
+                               ": not written: axial does not compile what the warnings with --as-published are "
+                               "about; correct it, or keep it with that option");
   if (arguments.strict && !result.imported.warnings.empty())
     throw description::Refused(arguments.file + ": not written: there are warnings, and --strict was given");
   description::write_header(output, robot, result.figures.lines());
@@ -102,6 +107,8 @@ int main(int count, char** given) {
       .range(1e-3, 1e3);
   line.option("--states", options.states, "random states to verify on").show_default().range(1, 100000);
   line.option("--seed", options.seed, "of those states").show_default();
+  line.flag("--as-published", options.as_published,
+            "keep inertias, lengths and limits that no robot should have: .accept(axial::as_published)");
   line.flag("--strict", arguments.strict, "write nothing where there are warnings");
   return line.run(count, given, [&] { return import_robot(arguments); });
 }

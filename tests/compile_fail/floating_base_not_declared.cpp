@@ -4,9 +4,9 @@
 struct Arm {
 #ifdef MENDED
   static constexpr auto chain = axial::chain(axial::base_body().mass(5.0).inertia_com(0.1, 0.1, 0.1),
-                                             axial::revolute().inertia_com(0.1, 0.1, 0.1));
+                                             axial::revolute().mass(1.0).inertia_com(0.1, 0.1, 0.1));
 #else
-  static constexpr auto chain = axial::chain(axial::revolute().inertia_com(0.1, 0.1, 0.1));
+  static constexpr auto chain = axial::chain(axial::revolute().mass(1.0).inertia_com(0.1, 0.1, 0.1));
 #endif
 };
 

@@ -73,12 +73,12 @@ TEST(Table, ErrorsNameLinkValueAndRemedy) {
 TEST(Findings, SayByHowMuchTheTriangleInequalityIsViolated) {
   axial::LinkParameters p;
   p.mass = 1.0, p.inertia_com[0] = p.inertia_com[1] = 1.0, p.inertia_com[2] = 2.06;
-  const auto found = body_findings("forearm", p);
+  const auto found = body_findings("forearm", p, false);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_FALSE(found[0].error);
   EXPECT_NE(found[0].text().find("link 'forearm': inertia violates the triangle inequality by 3 %"), std::string::npos);
   p.inertia_com[2] = 1.99;
-  EXPECT_TRUE(body_findings("forearm", p).empty());
+  EXPECT_TRUE(body_findings("forearm", p, false).empty());
 }
 
 TEST(Header, IsTheSameTwiceAndNamesTheRobot) {

@@ -1,5 +1,6 @@
 // Descriptions written by others: every one is imported, and equals Orocos KDL built from the file itself.
 #include <host_sim/description/description.hpp>
+#include <host_sim/description/findings.hpp>
 #include <host_sim/description/table.hpp>
 #include <host_sim/import/importer.hpp>
 
@@ -23,6 +24,7 @@ nlohmann::json catalogue() { return nlohmann::json::parse(description::read_text
 Options options_of(const nlohmann::json& entry) {
   Options options;
   options.urdf.root = entry.value("root", ""), options.urdf.tip = entry.value("tip", "");
+  options.as_published = entry.value("as_published", false);
   options.states = 20;
   return options;
 }
@@ -35,6 +37,7 @@ TEST(Descriptions, OfOthersEqualKdl) {
     EXPECT_LE(result.figures.pose, 1e-12);
     EXPECT_LE(result.figures.torque, 1e-9);
     EXPECT_LE(result.figures.mass_matrix, 1e-9);
+    EXPECT_EQ(description::lines_to_accept(result.imported.warnings), "");
     for (const auto& link : result.imported.robot.links)
       if (link.parameters.mass > 0.0) {
         ++with_bodies;

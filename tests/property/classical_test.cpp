@@ -216,6 +216,7 @@ constexpr axial::ClassicalLink drive(const axial::ClassicalLink& link, double ro
 
 /// Robotics Toolbox's classical table of the Puma 560; drives on the motor side.
 constexpr auto puma = axial::classical_chain(
+    axial::accept(axial::as_published),
     drive(axial::classical_revolute().d(0.67183).alpha_deg(90).inertia_com(0, 0.35, 0), 200e-6, -62.6111, 1.48e-3,
           0.395, -0.435),
     drive(axial::classical_revolute().a(0.4318).mass(17.4).com(-0.3638, 0.006, 0.2275).inertia_com(0.13, 0.524, 0.539),

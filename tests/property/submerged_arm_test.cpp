@@ -22,7 +22,8 @@ constexpr Numbers fore{3.5, 0.25, 0.08, 0.3, 3.0, 0.07, 3.1, 0.22, 3.0, 25.0, 0.
 constexpr double length = 0.55, g = 9.81;
 
 constexpr Link wet(const Numbers& n, bool drag) {
-  Link link = revolute().mass(n.m).com(n.l, 0, 0).inertia_com(0, 0, n.i);
+  // Planar: of the inertia only what the plane sees.
+  Link link = revolute().mass(n.m).com(n.l, 0, 0).inertia_com(0, 0, n.i).accept(as_published);
   link = link.added_mass(n.ax, n.ay, 0, 0, 0, n.b).buoyancy(n.d, n.c, 0, 0);
   return drag ? link.drag_linear(n.lx, n.ly, 0, 0, 0, n.lr).drag_quadratic(n.qx, n.qy, 0) : link;
 }
@@ -176,7 +177,7 @@ namespace {
 
 /// A body with its centres at the origin, and a flywheel without mass that stands still.
 struct Torpedo {
-  static constexpr double m = 40.0, ix = 0.5, iy = 6.0, iz = 7.0, ax = 2.0, ay = 35.0, az = 28.0, bx = 0.1, by = 4.0,
+  static constexpr double m = 40.0, ix = 0.5, iy = 6.0, iz = 6.4, ax = 2.0, ay = 35.0, az = 28.0, bx = 0.1, by = 4.0,
                           bz = 5.0;
   static constexpr auto chain =
       axial::chain(base_body().mass(m).inertia_com(ix, iy, iz).added_mass(ax, ay, az, bx, by, bz).buoyancy(m, 0, 0, 0),

@@ -1,6 +1,10 @@
 // axial: rigid-body dynamics for microcontrollers. The umbrella header.
 #pragma once
 
+// First, so that few lines of includes stand before what the compiler says of a description.
+#include <axial/model/chain.hpp>
+#include <axial/model/classical.hpp>
+
 #include <axial/closed_form/scara.hpp>
 #include <axial/control/border.hpp>
 #include <axial/control/collision.hpp>
@@ -16,6 +20,5 @@
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/dynamics/separated_torque.hpp>
 #include <axial/dynamics/separation.hpp>
-#include <axial/model/classical.hpp>
 #include <axial/model/consistency.hpp>
 #include <axial/model/model.hpp>

@@ -7,7 +7,7 @@ using namespace axial;
 namespace {
 
 constexpr Link body(const Link& link, double k) {
-  return link.mass(2.0 + k).com(0.1 * k, 0.05, -0.07).inertia_com(0.1, 0.2, 0.15, 0.01, 0.02 * k, 0.03).viscous(k);
+  return link.mass(2.0 + k).com(0.1 * k, 0.05, -0.07).inertia_com(0.1, 0.2, 0.15, 0.01, 0.005 * k, 0.03).viscous(k);
 }
 // A trunk with two branches.
 struct Tree {

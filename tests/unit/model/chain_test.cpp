@@ -35,8 +35,8 @@ constexpr bool names_payload(...) {
 }
 
 struct Impossible {  // 0.5 > 0.1 + 0.1: no mass is distributed so
-  static constexpr auto chain =
-      axial::chain(revolute().mass(1).inertia_com(0.2, 0.2, 0.3), revolute().mass(1).inertia_com(0.1, 0.5, 0.1));
+  static constexpr auto chain = axial::chain(accept(as_published), revolute().mass(1).inertia_com(0.2, 0.2, 0.3),
+                                             revolute().mass(1).inertia_com(0.1, 0.5, 0.1));
 };
 
 }  // namespace

@@ -50,7 +50,7 @@ struct ClassicalScara {
 /// The Puma 560 of the robotics toolbox in its own classical table; and by hand, in MDH frames with Craig's names.
 struct ClassicalPuma {
   static constexpr auto chain = classical_chain(
-      classical_revolute().d(0.67183).alpha_deg(90).inertia_com(0, 0.35, 0),
+      accept(as_published), classical_revolute().d(0.67183).alpha_deg(90).inertia_com(0, 0.35, 0),
       classical_revolute().a(0.4318).mass(17.4).com(-0.3638, 0.006, 0.2275).inertia_com(0.13, 0.524, 0.539),
       classical_revolute()
           .d(0.15005)
@@ -65,7 +65,7 @@ struct ClassicalPuma {
 };
 struct CraigPuma {
   static constexpr auto chain = axial::chain(
-      revolute().d(0.67183).inertia_com(0, 0, 0.35),
+      accept(as_published), revolute().d(0.67183).inertia_com(0, 0, 0.35),
       revolute().alpha_previous_deg(90).mass(17.4).com(-0.3638 + 0.4318, 0.006, 0.2275).inertia_com(0.13, 0.524, 0.539),
       revolute().a_previous(0.4318).d(0.15005).mass(4.8).com(0, 0.07, 0.0141).inertia_com(0.066, 0.0125, 0.086),
       revolute()

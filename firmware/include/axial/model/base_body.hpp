@@ -11,6 +11,7 @@ class BaseBody {
   constexpr BaseBody() = default;
 
   constexpr const LinkParameters& parameters() const { return body_.parameters(); }  ///< the description as fields
+  constexpr const detail::Given& given() const { return body_.given(); }             ///< for chain()'s checks
 
   /// Mass in kg.
   constexpr BaseBody mass(double kg) const { return BaseBody(body_.mass(kg)); }
@@ -45,6 +46,9 @@ class BaseBody {
                                     double rz = 0.0) const {
     return BaseBody(body_.drag_quadratic(x, y, z, rx, ry, rz));
   }
+
+  /// As for a Link: keeps numbers that no body should have, as their source gives them.
+  constexpr BaseBody accept(AsPublished) const { return BaseBody(body_.accept(as_published)); }
 
  private:
   constexpr explicit BaseBody(const Link& body) : body_(body) {}

@@ -1,7 +1,12 @@
 // A robot's chain: gravity, links, base and tool, checked while it compiles.
 #pragma once
 
+#include <axial/model/malformed.hpp>  // first: few lines of includes before what the compiler quotes of it
+
 #include <axial/model/base_body.hpp>
+#include <axial/model/description_checks.hpp>
+
+#include <utility>
 
 namespace axial {
 
@@ -69,159 +74,114 @@ struct Chain {
   constexpr int parent(int i) const { return links[i].parent == LinkParameters::previous ? i - 1 : links[i].parent; }
 };
 
+/// Part of a chain: axial::accept(axial::as_published) keeps numbers of all its links that no robot should have, as
+/// their source gives them (doc/conventions.md, "What does not compile").
+struct Acceptance {};
+constexpr Acceptance accept(AsPublished) { return {}; }  ///< as_published
+
 namespace detail {
 
-// Not constexpr: reaching it while a chain is built stops the compiler at the line that says what to mend.
-inline void malformed_robot(const char*) {}
+/// What of a description breaks which rule.
+struct Broken {
+  static constexpr int robot = -1, base_body = -2;  // else the index of a link
 
-constexpr bool finite(double x) {
-  return x >= -std::numeric_limits<double>::max() && x <= std::numeric_limits<double>::max();
-}
-constexpr bool finite(const double* values, int count) {
-  for (int i = 0; i < count; ++i)
-    if (!finite(values[i])) return false;
-  return true;
-}
+  int where = robot;
+  Problem problem = Problem::none;
+};
 
-constexpr void check_geometry(const LinkParameters& p, int index) {
-  if (!finite(p.a) || !finite(p.d)) malformed_robot("axial: a or d of a link is not finite; give it in metres");
-  if (!finite(p.alpha.radians) || !finite(p.theta.radians))
-    malformed_robot(
-        "axial: alpha or theta of a link is not finite; give radians, or degrees with alpha_deg and theta_deg");
-  if (!finite(p.gamma.radians) || !finite(p.b))
-    malformed_robot(
-        "axial: gamma or b of a link's branch is not finite; give branch(radians, metres) or branch_deg(degrees, "
-        "metres)");
-  if (p.parent != LinkParameters::previous && (p.parent < LinkParameters::base || p.parent >= index))
-    malformed_robot(
-        "axial: parent() of a link must name an earlier link or LinkParameters::base; list links from the base "
-        "outwards");
-}
+template <class Indices>
+struct StopTable;
+template <int... I>
+struct StopTable<std::integer_sequence<int, I...>> {
+  /// The function that stops the compiler, or none.
+  static constexpr malformed::Stop of(const Broken& broken) {
+    if (broken.problem == Problem::none) return nullptr;
+    const auto row = static_cast<int>(broken.problem);
+    if (broken.where == Broken::robot) return malformed::stops<malformed::robot>[row];
+    if (broken.where == Broken::base_body) return malformed::stops<malformed::base_body>[row];
+    const malformed::Stop* const links[] = {malformed::stops<malformed::link_index<I>>...};
+    return links[broken.where][row];
+  }
+};
+template <int N>
+using Stops = StopTable<std::make_integer_sequence<int, N>>;
 
-constexpr void check_inertia(const LinkParameters& p) {
-  if (!finite(p.mass) || !finite(p.com, 3) || !finite(p.inertia_com, 6))
-    malformed_robot("axial: mass, com or inertia of a link is not finite; give kg, m and kg m^2");
-  if (p.mass < 0.0)
-    malformed_robot("axial: the mass of a link is negative; give kg >= 0, a massless link has mass(0.0)");
-  if (!finite(p.rotor_inertia) || !finite(p.gear))
-    malformed_robot("axial: rotor_inertia of a link is not finite; give kg m^2 on the motor side and the gear ratio");
-  if (p.rotor_inertia < 0.0)
-    malformed_robot("axial: rotor_inertia of a link is negative; give kg m^2 >= 0 on the motor side");
-}
-
-constexpr void check_friction(const LinkParameters& p) {
-  if (!finite(p.viscous) || !finite(p.coulomb_forward) || !finite(p.coulomb_backward))
-    malformed_robot("axial: friction of a link is not finite; give viscous() and coulomb() on the joint side");
-  if (p.viscous < 0.0)
-    malformed_robot("axial: viscous friction of a link is negative and would feed energy in; give a value >= 0");
-  if (p.coulomb_forward < 0.0 || p.coulomb_backward > 0.0)
-    malformed_robot("axial: coulomb friction of a link feeds energy in; give coulomb(forward >= 0, backward <= 0)");
-}
-
-constexpr void check_stribeck(const LinkParameters& p) {
-  constexpr double least_speed = 1e-9;  // its inverse square is still a float
-  if (!finite(p.static_friction) || !finite(p.stribeck_speed) || !finite(p.smooth_speed))
-    malformed_robot("axial: stribeck or smooth_speed of a link is not finite; give stribeck(static_effort, speed)");
-  if (p.static_friction != 0.0 && (p.static_friction < p.coulomb_forward || p.static_friction < -p.coulomb_backward))
-    malformed_robot(
-        "axial: the static effort of stribeck() is below the Coulomb friction of the link; give the larger");
-  if (p.static_friction != 0.0 && p.stribeck_speed < least_speed)
-    malformed_robot("axial: the speed of stribeck() must be at least 1e-9 rad/s or m/s");
-  if (p.smooth_speed != 0.0 && p.smooth_speed < least_speed)
-    malformed_robot("axial: smooth_speed of a link must be at least 1e-9 rad/s or m/s; leave it out for a step");
-}
-
-constexpr void check_spring(const LinkParameters& p) {
-  if (!finite(p.spring_stiffness) || !finite(p.spring_rest))
-    malformed_robot("axial: spring of a link is not finite; give spring(stiffness, rest_position)");
-}
-
-constexpr void check_limits(const LinkParameters& p) {
-  if (!(p.position_min < p.position_max))
-    malformed_robot("axial: position_limits of a link are upside down; give position_limits(min, max) with min < max");
-  if (!(p.speed_limit > 0.0)) malformed_robot("axial: speed_limit of a link must be > 0");
-  if (!(p.acceleration_limit > 0.0)) malformed_robot("axial: acceleration_limit of a link must be > 0");
-  if (!(p.effort_limit > 0.0)) malformed_robot("axial: effort_limit of a link must be > 0");
-}
-
-constexpr bool not_negative(const double* values, int count) {
-  for (int i = 0; i < count; ++i)
-    if (!(values[i] >= 0.0) || !finite(values[i])) return false;
-  return true;
-}
-
-constexpr void check_water(const WaterParameters& w) {
-  if (!not_negative(w.added_mass, 3) || !not_negative(w.added_inertia, 3))
-    malformed_robot("axial: added_mass of a link must be finite and >= 0; give kg and kg m^2 along the link's axes");
-  if (!not_negative(&w.displaced_mass, 1) || !finite(w.centre, 3))
-    malformed_robot("axial: buoyancy of a link must be finite and >= 0; give buoyancy(kg of water, x, y, z)");
-  if (!not_negative(w.drag_linear, 6) || !not_negative(w.drag_quadratic, 6))
-    malformed_robot("axial: drag of a link is negative and would feed energy in; give finite values >= 0");
-}
-
-constexpr void check_link(const LinkParameters& p, int index) {
-  check_geometry(p, index);
-  check_inertia(p);
-  check_friction(p);
-  check_stribeck(p);
-  check_spring(p);
-  check_limits(p);
-  check_water(p.water);
-}
-
-constexpr void check_pose(const FixedPose& pose) {
-  if (!finite(pose.rotation, 9) || !finite(pose.position, 3))
-    malformed_robot("axial: base or tool pose is not finite; give metres and a rotation matrix");
+constexpr Problem pose_problem(const FixedPose& pose) {
+  if (!finite(pose.rotation, 9) || !finite(pose.position, 3)) return Problem::base_or_tool_is_not_finite;
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j) {
       double dot = i == j ? -1.0 : 0.0;
       for (int k = 0; k < 3; ++k)
         dot += pose.rotation[3 * i + k] * pose.rotation[3 * j + k];
-      if (dot > 1e-6 || dot < -1e-6)
-        malformed_robot("axial: base or tool rotation is not orthonormal; give a rotation matrix, row major");
+      if (dot > 1e-6 || dot < -1e-6) return Problem::base_or_tool_is_no_rotation;
     }
+  return Problem::none;
 }
 
 template <class T>
 inline constexpr bool is_link = std::is_same_v<T, Link>;
 template <class T>
 inline constexpr bool is_foreign_link = std::is_base_of_v<LinkBuilder<T>, T> && !is_link<T>;
+template <class... Parts>
+inline constexpr bool accepts = (false || ... || std::is_same_v<Parts, Acceptance>);
 
+/// Takes the parts of a chain one by one and remembers the first rule that is broken.
 template <int N>
 struct ChainBuilder {
+  bool accepted = false;  ///< the whole robot, as published
   Chain<N> chain{};
   int next = 0;
+  Broken broken{};
+  unsigned once = 0;  ///< a bit for each kind of part, in the order of Problem's "twice"
 
+  constexpr void note(int where, Problem problem) {
+    if (broken.problem == Problem::none && problem != Problem::none) broken = {where, problem};
+  }
+  /// Of a part that no link is: what cannot be accepted first.
+  constexpr void note_part(Problem structural, Problem twice, Problem doubtful = Problem::none) {
+    const unsigned bit = 1U << (static_cast<unsigned>(twice) - static_cast<unsigned>(Problem::gravity_is_given_twice));
+    note(Broken::robot, structural);
+    if (!accepted && (once & bit) != 0) note(Broken::robot, twice);
+    if (!accepted) note(Broken::robot, doubtful);
+    once |= bit;
+  }
+
+  constexpr void add(const Acceptance&) {}
   constexpr void add(const Link& link) {
-    check_link(link.parameters(), next);
+    note(next, link_problem(link.parameters(), link.given(), next, accepted));
     chain.links[next++] = link.parameters();
   }
   constexpr void add(const GravityVector& g) {
-    if (!finite(g.x) || !finite(g.y) || !finite(g.z))
-      malformed_robot("axial: gravity is not finite; give gravity(x, y, z) in m/s^2");
+    const bool sound = finite(g.x) && finite(g.y) && finite(g.z);
+    note_part(sound ? Problem::none : Problem::gravity_is_not_finite, Problem::gravity_is_given_twice);
     chain.gravity = g;
   }
   constexpr void add(const Base& base) {
-    check_pose(base.pose);
+    note_part(pose_problem(base.pose), Problem::base_is_given_twice,
+              is_far(base.pose.position) ? Problem::base_is_beyond_100_m : Problem::none);
     chain.base = base;
   }
   constexpr void add(const Tool& tool) {
-    check_pose(tool.pose);
+    note_part(pose_problem(tool.pose), Problem::tool_is_given_twice,
+              is_far(tool.pose.position) ? Problem::tool_is_beyond_100_m : Problem::none);
     chain.tool = tool;
   }
   constexpr void add(const PayloadLimit& limit) {
-    if (!finite(limit.mass) || !finite(limit.com_reach) || !finite(limit.inertia) || limit.mass < 0.0 ||
-        limit.com_reach < 0.0 || limit.inertia < 0.0)
-      malformed_robot("axial: payload_limit must be finite and >= 0; give payload_limit(kg, m, kg m^2)");
+    const double values[] = {limit.mass, limit.com_reach, limit.inertia};
+    note_part(not_negative(values, 3) ? Problem::none : Problem::payload_limit_is_negative_or_not_finite,
+              Problem::payload_limit_is_given_twice,
+              is_far(limit.com_reach) ? Problem::payload_limit_reach_is_beyond_100_m : Problem::none);
     chain.payload_limit = limit;
   }
   constexpr void add(const TipWrenchLimit& limit) {
-    if (!finite(limit.force) || !finite(limit.moment) || limit.force < 0.0 || limit.moment < 0.0)
-      malformed_robot("axial: tip_wrench_limit must be finite and >= 0; give tip_wrench_limit(N, N m)");
+    const double values[] = {limit.force, limit.moment};
+    note_part(not_negative(values, 2) ? Problem::none : Problem::tip_wrench_limit_is_negative_or_not_finite,
+              Problem::tip_wrench_limit_is_given_twice);
     chain.tip_wrench_limit = limit;
   }
   constexpr void add(const BaseBody& body) {
-    check_link(body.parameters(), 0);
+    note_part(Problem::none, Problem::base_body_is_given_twice);
+    note(Broken::base_body, link_problem(body.parameters(), body.given(), 0, accepted));
     chain.base_body = body.parameters();
     chain.has_base_body = true;
   }
@@ -230,8 +190,10 @@ struct ChainBuilder {
 }  // namespace detail
 
 /// Builds a robot from links (from the base outwards) and, in any order, gravity(), base(), base_body(),
-/// tool(), payload_limit() and tip_wrench_limit().
-/// A malformed robot (not finite, negative mass, limits upside down, no link, ...) does not compile.
+/// tool(), payload_limit(), tip_wrench_limit() and accept(as_published).
+/// A description that cannot be right (not finite, negative mass, limits upside down, no link, an inertia that no body
+/// has, degrees for radians, millimetres for metres, a quantity given twice, ...) does not compile: the message names
+/// link, quantity and remedy. doc/conventions.md has the rules.
 template <class... Parts>
 constexpr auto chain(const Parts&... parts) {
   constexpr int count = (0 + ... + static_cast<int>(detail::is_link<Parts>));
@@ -239,8 +201,10 @@ constexpr auto chain(const Parts&... parts) {
                 "axial: a link of chain() is revolute() or prismatic(), in MDH frames; classical links make a "
                 "classical_chain()");
   static_assert(count > 0, "axial: a chain needs at least one link; add axial::revolute() or axial::prismatic()");
-  detail::ChainBuilder<(count > 0 ? count : 1)> builder;
+  detail::ChainBuilder<(count > 0 ? count : 1)> builder{detail::accepts<Parts...>};
   (builder.add(parts), ...);
+  const auto stop = detail::Stops<count>::of(builder.broken);
+  if (stop != nullptr) stop();  // here, not further down: no trace of calls stands before the compiler's message
   return builder.chain;
 }
 

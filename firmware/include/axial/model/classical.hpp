@@ -17,15 +17,15 @@ class ClassicalLink : public LinkBuilder<ClassicalLink> {
 
   /// Link length in m, along x of frame i.
   constexpr ClassicalLink a(double metres) const {
-    return with([&](auto& p) { p.a = metres; });
+    return with(Quantity::a, [&](auto& p) { p.a = metres; });
   }
   /// Link twist in radians, about x of frame i. Use alpha_deg for right angles.
   constexpr ClassicalLink alpha(double radians) const {
-    return with([&](auto& p) { p.alpha = Angle::from_radians(radians); });
+    return with(Quantity::alpha, [&](auto& p) { p.alpha = Angle::from_radians(radians); });
   }
   /// Link twist in degrees; 0, 90, 180, -90 are exact and cost nothing.
   constexpr ClassicalLink alpha_deg(double degrees) const {
-    return with([&](auto& p) { p.alpha = Angle::from_degrees(degrees); });
+    return with(Quantity::alpha, [&](auto& p) { p.alpha = Angle::from_degrees(degrees); });
   }
   /// Refused: a frame at the far end of a link can stand on one next joint only.
   template <class Index>
@@ -87,7 +87,8 @@ struct ClassicalBuilder {
 
   constexpr void add(const ClassicalLink& link) {
     LinkParameters p = link.parameters();
-    check_link(p, modified.next);
+    modified.note(modified.next, link_problem(p, link.given(), modified.next, modified.accepted));
+    if (modified.broken.problem != Problem::none) return;  // numbers that mean nothing are not to be calculated with
     const FarEnd before = end;
     end = {p.alpha, p.a};
     end.carry(p);
@@ -110,11 +111,11 @@ struct ClassicalBuilder {
 }  // namespace detail
 
 /// Builds a robot from a classical table: links from the base outwards and, in any order, gravity(), base(),
-/// base_body(), tool() and payload_limit(), the last two in the last classical frame. The result is the MDH chain of
-/// the same robot: theta, d, drives and limits stay; a and alpha lead on to the next joint, those of the last link to
-/// the tool; centres of mass and inertias are carried from classical frame i to MDH frame i, which Rx(alpha) Tx(a)
-/// parts. Zeros and multiples of 90 degrees are exact, so that it costs what the MDH description costs. Poses that
-/// algorithms return and run-time wrenches and payloads are in MDH frames (doc/conventions.md).
+/// base_body(), accept(as_published), tool() and payload_limit(), the last two in the last classical frame. The result
+/// is the MDH chain of the same robot: theta, d, drives and limits stay; a and alpha lead on to the next joint, those
+/// of the last link to the tool; centres of mass and inertias are carried from classical frame i to MDH frame i, which
+/// Rx(alpha) Tx(a) parts. Zeros and multiples of 90 degrees are exact, so that it costs what the MDH description costs.
+/// Poses that algorithms return and run-time wrenches and payloads are in MDH frames (doc/conventions.md).
 template <class... Parts>
 constexpr auto classical_chain(const Parts&... parts) {
   constexpr int count = (0 + ... + static_cast<int>(detail::is_classical_link<Parts>));
@@ -124,8 +125,10 @@ constexpr auto classical_chain(const Parts&... parts) {
   static_assert(count > 0,
                 "axial: a classical_chain needs at least one link; add axial::classical_revolute() or "
                 "axial::classical_prismatic()");
-  detail::ClassicalBuilder<(count > 0 ? count : 1)> builder;
+  detail::ClassicalBuilder<(count > 0 ? count : 1)> builder{{detail::accepts<Parts...>}};
   (builder.add(parts), ...);
+  const auto stop = detail::Stops<count>::of(builder.modified.broken);
+  if (stop != nullptr) stop();
   return builder.chain();
 }
 
