@@ -115,7 +115,12 @@ std::vector<double> JsonObject::numbers(const std::string& key, const std::vecto
 axial::Angle JsonObject::angle(const std::string& key) const {
   const std::string degrees = key + "_deg";
   if (has(key) && has(degrees)) refuse("both " + key + " and " + degrees + " are given", "keep one");
-  if (!has(degrees)) return canonical_angle(number(key, 0.0));
+  if (!has(degrees)) {
+    constexpr double turn = 6.2831853071796;
+    if (std::abs(number(key, 0.0)) > turn)
+      refuse(key + " is " + shown(value_[key]) + " rad, more than a turn", "give radians, or degrees as " + degrees);
+    return canonical_angle(number(key, 0.0));
+  }
   const double value = number(degrees, 0.0);
   if (std::abs(value) > 360.0) refuse(degrees + " is " + shown(value_[degrees]), "give -360 to 360 degrees");
   return axial::Angle::from_degrees(value);

@@ -1,5 +1,6 @@
 #include <host_sim/description/table.hpp>
 #include <host_sim/import/importer.hpp>
+#include <host_sim/import/right_angles.hpp>
 #include <host_sim/import/to_mdh.hpp>
 
 #include <axial/model/classical.hpp>
@@ -95,6 +96,7 @@ Result import_urdf(const std::string& text, const std::string& from, const Optio
   auto source = read_urdf(text, from, options.urdf);
   const auto gravity = options.gravity.value_or(axial::GravityVector{});
   Imported imported;
+  imported.warnings = source.warnings;
   check(imported, from, source_findings(source));
   choose_tool(source, to_mdh(source, gravity));
   const auto warnings = imported.warnings;
@@ -123,8 +125,9 @@ Result import_table(const std::string& text, const std::string& from, const Opti
   if (!options.urdf.root.empty() || !options.urdf.tip.empty() || options.gravity)
     throw description::Refused(from +
                                ": --root, --tip and --gravity are for a URDF; a table is imported whole, with its own");
-  const auto table = description::parse_table(text, from);
+  auto table = description::parse_table(text, from);
   Imported imported;
+  imported.warnings = table_right_angles(table, options.urdf.snap);
   imported.robot = description::to_mdh(table);
   imported.robot.as_published = options.as_published;
   check(imported, from, description::findings(imported.robot));

@@ -11,7 +11,7 @@
 namespace importer {
 
 struct Options {
-  UrdfOptions urdf;
+  UrdfOptions urdf;                             ///< its `snap` is for tables too
   std::string name;                             ///< empty: the source's
   std::optional<axial::GravityVector> gravity;  ///< of a URDF, in axes of its root; (0, 0, -9.81) when not given
   bool as_published = false;                    ///< keep what axial compiles only with accept(as_published)

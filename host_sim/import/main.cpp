@@ -74,7 +74,7 @@ int import_robot(Arguments& arguments) {
   if (!result.figures.good())
     throw description::Refused(arguments.file +
                                ": not written: the figures above miss their bounds; axes that are almost "
-                               "parallel put frames far away: see --right-angles");
+                               "parallel put frames far away: see --snap");
   if (!description::lines_to_accept(result.imported.warnings).empty())
     throw description::Refused(arguments.file +
                                ": not written: axial does not compile what the warnings with --as-published are "
@@ -102,6 +102,8 @@ int main(int count, char** given) {
   line.option("--right-angles", options.urdf.right_angles, "rad within which an angle is a multiple of 90 degrees")
       .show_default()
       .range(0.0, 0.01);
+  line.flag("--snap", options.urdf.snap,
+            "make joints' angles exact that are within 0.002 rad of a multiple of 90 degrees");
   line.option("--to-speed", options.seconds_to_speed, "s to full speed, where no acceleration limit is given")
       .show_default()
       .range(1e-3, 1e3);

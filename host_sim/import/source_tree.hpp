@@ -1,6 +1,8 @@
 // Links and joints as a URDF has them, cut to what is imported: nothing is merged or turned yet.
 #pragma once
 
+#include <host_sim/description/findings.hpp>
+
 #include <array>
 #include <string>
 #include <vector>
@@ -47,6 +49,7 @@ struct SourceTree {
   std::vector<SourceLink> links;  ///< parents first; the first is the root
   int tool = -1;                  ///< the link whose frame is the tool's, or -1
   std::vector<std::string> notes;
+  std::vector<description::Finding> warnings;  ///< of what is doubtful before anything is calculated
 };
 
 }  // namespace importer

@@ -63,7 +63,7 @@ Kind kind_of(const urdf::Joint& joint) {
 class Reader {
  public:
   Reader(const urdf::ModelInterface& model, const std::string& from, const UrdfOptions& options)
-      : model_(model), from_(from), angles_(options.right_angles) {
+      : model_(model), from_(from), angles_(options.right_angles, options.snap) {
     tree_.name = model.getName();
     const auto root = find(options.root.empty() ? model.getRoot()->name : options.root, "--root");
     if (!options.tip.empty()) choose_path(root, find(options.tip, "--tip"));
@@ -73,6 +73,7 @@ class Reader {
     if (!problems_.empty()) throw Refused(problems_);
     say_held();
     if (angles_.changed() > 0) tree_.notes.push_back(angles_.text());
+    tree_.warnings = angles_.warnings();
   }
   SourceTree tree() const { return tree_; }
 
@@ -115,7 +116,7 @@ class Reader {
     SourceJoint result;
     result.name = description::harmless(joint.name), result.kind = kind_of(joint);
     result.held = has_tip_ && !on_path && joint.type != urdf::Joint::FIXED;
-    result.origin = placement(joint.parent_to_joint_origin_transform);
+    result.origin = placement(joint.parent_to_joint_origin_transform, result.name);
     if (joint.type == urdf::Joint::FIXED) return result;
     if (result.held)
       held_.push_back(result.name);
@@ -142,7 +143,8 @@ class Reader {
     if (!(length > 1e-9 && length < 1e9))
       refuse("joint '" + result.name + "': axis is (" + number(x) + ", " + number(y) + ", " + number(z) + ")",
              "give a direction, such as <axis xyz=\"0 0 1\"/>");
-    result.axis = {x, y, z};
+    else
+      result.axis = angles_.axis({x, y, z}, result.name);
   }
   void read_limits(const urdf::Joint& joint, SourceJoint& result) {
     if (joint.dynamics) result.damping = joint.dynamics->damping, result.friction = joint.dynamics->friction;
@@ -168,11 +170,11 @@ class Reader {
     if (!link.inertial) return;
     const auto& inertial = *link.inertial;
     result.has_inertial = true, result.mass = inertial.mass;
-    result.inertial = placement(inertial.origin);
+    result.inertial = placement(inertial.origin, "");
     result.inertia = {inertial.ixx, inertial.iyy, inertial.izz, inertial.ixy, inertial.ixz, inertial.iyz};
   }
-  Placement placement(const urdf::Pose& pose) {
-    return {angles_.rotation(pose.rotation), {pose.position.x, pose.position.y, pose.position.z}};
+  Placement placement(const urdf::Pose& pose, const std::string& joint) {
+    return {angles_.rotation(pose.rotation, joint), {pose.position.x, pose.position.y, pose.position.z}};
   }
   void say_held() {
     std::string names;

@@ -10,6 +10,7 @@ namespace importer {
 struct UrdfOptions {
   std::string root, tip;       ///< empty: the file's root; every branch
   double right_angles = 1e-5;  ///< rad: an angle this near to a multiple of 90 degrees is one; 0 reads what is written
+  bool snap = false;           ///< so is one of a joint that is nearly_right
 };
 
 /// Throws description::Refused with everything that is wrong, one line each: what urdfdom refuses, roots and tips that

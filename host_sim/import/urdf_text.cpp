@@ -5,8 +5,11 @@
 #include <tinyxml.h>
 
 #include <cctype>
+#include <cmath>
+#include <locale>
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace importer {
 namespace {
@@ -69,10 +72,21 @@ class Checker {
       refuse("joint '" + name + "': type '" + harmless(type == nullptr ? "" : type) + "' is not known",
              "give revolute, continuous, prismatic or fixed");
   }
+  void check_rpy(const TiXmlElement& joint, const std::string& name) const {
+    constexpr double turn = 6.2831853071796;
+    const auto* origin = joint.FirstChildElement("origin");
+    const char* rpy = origin != nullptr ? origin->Attribute("rpy") : nullptr;
+    if (rpy == nullptr) return;
+    std::istringstream numbers(rpy);
+    numbers.imbue(std::locale::classic());
+    for (double angle = 0.0; numbers >> angle;)
+      if (std::abs(angle) > turn)
+        refuse("joint '" + name + "': rpy is '" + harmless(rpy) + "' rad, more than a turn", "give radians");
+  }
   void check_joint(const TiXmlElement& joint) {
     const std::string name = name_of(joint, "joint");
     if (!joints_.insert(name).second) refuse("the joint name '" + name + "' stands twice", "give each joint its own");
-    check_type(joint, name);
+    check_type(joint, name), check_rpy(joint, name);
     const std::string parent = link_named_by(joint, name, "parent"), child = link_named_by(joint, name, "child");
     if (parent == child) refuse("joint '" + name + "': link '" + child + "' is its own parent", "name two links");
     if (!carried_by_.emplace(child, name).second)
