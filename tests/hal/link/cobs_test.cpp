@@ -25,7 +25,7 @@ Bytes unstuff(const Bytes& coded) {
   Bytes out;
   CobsReader reader;
   for (const std::uint8_t byte : coded) {
-    std::uint8_t value = 0;
+    std::uint8_t value = 0xEE;  // whatever was there before
     if (reader.take(byte, value)) out.push_back(value);
   }
   EXPECT_TRUE(reader.complete());

@@ -111,6 +111,20 @@ TEST(Messages, AWrongLengthIsRefused) {
   EXPECT_FALSE(decode_message({9, 0, bytes, 37}, measurement));
 }
 
+TEST(Messages, AsManyJointsAsThereMayBeAndNotOneMore) {
+  const std::uint8_t bytes[12 * (max_joints + 1)]{};
+  const auto decodes = [&](auto message, std::size_t length) {
+    return decode_message({static_cast<std::uint8_t>(decltype(message)::type), 0, bytes, length}, message) &&
+           message.joints == max_joints;
+  };
+  EXPECT_TRUE(decodes(SetPoint{}, set_point_size(max_joints)));
+  EXPECT_FALSE(decodes(SetPoint{}, set_point_size(max_joints + 1)));
+  EXPECT_TRUE(decodes(Torque{}, torque_size(max_joints)));
+  EXPECT_FALSE(decodes(Torque{}, torque_size(max_joints + 1)));
+  EXPECT_TRUE(decodes(Measurement{}, measurement_size(max_joints)));
+  EXPECT_FALSE(decodes(Measurement{}, measurement_size(max_joints + 1)));
+}
+
 // 7 joints: 84 + 34 bytes of payload, 11 of header and CRC, 1 of stuffing and 2 delimiters each: 146 bytes, 1 460 bits.
 static_assert(wire_size(set_point_size(7)) == 98 && wire_size(torque_size(7)) == 48);
 static_assert(fits_tick(7, 1'460'000, 1000) && !fits_tick(7, 1'459'999, 1000));

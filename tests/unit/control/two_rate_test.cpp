@@ -64,6 +64,21 @@ TEST(TwoRate, KeepsItsTermsOnABadRefresh) {
   expect_near(two_rate_feedforward<R>(state, moving, faster).tau, inverse_dynamics<R>(bent, moving, faster), 1e-12);
 }
 
+TEST(TwoRate, KeepsItsTermsWhenThoseOfARefreshAreNotFinite) {
+  using Pushed = Scene<Carrier, Gravity, TipWrench>;
+  TwoRateState<Pushed, double> state;
+  Inputs<Pushed, double> in{};
+  in.tip_wrench.force.y = 1.0;
+  ASSERT_TRUE(refresh<Pushed>(state, {0.5}, in).ok());
+  const auto before = state.terms.G[0];
+  for (const double bad : {double(NAN), double(INFINITY), -double(INFINITY)}) {
+    in.tip_wrench.moment.z = bad;
+    EXPECT_EQ(refresh<Pushed>(state, {0.25}, in).code, Code::not_finite) << bad;
+    EXPECT_EQ(state.terms.G[0], before);
+    EXPECT_EQ(state.q[0], 0.5);
+  }
+}
+
 TEST(TwoRate, AnswersABadRequestWithTheLastSafeEffort) {
   TwoRateState<R, double> state;
   ASSERT_TRUE(refresh<R>(state, bent).ok());

@@ -1,0 +1,101 @@
+// What the default route is judged by.
+#include <gtest/gtest.h>
+#include <axial/dynamics/route.hpp>
+#include <cmath>
+
+using namespace axial;
+
+namespace {
+
+constexpr auto rod(double mass) {
+  return revolute().a(1).mass(mass).com(0.5, 0, 0).inertia_com(1.0 / 1024, 1.0 / 12, 1.0 / 12);
+}
+
+template <int tenths>
+struct TwoRods {  // the outer one weighs that many tenths of the inner one
+  static constexpr auto chain = axial::chain(rod(1), rod(0.1 * tenths));
+};
+struct HeavyTip {  // seven rods of 1 kg, the last of 6 kg: elimination loses 13 bits, though no joint by itself does
+  static constexpr auto chain =
+      axial::chain(rod(1), rod(1).alpha(1.0 / 1024), rod(1).alpha(1.0 / 1024), rod(1).alpha(1.0 / 1024),
+                   rod(1).alpha(1.0 / 1024), rod(1).alpha(1.0 / 1024), rod(6).alpha(1.0 / 1024));
+};
+struct Hollow {
+  static constexpr auto chain = axial::chain(revolute(), revolute().mass(1).inertia_com(1, 1, 1));
+};
+struct Limited {
+  static constexpr auto chain = axial::chain(revolute().mass(1).inertia_com(1, 1, 1).position_limits(0.5, 1.0),
+                                             revolute().mass(1).inertia_com(1, 1, 1),
+                                             prismatic().a(0.25).d(-0.5).mass(1).position_limits(-0.75, -0.25),
+                                             prismatic().a(1).mass(1), axial::payload_limit(1, 0.1, 0.01));
+};
+
+template <class R>
+double loss() {
+  return detail::elimination_loss<Scene<R>>();
+}
+
+}  // namespace
+
+TEST(Inversion, IsThatOfThreeByThree) {
+  // 2 -1 0; -1 2 -1; 0 -1 2 has the inverse (3 2 1; 2 4 2; 1 2 3) / 4.
+  detail::ScaledMatrix<3> c{{{2, -1, 0}, {-1, 2, -1}, {0, -1, 2}}, {}, true};
+  detail::invert(c);
+  EXPECT_TRUE(c.positive);
+  const double expected[3][3] = {{3, 2, 1}, {2, 4, 2}, {1, 2, 3}};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      EXPECT_NEAR(c.of[i][j], expected[i][j] / 4, 1e-15);
+}
+
+TEST(Inversion, TellsWhatIsNotPositiveDefinite) {
+  for (const double coupling : {1.0, 1.5, -1.0}) {
+    detail::ScaledMatrix<2> c{{{1, coupling}, {coupling, 1}}, {}, true};
+    detail::invert(c);
+    EXPECT_FALSE(c.positive) << coupling;
+  }
+  detail::ScaledMatrix<2> close{{{1, 0.999999}, {0.999999, 1}}, {}, true};
+  detail::invert(close);
+  EXPECT_TRUE(close.positive);
+}
+
+TEST(Samples, LieInsideTheLimitsAndDiffer) {
+  for (int joint = 0; joint < 4; ++joint) {
+    const auto& link = Limited::chain.links[joint];
+    const double low = joint == 1 ? -3.1416 : joint == 3 ? -1.76 : link.position_min;
+    const double high = joint == 1 ? 3.1416 : joint == 3 ? 1.76 : link.position_max;
+    for (int sample = 0; sample < detail::loss_samples; ++sample) {
+      const double q = detail::sampled_position<Limited>(sample, joint);
+      EXPECT_GE(q, low) << joint;
+      EXPECT_LE(q, high) << joint;
+      EXPECT_NE(q, detail::sampled_position<Limited>(sample + 1, joint));
+    }
+  }
+  EXPECT_EQ(detail::sampled_position<Limited>(0, 0), 0.5) << "the first is the arm as drawn, as near as limits allow";
+  EXPECT_EQ(detail::sampled_position<Limited>(0, 1), 0.0);
+  EXPECT_EQ(detail::sampled_position<Limited>(0, 2), -0.25);
+}
+
+TEST(EliminationLoss, GrowsWithWhatALightLinkCarries) {
+  EXPECT_LT(loss<TwoRods<10>>(), detail::acceptable_loss);
+  EXPECT_LT(loss<TwoRods<10>>(), loss<TwoRods<1000>>());
+  EXPECT_LT(loss<TwoRods<1000>>(), loss<TwoRods<100000>>());
+  EXPECT_GT(loss<TwoRods<100000>>(), detail::acceptable_loss);
+}
+
+TEST(EliminationLoss, IsWithoutBoundWhereAJointHasNoInertiaOfItsOwn) { EXPECT_GE(loss<Hollow>(), 1e300); }
+
+TEST(EliminationLoss, OfAPayloadThatIsNotDeclaredIsUnknown) {
+  EXPECT_GE((detail::elimination_loss<Scene<TwoRods<10>, Payload>>()), 1e300);
+}
+
+TEST(EliminationLoss, CompoundsAlongTheChain) { EXPECT_GT(loss<HeavyTip>(), detail::acceptable_loss); }
+
+TEST(Route, OfFewWellConditionedJointsIsEliminationAndOfOthersAba) {
+  static_assert(forward_dynamics_route<TwoRods<10>> == Route::composite_body);
+  static_assert(forward_dynamics_route<TwoRods<100000>> == Route::articulated_body);
+  static_assert(forward_dynamics_route<Hollow> == Route::articulated_body);
+  static_assert(forward_dynamics_route<Scene<TwoRods<10>, Gravity, Payload>> == Route::articulated_body);
+  static_assert(forward_dynamics_route<Scene<TwoRods<10>, Gravity, Underwater>> == Route::articulated_body);
+  SUCCEED();
+}
