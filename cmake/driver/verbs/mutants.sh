@@ -1,0 +1,22 @@
+# shellcheck shell=bash
+# summary: changes one place of the library at a time; the test that is said to see it must fail
+
+usage() {
+  cat <<'END_OF_USAGE'
+usage: ./axial mutants [options]
+Each mutant of tests/mutants changes one place of the sources, in a copy of them. The test that the table names for it, compiled
+with the change, must fail, and pass without. Ends with status 1 if one survives, with 2 if the table is at fault.
+  --only REGEX  only mutants whose names match
+  --part K/N    every N-th mutant from the K-th on
+  --rotate N    one part of N: which one, the commit tells; tests run --rotate 10
+  --list        say which mutants there are, and run none
+  --check       only see whether the text that each changes stands in its file, once
+  --jobs N      mutants at a time (default: as many as processors)
+  --json FILE   the rows as an array of objects: mutant, file, killed_by (empty: survived)
+END_OF_USAGE
+}
+
+run() {
+  ensure_packages
+  /usr/bin/python3 -E -B "$AXIAL_ROOT/tests/mutants/mutants.py" "$@"
+}

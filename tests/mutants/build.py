@@ -1,0 +1,110 @@
+"""Compiles and runs single test sources in a copy of the project: light flags, no CMake, only what a mutation touches."""
+
+import contextlib
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tomllib
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+FOLDERS = ("firmware", "hal", "robots", "host_sim", "tests", "cmake")
+# As little optimisation as the compiler has: a test runs for milliseconds and is compiled for seconds.
+FLAGS = ["-std=c++17", "-O0", "-DAXIAL_INLINE=", "-ffp-contract=off", "-w"]
+INCLUDES = ["-Ifirmware/include", "-I.", "-Itests", "-Ihost_sim"]
+RUN_SECONDS = 60
+COMPILE_SECONDS = 300
+
+
+class BuildError(Exception):
+    """What the compiler or the linker says."""
+
+
+class Copy:
+    """The project's sources in a folder of their own, where they may be changed."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        for name in FOLDERS:
+            shutil.copytree(ROOT / name, folder / name, symlinks=True, ignore=shutil.ignore_patterns("build", "__pycache__"))
+
+    @contextlib.contextmanager
+    def changed(self, mutant):
+        """With the mutation, and without it again."""
+        path = self.folder / mutant.file
+        text = path.read_text()
+        path.write_text(mutant.apply(text))
+        try:
+            yield
+        finally:
+            path.write_text(text)
+
+
+class Programs:
+    """programs.toml: what a test source needs beside itself."""
+
+    def __init__(self, path=HERE / "programs.toml"):
+        data = tomllib.loads(path.read_text())
+        self.libraries = data["library"]
+        self.tests = data["test"]
+
+    def of(self, test):
+        """(sources with their flags, linker arguments) of the program of a test source."""
+        own = self.tests.get(test, {})
+        sources = [(f"tests/{test}", own.get("flags", []))]
+        sources += [(source, own.get("flags", [])) for source in own.get("sources", [])]
+        link = []
+        for name in own.get("libraries", ["oracle"]):
+            library = self.libraries[name]
+            sources += [(source, library.get("flags", [])) for source in library.get("sources", [])]
+            link += library.get("link", [])
+        return sources, link
+
+
+class Objects:
+    """Objects of unchanged sources, and what each was made of."""
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    def path(self, source, flags):
+        return self.folder / (re.sub(r"\W", "_", " ".join([source, *flags])) + ".o")
+
+    def depend_on(self, source, flags, file):
+        text = self.path(source, flags).with_suffix(".d").read_text()
+        return file in {os.path.normpath(word) for word in text.split()}
+
+
+def compile_source(copy, source, flags, output):
+    """One object; raises BuildError with the first error's line."""
+    flags = [flag.replace("@ROOT@", str(ROOT)) for flag in flags]
+    launcher = [shutil.which("ccache")] if shutil.which("ccache") else []
+    command = [*launcher, "g++", *FLAGS, *INCLUDES, *flags, "-MMD", "-c", source, "-o", str(output)]
+    done = subprocess.run(command, cwd=copy.folder, capture_output=True, text=True, timeout=COMPILE_SECONDS)
+    if done.returncode:
+        lines = [line for line in done.stderr.splitlines() if "error:" in line] or done.stderr.splitlines()
+        raise BuildError(lines[0] if lines else f"{source}: the compiler failed")
+
+
+def link(objects, libraries, output):
+    command = ["g++", *map(str, objects), "-lgtest_main", "-lgtest", "-lquadmath", "-lpthread", *libraries, "-o", str(output)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode:
+        raise BuildError(done.stderr.strip().splitlines()[-1])
+
+
+def run(program, tests):
+    """(whether all passed, how many ran, the first that failed) of a program's tests that the filter names."""
+    command = [str(program), f"--gtest_filter={tests or '*'}", "--gtest_brief=1", "--gtest_fail_fast"]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=RUN_SECONDS)
+    except subprocess.TimeoutExpired:
+        return False, 1, f"{tests or program.name}: no answer in {RUN_SECONDS} s"
+    counted = re.search(r"\[=+\] (\d+) tests? from", done.stdout)
+    ran = int(counted.group(1)) if counted else 0
+    failed = re.search(r"\[  FAILED  \] ([\w./]+)", done.stdout)
+    if done.returncode and not failed:
+        return False, ran, f"{tests or program.name}: ended with status {done.returncode}"
+    return done.returncode == 0, ran, failed.group(1) if failed else ""

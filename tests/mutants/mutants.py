@@ -1,0 +1,226 @@
+#!/usr/bin/python3
+"""Changes one line of the library at a time and expects the test that the table names to fail. See README.md."""
+
+import argparse
+import collections
+import concurrent.futures
+import json
+import os
+import pathlib
+import queue
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+import build
+import table
+
+
+def parts_of(text):
+    """K/N."""
+    number, count = map(int, text.split("/"))
+    if not 1 <= number <= count:
+        raise argparse.ArgumentTypeError("1 <= K <= N")
+    return number, count
+
+
+def arguments():
+    parser = argparse.ArgumentParser(prog="./axial mutants", description="Each mutant changes one place of the sources; the test that "
+                                     "the table names must fail with it and pass without. Ends with status 1 if a mutant survives.")
+    parser.add_argument("--only", metavar="REGEX", help="only mutants whose names match")
+    parser.add_argument("--part", metavar="K/N", type=parts_of, help="every N-th mutant from the K-th on")
+    parser.add_argument("--rotate", metavar="N", type=int, help="one part of N: which one, the commit tells")
+    parser.add_argument("--list", action="store_true", help="say which mutants there are, and run none")
+    parser.add_argument("--check", action="store_true", help="only see whether every mutant's text stands in its file, once")
+    parser.add_argument("--json", metavar="FILE", help="the rows as an array of objects: mutant, file, killed_by (empty: survived)")
+    parser.add_argument("--jobs", metavar="N", type=int, default=os.cpu_count(), help="mutants at a time")
+    return parser.parse_args()
+
+
+def part_of_commit(count):
+    """1 to count, the same for the same commit; the first one where there is none."""
+    done = subprocess.run(["git", "-C", str(table.ROOT), "rev-parse", "HEAD"], capture_output=True, text=True)
+    return int(done.stdout.strip()[:8], 16) % count + 1 if done.returncode == 0 else 1
+
+
+def chosen(mutants, options):
+    if options.only:
+        mutants = [mutant for mutant in mutants if re.search(options.only, mutant.name)]
+    if options.rotate:
+        options.part = part_of_commit(options.rotate), options.rotate
+        print(f"part {options.part[0]} of {options.rotate}; to repeat it: ./axial mutants --part {options.part[0]}/{options.rotate}")
+    return table.part(mutants, *options.part) if options.part else mutants
+
+
+class Run:
+    """Mutants in copies of the sources, as many at a time as there are copies."""
+
+    def __init__(self, folder, jobs):
+        self.folder = folder
+        self.programs = build.Programs()
+        self.objects = build.Objects(folder / "objects")
+        self.objects.folder.mkdir()
+        self.copies = queue.SimpleQueue()
+        for i in range(jobs):
+            (folder / f"copy{i}").mkdir()
+            self.copies.put(build.Copy(folder / f"copy{i}"))
+        self.pool = concurrent.futures.ThreadPoolExecutor(jobs)
+
+    def in_copy(self, work, *arguments):
+        """work(copy, ...) with a copy that nobody else has."""
+        copy = self.copies.get()
+        try:
+            return work(copy, *arguments)
+        finally:
+            self.copies.put(copy)
+
+    def each(self, work, items):
+        """(item, result) as they come."""
+        futures = {self.pool.submit(self.in_copy, work, item): item for item in items}
+        for future in concurrent.futures.as_completed(futures):
+            yield futures[future], future.result()
+
+    def compile_unchanged(self, mutants):
+        """The objects of all programs; a compile-fail source has none."""
+        sources = {(source, tuple(flags)) for mutant in mutants if not is_compile_fail(mutant)
+                   for source, flags in self.programs.of(mutant.test)[0]}
+        for (source, _), _ in self.each(self.compile_one, sorted(sources)):
+            progress(f"compiled {source}")
+
+    def compile_one(self, copy, item):
+        source, flags = item
+        build.compile_source(copy, source, list(flags), self.objects.path(source, flags))
+
+    def unchanged_failures(self, mutants):
+        """What is wrong with the tests before anything is changed."""
+        filters = collections.defaultdict(set)
+        for mutant in mutants:
+            filters[mutant.test, is_compile_fail(mutant)].add((mutant.filter or "*", mutant.by_compiler))
+        failures = []
+        for (test, _), failure in self.each(self.unchanged_failure, [(key, value) for key, value in sorted(filters.items())]):
+            failures += [f"{test[0]}: {failure}"] if failure else []
+        return failures
+
+    def unchanged_failure(self, copy, item):
+        (test, compile_fail), filters = item
+        if compile_fail:
+            return compile_fail_failure(copy, test)
+        sources, libraries = self.programs.of(test)
+        program = self.folder / re.sub(r"\W", "_", test)
+        build.link([self.objects.path(source, flags) for source, flags in sources], libraries, program)
+        for tests, by_compiler in sorted(filters):
+            passed, ran, failed = build.run(program, tests)
+            if not passed or (ran == 0 and not by_compiler):
+                return f"fails unchanged: {failed}" if ran else f"no test is called {tests}"
+        return ""
+
+    def killed_by(self, copy, mutant):
+        """The test that fails, empty where none does; and what is wrong with the mutant itself."""
+        try:
+            with copy.changed(mutant):
+                if is_compile_fail(mutant):
+                    failure = compile_fail_failure(copy, mutant.test)
+                    return (f"{mutant.test}: {failure}" if failure else ""), ""
+                return self.failing_test(copy, mutant), ""
+        except (table.TableError, build.BuildError) as error:
+            return "", str(error)
+
+    def failing_test(self, copy, mutant):
+        sources, libraries = self.programs.of(mutant.test)
+        objects = []
+        for source, flags in sources:
+            touched = self.objects.depend_on(source, flags, mutant.file)
+            path = copy.folder / "mutant" / self.objects.path(source, flags).name if touched else self.objects.path(source, flags)
+            if touched:
+                path.parent.mkdir(exist_ok=True)
+                try:
+                    build.compile_source(copy, source, flags, path)
+                except build.BuildError as error:
+                    if mutant.by_compiler:
+                        return f"compiler: {error}"
+                    raise table.TableError(f"does not compile: {error}") from error
+            objects.append(path)
+        if objects == [self.objects.path(source, flags) for source, flags in sources]:
+            raise table.TableError(f"{mutant.test} does not include {mutant.file}")
+        program = copy.folder / "mutant" / "program"
+        build.link(objects, libraries, program)
+        return build.run(program, mutant.filter)[2]
+
+
+def is_compile_fail(mutant):
+    return mutant.test.startswith("compile_fail/")
+
+
+def compile_fail_failure(copy, test):
+    """What tests/compile_fail/check.cmake says of a source of its own."""
+    folder = copy.folder / "tests/compile_fail"
+    command = ["cmake", "-DCOMPILER=g++", f"-DSOURCE={copy.folder / 'tests' / test}", f"-DROOT={copy.folder}", "-P", "check.cmake"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    said = [line.strip() for line in done.stderr.splitlines() if line.startswith("  ")]
+    return (said[0] if said else "check.cmake failed") if done.returncode else ""
+
+
+def progress(text):
+    """A line that the next one overwrites; nothing where nobody looks."""
+    if sys.stderr.isatty():
+        print(f"\r\033[K{text[:100]}", end="", file=sys.stderr, flush=True)
+
+
+def run_all(mutants, jobs, rows):
+    """Appends a row per mutant; raises TableError or BuildError where the table or the unchanged sources are at fault."""
+    faults = []
+    with tempfile.TemporaryDirectory(prefix="axial-mutants-") as folder:
+        run = Run(pathlib.Path(folder), jobs)
+        run.compile_unchanged(mutants)
+        failures = run.unchanged_failures(mutants)
+        if failures:
+            raise table.TableError("\n".join(failures))
+        for mutant, (killer, fault) in run.each(run.killed_by, mutants):
+            progress("")
+            rows.append({"mutant": mutant.name, "file": mutant.file, "killed_by": killer})
+            faults += [f"{mutant.name}: {fault}"] if fault else []
+            print(f"{len(rows):3} of {len(mutants)}  {mutant.name:44} {killer or fault or 'SURVIVED: ' + mutant.breaks}", flush=True)
+    if faults:
+        raise table.TableError("\n".join(faults))
+
+
+def summary(mutants, rows):
+    """Killed of tried, per table."""
+    killed = collections.Counter(row["mutant"].split(".")[0] for row in rows if row["killed_by"])
+    tried = collections.Counter(row["mutant"].split(".")[0] for row in rows)
+    print()
+    for name, count in tried.items():
+        print(f"{name:16} {killed[name]:3} of {count} killed")
+    print(f"{'all':16} {sum(killed.values()):3} of {len(mutants)} killed")
+
+
+def main():
+    options = arguments()
+    start = time.monotonic()
+    rows = []
+    try:
+        mutants = chosen(table.read(), options)
+        stale = table.stale(mutants)
+        if stale:
+            raise table.TableError("\n".join(stale))
+        if options.list or options.check:
+            for mutant in mutants if options.list else []:
+                print(f"{mutant.name:44} {mutant.file:60} {mutant.breaks}")
+            print(f"{len(mutants)} mutants, each applies")
+            return 0
+        run_all(mutants, options.jobs, rows)
+    except (table.TableError, build.BuildError) as error:
+        print(f"\n{error}", file=sys.stderr)
+        return 2
+    rows.sort(key=lambda row: row["mutant"])
+    summary(mutants, rows)
+    print(f"{time.monotonic() - start:.0f} s")
+    if options.json:
+        pathlib.Path(options.json).write_text(json.dumps(rows, indent=1) + "\n")
+    return 0 if all(row["killed_by"] for row in rows) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

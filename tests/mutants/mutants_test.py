@@ -1,0 +1,75 @@
+#!/usr/bin/python3
+"""The runner tells a mutant that is killed from one that survives, and a table that does not fit from one that does."""
+
+import contextlib
+import io
+import pathlib
+import tempfile
+import unittest
+
+import mutants
+import table
+
+SOURCE = "hal/ring.hpp"
+TEST = "hal/ring_test.cpp"
+
+
+def entry(**changes):
+    text = (table.ROOT / SOURCE).read_text()
+    line = next(line for line in text.splitlines() if "namespace" in line)
+    fields = dict(file=SOURCE, old=line, new=line + " ", test=TEST, breaks="nothing")
+    return table.mutant_of("table.name", {**fields, **changes}, table.ROOT)
+
+
+def killers(*chosen):
+    rows = []
+    with contextlib.redirect_stdout(io.StringIO()):
+        mutants.run_all(list(chosen), 1, rows)
+    return {row["mutant"]: row["killed_by"] for row in rows}
+
+
+class Table(unittest.TestCase):
+    def test_text_that_is_not_there_is_told(self):
+        self.assertIn("occurs 0 times", table.stale([entry(old="no such text")])[0])
+
+    def test_text_that_is_there_twice_is_told(self):
+        self.assertIn("not once", table.stale([entry(old="\n", new="\n\n")])[0])
+
+    def test_a_test_that_is_not_there_is_told(self):
+        self.assertIn("knows no Rong", table.stale([entry(filter="Rong.*")])[0])
+
+    def test_a_change_of_nothing_is_refused(self):
+        with self.assertRaises(table.TableError):
+            entry(old="a", new="a")
+
+    def test_an_unknown_field_is_refused(self):
+        with self.assertRaises(table.TableError):
+            entry(teste="")
+
+    def test_parts_are_the_whole(self):
+        numbers = list(range(23))
+        parts = [table.part(numbers, k, 10) for k in range(1, 11)]
+        self.assertEqual(sorted(sum(parts, [])), numbers)
+
+
+class Runner(unittest.TestCase):
+    def test_a_change_that_no_test_sees_survives(self):
+        self.assertEqual(killers(entry()), {"table.name": ""})
+
+    def test_a_change_that_a_test_sees_is_killed_and_the_sources_stay(self):
+        before = (table.ROOT / SOURCE).read_text()
+        killed = killers(entry(old=">= capacity", new="> capacity"))
+        self.assertTrue(killed["table.name"].startswith("Ring."), killed)
+        self.assertEqual((table.ROOT / SOURCE).read_text(), before)
+
+    def test_a_change_that_does_not_compile_is_no_kill(self):
+        with self.assertRaises(table.TableError):
+            killers(entry(new="namespace ("))
+
+    def test_a_test_that_does_not_see_the_file_is_told(self):
+        with self.assertRaises(table.TableError):
+            killers(entry(test="hal/link/crc32_test.cpp"))
+
+
+if __name__ == "__main__":
+    unittest.main()
