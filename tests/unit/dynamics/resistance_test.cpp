@@ -27,7 +27,8 @@ struct Hollow {  // the first link is massless
   static constexpr auto chain = axial::chain(revolute(), revolute().mass(1).inertia_com(1, 1, 1));
 };
 struct Impossible {  // determinant below 0, though every minor is positive
-  static constexpr auto chain = axial::chain(revolute().mass(1).inertia_com(1, 1, 1, 0.9, 0.9, -0.9).com(0, 0, 0));
+  static constexpr auto chain =
+      axial::chain(revolute().mass(1).inertia_com(1, 1, 1, 0.9, 0.9, -0.9).accept(as_published));
 };
 struct Swinging {  // the slide moves its mass away from the first axis
   static constexpr auto chain =

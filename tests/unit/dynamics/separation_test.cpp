@@ -22,7 +22,7 @@ struct Crooked {
   static constexpr auto chain = axial::chain(
       gravity(1, 2, -9), revolute().mass(3).com(0.1, 0.2, 0.3).inertia_com(0.5, 0.6, 0.7, 0.1, 0.05, -0.1),
       prismatic().alpha_deg(90).a(0.3).mass(2).com(0.2, -0.1, 0.15).inertia_com(0.3, 0.4, 0.5, 0.1, -0.05, 0.02),
-      revolute().alpha(0.5).a(0.2).d(0.1).mass(1.5).com(-0.1, 0.3, 0.2).inertia_com(0.4, 0.2, 0.3, -0.05, 0.1, 0.03),
+      revolute().alpha(0.5).a(0.2).d(0.1).mass(1.5).com(-0.1, 0.3, 0.2).inertia_com(0.4, 0.3, 0.3, -0.05, 0.05, 0.03),
       revolute().alpha_deg(-90).a(-0.1).mass(1).com(0.1, 0.1, 0.4).inertia_com(0.1, 0.2, 0.15, 0.02, 0.03, 0.01));
 };
 
