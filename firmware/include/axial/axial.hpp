@@ -13,6 +13,7 @@
 #include <axial/control/feedforward.hpp>
 #include <axial/control/two_rate.hpp>
 #include <axial/dynamics/base_wrench.hpp>
+#include <axial/dynamics/check_finite.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/dynamics/joint_torque.hpp>

@@ -4,6 +4,7 @@
 #include <axial/axial.h>
 #include <axial/control/border.hpp>
 #include <axial/control/feedforward.hpp>
+#include <axial/dynamics/check_finite.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
@@ -59,14 +60,6 @@ constexpr bool any_null(const Pointers*... pointers) {
 }
 inline constexpr axial_status ok{AXIAL_OK, -1}, null_argument{AXIAL_NULL_ARGUMENT, -1};  ///< a status without a joint
 
-/// First joint with a value that is not finite.
-template <class... Values>
-constexpr Status check_finite(int size, const Values&... values) {
-  for (int i = 0; i < size; ++i)
-    if (!(true && ... && is_finite(values[i]))) return {Status::Code::not_finite, i};
-  return {};
-}
-
 /// The functions of one scene over numbers T. Pointers are not null.
 template <class S, class T>
 struct Calls {
@@ -83,7 +76,7 @@ struct Calls {
     if constexpr (is_stored_v<T>)
       return check_request<S>(q, qd, qdd);
     else
-      return check_finite(size, q, qd, qdd);
+      return check_finite(q, qd, qdd);
   }
 
   /// axial::feedforward(): its state in `state`, efforts in `tau` whatever the status.
@@ -123,7 +116,7 @@ struct Calls {
     const auto qd = from_c<V>(c_qd);
     const auto tau = from_c<Tau>(c_tau);
     Status status = check(q, qd);
-    if (status.ok()) status = check_finite(size, tau);
+    if (status.ok()) status = check_finite(tau);
     if (!status.ok()) return to_c(status);
     const auto result = axial::forward_dynamics<S>(q, qd, tau);
     write_c(result, qdd);

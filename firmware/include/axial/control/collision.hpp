@@ -29,6 +29,7 @@ struct CollisionState {
 struct Collision {
   bool detected = false;  ///< confirmed and not yet calm
   int joint = -1;         ///< the outermost joint beyond its threshold now: the contact is there or farther out
+  Status status{};        ///< not_finite: a residual is NaN or infinite, and the sample was left out
 };
 
 namespace detail {
@@ -80,23 +81,28 @@ inline constexpr auto collision_thresholds_of = detail::collision_thresholds<S, 
 
 /// One sample of the detector: a collision begins after `confirm` samples in a row in which some joint's residual is
 /// beyond its threshold, and ends after `calm` samples in a row in which all are below `release` of it. A function of
-/// the state and of the residuals alone; constant time; compares, and computes nothing.
+/// the state and of the residuals alone; constant time. A sample with a residual that is NaN or infinite (observe()
+/// leaves none) counts as neither: the memory stays, `detected` is what it was, and the status says not_finite.
 template <class S, class T, class Tuning>
 [[nodiscard]] constexpr Collision detect(CollisionState& state, const Residuals<S, T, Tuning>& residual) {
   constexpr const auto& threshold = collision_thresholds_of<S, T, Tuning>;
   bool any = false, loud = false;
   int joint = -1;
+  Soundness<T> all;
   for (int i = 0; i < joint_count<S>; ++i) {
     const bool over = detail::beyond(residual[i], threshold.enter[i]);
     any = any | over, loud = loud | detail::beyond(residual[i], threshold.leave[i]);
     joint = select(over, i, joint);
+    if constexpr (!is_stored_v<T>) all.number(residual[i]);
   }
-  state.above = detail::counted_on(state.above, any, Tuning::confirm);
-  state.below = detail::counted_on(state.below, !loud, Tuning::calm);
+  const Status status = all.status();
+  const bool sound = status.ok();
+  state.above = select(sound, detail::counted_on(state.above, any, Tuning::confirm), state.above);
+  state.below = select(sound, detail::counted_on(state.below, !loud, Tuning::calm), state.below);
   // Counts end there; equality, because a Cortex-M0 compares for order by a branch.
   const bool begins = state.above == Tuning::confirm, ends = state.below == Tuning::calm;
   state.collision = begins | (state.collision & !ends);
-  return {state.collision, joint};
+  return {state.collision, select(sound, joint, -1), status};
 }
 
 }  // namespace axial

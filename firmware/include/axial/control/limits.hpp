@@ -4,23 +4,9 @@
 #include <axial/model/fixed_inputs_check.hpp>
 #include <axial/model/fixed_limits.hpp>
 #include <axial/model/status.hpp>
+#include <axial/scalar/finite.hpp>
 
 namespace axial {
-
-/// True for numbers, false for NaN and infinities; looks at the bits, so no compiler flag can optimise it away.
-template <class T>
-[[nodiscard]] constexpr bool is_finite(const T& x) {
-  static_assert(std::numeric_limits<T>::is_iec559 && (sizeof(T) == 4 || sizeof(T) == 8));
-  if constexpr (sizeof(T) == 4)
-    return (__builtin_bit_cast(std::uint32_t, x) & 0x7F800000u) != 0x7F800000u;
-  else
-    return (__builtin_bit_cast(std::uint64_t, x) & 0x7FF0000000000000u) != 0x7FF0000000000000u;
-}
-/// Fixed point is always a number.
-template <class Word>
-[[nodiscard]] constexpr bool is_finite(const Stored<Word>&) {
-  return true;
-}
 
 /// The largest number T not beyond a declared limit, so that the limit itself is inside.
 template <class T>

@@ -3,6 +3,7 @@
 
 #include <axial/control/feedforward.hpp>
 #include <axial/dynamics/momentum.hpp>
+#include <axial/dynamics/soundness.hpp>
 
 namespace axial {
 
@@ -73,8 +74,8 @@ struct Residuals<S, Stored<Word>, Tuning> {
   constexpr const Stored<Word>& operator[](int i) const { return values[i]; }
 };
 
-/// Memory of an observer, owned by the caller; start with `{}`. After a gap in the samples set `ready` to false: the
-/// next call starts anew and keeps the residual.
+/// Memory of an observer, owned by the caller; start with `{}`. After a gap in the samples set `ready` to false, as
+/// observe() does after a bad one: the next call starts anew and keeps the residual.
 template <class S, class T, class Tuning>
 struct ObserverState {
   Residuals<S, T, Tuning> residual{};  ///< N m or N, external efforts
@@ -115,12 +116,16 @@ AXIAL_INLINE constexpr std::int32_t next_residual(const Formats& f, int i, std::
   return static_cast<std::int32_t>((multiply(e, share) + multiply(r, whole - share) + (whole >> 1)) >> 30);
 }
 
+// Commits a sample, unless a residual would not be finite: then the next sample starts anew.
 template <class S, class T, class Tuning>
-constexpr void update(ObserverState<S, T, Tuning>& state, const MomentumTerms<S, T>& now, const EffortsOf<S, T>& tau) {
+constexpr Status update(ObserverState<S, T, Tuning>& state, const MomentumTerms<S, T>& now,
+                        const EffortsOf<S, T>& tau) {
   const auto &p = now.momentum, &p_last = state.last.momentum;
   const auto &d = now.drift, &d_last = state.last.drift;
+  Residuals<S, T, Tuning> residual = state.residual;
+  Soundness<T> all;
   for (int i = 0; i < joint_count<S>; ++i) {
-    auto& r = state.residual[i];
+    auto& r = residual[i];
     if constexpr (is_stored_v<T>) {
       constexpr const auto& f = residual_formats<S, typename T::Word, Tuning>;
       constexpr auto share = static_cast<std::int32_t>(nearest_integer(residual_share<Tuning>() * power_of_two(30)));
@@ -129,18 +134,20 @@ constexpr void update(ObserverState<S, T, Tuning>& state, const MomentumTerms<S,
       const std::int32_t known = -static_cast<std::int32_t>(state.ready);
       r.raw = (next & known) | (r.raw & ~known);
     } else {
-      r = select(state.ready, next_residual<Tuning>(r, p[i], p_last[i], tau[i], d[i], d_last[i]), r);
+      // Looked at even where the observer starts: what is kept of this sample must not spoil the next.
+      const T next = next_residual<Tuning>(r, p[i], p_last[i], tau[i], d[i], d_last[i]);
+      all.number(next);
+      r = select(state.ready, next, r);
     }
   }
-  state.last = now, state.ready = true;
-}
-
-template <class S, class T>
-constexpr bool all_finite(const MomentumTerms<S, T>& terms) {
-  bool finite = true;
-  for (int i = 0; i < joint_count<S>; ++i)
-    finite = finite && is_finite(terms.momentum[i]) && is_finite(terms.drift[i]);
-  return finite;
+  const Status status = all.status();
+  state.ready = status.ok();
+  if (!status.ok()) {
+    state.last = {};
+    return status;
+  }
+  state.residual = residual, state.last = now;
+  return {};
 }
 
 }  // namespace detail
@@ -152,17 +159,20 @@ constexpr bool all_finite(const MomentumTerms<S, T>& terms) {
 /// stable for every gain and period, and nothing accumulates.
 /// In: q (rad or m) and qd as measured now, tau (N m or N, at the joint) as applied since the last call; `in` as of
 /// inverse_dynamics(). The scene says what is known: gravity, rotors, friction, a payload, a wrench.
-/// A sample that is not finite or outside the declared limits (effort_limit: of tau) leaves the state untouched and
-/// says so. The first sample starts the observer at residual 0. Constant time. Fixed point: doc/observer.md.
+/// A sample that is not finite or outside the declared limits (effort_limit: of tau), or so large that a residual
+/// overflows (not_finite, joint -1), says so and is left out: the residual stays what it was, and the next good sample
+/// starts anew from it, for the momentum's change over the gap belongs to no one sample. The first sample starts the
+/// observer at residual 0. Constant time for good samples. Fixed point: doc/observer.md.
 template <class S, class T, class Tuning>
 [[nodiscard]] constexpr Status observe(ObserverState<S, T, Tuning>& state, const Positions<robot_of<S>, T>& q,
                                        const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,
                                        const Inputs<S, T>& in = {}) {
-  if (const Status status = detail::check_sample<S, T>(q, qd, tau, in); !status.ok()) return status;
-  const auto now = momentum_terms<S>(q, qd, in);
-  if (!detail::all_finite<S>(now)) return {Status::Code::not_finite, -1};
-  detail::update(state, now, tau);
-  return {};
+  const Status status = detail::check_sample<S, T>(q, qd, tau, in);
+  if (!status.ok()) {
+    state.ready = false;
+    return status;
+  }
+  return detail::update(state, momentum_terms<S>(q, qd, in), tau);
 }
 
 }  // namespace axial

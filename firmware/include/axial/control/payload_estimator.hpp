@@ -43,15 +43,60 @@ constexpr Stored<Word> chosen(bool first, const Stored<Word>& a, const Stored<Wo
 
 }  // namespace detail
 
+namespace detail {
+
+/// What an estimator learnt, apart from where it stands.
+template <class S, class T>
+struct PayloadMemory {
+  using Sum = typename PayloadSumOf<T>::type;  ///< a number, in fixed point 96 bits
+  PayloadRow<T> lagged[joint_count<S>] = {};   ///< columns behind the observer's lag, as residuals of -1
+  Sum information[4][4] = {}, moment[4] = {};  ///< of the normal equations: lower triangle, right-hand side
+};
+
+}  // namespace detail
+
 /// Memory of an estimator, owned by the caller; start with `{}`, and again when the payload changes.
 template <class S, class T>
-struct PayloadState {
-  using Sum = typename detail::PayloadSumOf<T>::type;  ///< a number, in fixed point 96 bits
-  detail::PayloadColumns<S, T> last{};                 ///< columns of the previous sample
-  detail::PayloadRow<T> lagged[joint_count<S>] = {};   ///< columns behind the observer's lag, as residuals of -1
-  Sum information[4][4] = {}, moment[4] = {};          ///< of the normal equations: lower triangle, right-hand side
-  bool ready = false;                                  ///< whether `last` is the previous sample's
+struct PayloadState : detail::PayloadMemory<S, T> {
+  detail::PayloadColumns<S, T> last{};  ///< columns of the previous sample
+  bool ready = false;                   ///< whether `last` is the previous sample's
 };
+
+namespace detail {
+
+/// Adds a sample to what was learnt, and says whether all of that is still numbers.
+template <class S, class T, class Tuning>
+constexpr Status learn(PayloadMemory<S, T>& learnt, const PayloadColumns<S, T>& last, bool ready,
+                       const PayloadColumns<S, T>& now, const Positions<robot_of<S>, T>& q,
+                       const Velocities<robot_of<S>, T>& qd,
+                       const typename ResidualInput<S, T, Tuning>::type& residual) {
+  using Sums = PayloadSums<S, T, Tuning>;
+  Soundness<T> all;
+  for (int i = 0; i < 4; ++i) {
+    Sums::forget(learnt.moment[i]);
+    for (int j = 0; j <= i; ++j)
+      Sums::forget(learnt.information[i][j]);
+  }
+  for (int i = 0; i < joint_count<S>; ++i) {
+    auto& row = learnt.lagged[i].of;
+    const auto &p = now.momentum[i].of, &d = now.drift[i].of;
+    const auto &p_last = last.momentum[i].of, &d_last = last.drift[i].of;
+    for (int k = 0; k < 4; ++k) {
+      const T lagged = Sums::lagged(k, row[k], p[k], p_last[k], d[k], d_last[k]);
+      all.number(lagged);  // where it starts too: what is kept of this sample must not spoil the next
+      row[k] = chosen(ready, lagged, row[k]);
+    }
+    Sums::add(learnt.information, learnt.moment, ready, i, learnt.lagged[i], residual[i]);
+    turns_of<robot_of<S>>.of[i] ? all.angle(q[i]) : all.number(q[i]);
+    all.number(qd[i]), all.number(residual[i]);
+  }
+  // Squares: where these are numbers, so are the products of two rows, which are no larger.
+  for (int i = 0; i < 4; ++i)
+    all.number(learnt.information[i][i]), all.number(learnt.moment[i]);
+  return all.status();
+}
+
+}  // namespace detail
 
 /// What is known of a payload. In fixed point T is Scaled; payload_words.hpp makes words of it.
 template <class T>
@@ -60,6 +105,7 @@ struct PayloadEstimate {
   Vec3<T> first_moment{};  ///< kg m, about the last link's origin in its axes
   T variance[4] = {};      ///< of mass (kg^2), first moment about the tool point (kg^2 m^2), with the tuning's noise
   Status status{};         ///< not_ready: what was seen does not tell the payload's parameters apart well enough
+                           ///< (nor where variances are not finite); not_finite: an overflow
 
   /// As the scene's Payload takes it: a body of no extent. Without a mass beyond 0 there is none.
   [[nodiscard]] constexpr PayloadBody<T> body() const {
@@ -73,32 +119,34 @@ struct PayloadEstimate {
 /// One sample: brings the payload's columns behind the observer's own lag and adds them and the residual to the normal
 /// equations, weighted by the joints' deviations, older samples forgotten. A payload that the observer does not know
 /// pushes back: residual = -(d(columns momentum)/dt - columns drift) (mass, first moment), so that no acceleration is
-/// needed. Give it the residual that observe() left for the same q and qd; call it for good samples only, and set
-/// `ready` to false after a gap. An external contact is taken for payload: leave samples of collisions out.
-/// The payload's inertia about the tool point is left out. In fixed point in integers, and nothing wraps for q and qd
-/// inside the declared limits (doc/observer.md); of a fixed-point observer you may also give a floating-point estimator
-/// the residual as numbers. The first sample only starts it. Constant time, 4x4 whatever the robot.
+/// needed. Give it the residual that observe() left for the same q and qd, when that said ok; set `ready` to false
+/// after a gap. An external contact is taken for payload: leave samples of collisions out. The payload's inertia about
+/// the tool point is left out. In fixed point in integers; of a fixed-point observer you may also give a floating-point
+/// estimator the residual as numbers. The first sample only starts it. A sample that is NaN or infinite, or overflows
+/// on the way into the sums (not_finite), one of angles without exact sines (angle_range), and in fixed point one
+/// beyond the declared limits (position_limit, speed_limit, with the joint) is left out: what was learnt stays, and the
+/// next good sample starts anew from it. Constant time for good samples, 4x4 whatever the robot.
 template <class S, class T, class Tuning>
-constexpr void weigh(PayloadState<S, T>& state, const Positions<robot_of<S>, T>& q,
-                     const Velocities<robot_of<S>, T>& qd,
-                     const typename detail::ResidualInput<S, T, Tuning>::type& residual) {
+[[nodiscard]] constexpr Status weigh(PayloadState<S, T>& state, const Positions<robot_of<S>, T>& q,
+                                     const Velocities<robot_of<S>, T>& qd,
+                                     const typename detail::ResidualInput<S, T, Tuning>::type& residual) {
   static_assert(Tuning::deviation > 0.0 && Tuning::memory > 0.0, "axial: deviation and memory are positive");
-  using Sums = detail::PayloadSums<S, T, Tuning>;
+  if constexpr (is_stored_v<T>)
+    if (const Status outside = check_request<S>(q, qd, Accelerations<robot_of<S>, T>{}); !outside.ok()) {
+      state.ready = false;
+      return outside;
+    }
   const auto now = detail::payload_columns<S, T>(q, qd);
-  for (int i = 0; i < 4; ++i) {
-    Sums::forget(state.moment[i]);
-    for (int j = 0; j <= i; ++j)
-      Sums::forget(state.information[i][j]);
+  detail::PayloadMemory<S, T> learnt = state;
+  const Status status = detail::learn<S, T, Tuning>(learnt, state.last, state.ready, now, q, qd, residual);
+  state.ready = status.ok();
+  if (!status.ok()) {
+    state.last = {};
+    return status;
   }
-  for (int i = 0; i < joint_count<S>; ++i) {
-    auto& row = state.lagged[i].of;
-    const auto &p = now.momentum[i].of, &d = now.drift[i].of;
-    const auto &p_last = state.last.momentum[i].of, &d_last = state.last.drift[i].of;
-    for (int k = 0; k < 4; ++k)
-      row[k] = detail::chosen(state.ready, Sums::lagged(k, row[k], p[k], p_last[k], d[k], d_last[k]), row[k]);
-    Sums::add(state.information, state.moment, state.ready, i, state.lagged[i], residual[i]);
-  }
-  state.last = now, state.ready = true;
+  static_cast<detail::PayloadMemory<S, T>&>(state) = learnt;
+  state.last = now;
+  return {};
 }
 
 /// Least-squares estimate of the payload from what was weighed, and how sure it is. Constant time: one L D L^T of 4x4.
@@ -130,7 +178,10 @@ template <class Tuning, class S, class T>
     const X most = select(i == 0, N::constant(mass * mass), N::constant(moment * moment));
     sure = sure & (unit[i] > X(Zero{})) & (unit[i] <= most);
   }
-  result.status.code = sure ? Status::Code::ok : Status::Code::not_ready;
+  Soundness<X> all;
+  all.number(result.mass), all.number(result.first_moment.x), all.number(result.first_moment.y);
+  all.number(result.first_moment.z);
+  result.status = sure ? all.status() : Status{Status::Code::not_ready, -1};
   return result;
 }
 

@@ -1,6 +1,7 @@
 // Integrators: how a robot moves on by one step of time.
 #pragma once
 
+#include <axial/dynamics/soundness.hpp>
 #include <axial/simulation/system.hpp>
 
 namespace axial {
@@ -50,7 +51,10 @@ constexpr Driven<S, T> ask(const Drive& drive, const Instant<S, T>& instant) {
   return driven;
 }
 
-constexpr Status first_trouble(const Status& a, const Status& b) { return a.ok() ? b : a; }
+// What is not finite comes first: no later step is right.
+constexpr Status first_trouble(const Status& a, const Status& b) {
+  return a.ok() || b.code == Status::Code::not_finite ? b : a;
+}
 
 }  // namespace detail
 
@@ -164,26 +168,41 @@ struct LinearlyImplicitEuler {
   }
 };
 
+namespace detail {
+
+/// One step on a copy of the state, which is kept where it is finite.
+template <class Method, class System, class X, class T, class Drive>
+constexpr Status advance_in(const System& system, X& x, T h, const Drive& drive) {
+  X moved = x;
+  const Status status = Method::step(system, moved, h, drive);
+  Soundness<T> all;
+  for (int i = 0; i < system.size(); ++i)
+    all.number(moved.q[i]), all.number(moved.qd[i]);
+  const bool finite = all.status().ok() & (status.code != Status::Code::not_finite);
+  for (int i = 0; i < system.size(); ++i)
+    keep_joint(finite, moved, x, i);
+  x.steps += static_cast<std::uint64_t>(finite);
+  return finite ? status : Status{Status::Code::not_finite, -1};
+}
+
+}  // namespace detail
+
 /// Moves x on by one step of h seconds: advance<RungeKutta4>(x, h, drive), x a Motion or a CompensatedMotion.
 /// `drive(instant, tau, in)` fills the efforts and inputs at an Instant; one with a fourth argument, a
 /// DriveStiffness&, tells an implicit method how stiff it is. A Held drive does not change during the step.
-/// Out: the first status of forward dynamics that was not ok; x is moved all the same. See step_limit.hpp for how large
-/// h may be.
+/// Out: the first status of forward dynamics that was not ok. Where it is not_finite, or the moved state is not finite
+/// (an input was not, or something overflowed: not_finite, joint -1), x stays as it was, its count of steps too; with
+/// every other status x is moved all the same. See step_limit.hpp for how large h may be.
 template <class Method, class X, class Drive>
 [[nodiscard]] constexpr Status advance(X& x, typename X::Scalar h, const Drive& drive) {
-  using S = typename X::Subject;
-  detail::check_fixed_base<S>();
-  const Status status = Method::step(detail::StaticSystem<S>{}, x, h, drive);
-  ++x.steps;
-  return status;
+  detail::check_fixed_base<typename X::Subject>();
+  return detail::advance_in<Method>(detail::StaticSystem<typename X::Subject>{}, x, h, drive);
 }
 /// The same for a run-time model.
 template <class Method, int N, class... F, class X, class Drive>
 [[nodiscard]] constexpr Status advance(const Model<N, F...>& model, X& x, typename X::Scalar h, const Drive& drive) {
   detail::check_fixed_base<Model<N, F...>>();
-  const Status status = Method::step(detail::ModelSystem<Model<N, F...>>{model}, x, h, drive);
-  ++x.steps;
-  return status;
+  return detail::advance_in<Method>(detail::ModelSystem<Model<N, F...>>{model}, x, h, drive);
 }
 
 }  // namespace axial

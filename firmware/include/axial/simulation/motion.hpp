@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/model/joints.hpp>
+#include <axial/scalar/select.hpp>
 
 namespace axial {
 
@@ -56,6 +57,20 @@ AXIAL_INLINE constexpr void add_position(CompensatedMotion<S, T>& x, int i, cons
 template <class S, class T>
 AXIAL_INLINE constexpr void add_velocity(CompensatedMotion<S, T>& x, int i, const T& dqd) {
   add_exactly(x.qd[i], x.qd_rest[i], dqd);
+}
+
+// Joint i of `moved` into x, or nothing.
+template <class S, class T>
+AXIAL_INLINE constexpr void keep_joint(bool keep, const Motion<S, T>& moved, Motion<S, T>& x, int i) {
+  x.q[i] = select(keep, moved.q[i], x.q[i]), x.qd[i] = select(keep, moved.qd[i], x.qd[i]);
+}
+template <class S, class T>
+AXIAL_INLINE constexpr void keep_joint(bool keep, const CompensatedMotion<S, T>& moved, CompensatedMotion<S, T>& x,
+                                       int i) {
+  const Motion<S, T>& plain = moved;
+  Motion<S, T>& kept = x;
+  keep_joint(keep, plain, kept, i);
+  x.q_rest[i] = select(keep, moved.q_rest[i], x.q_rest[i]), x.qd_rest[i] = select(keep, moved.qd_rest[i], x.qd_rest[i]);
 }
 
 }  // namespace detail

@@ -1,10 +1,21 @@
 // How large a step may be for what is stiff in a robot.
 #pragma once
 
+#include <axial/scalar/finite.hpp>
 #include <axial/scalar/math.hpp>
 #include <axial/simulation/integrators.hpp>
 
 namespace axial {
+
+/// A largest step, and what there is to say about it. Stands where a number T is asked for.
+template <class T>
+struct StepLimit {
+  T seconds{};      ///< s; infinite where no step is too large, 0 where the status is not ok
+  Status status{};  ///< not_finite or angle_range; about no joint
+
+  /// the seconds
+  [[nodiscard]] constexpr operator T() const { return seconds; }  // NOLINT(google-explicit-constructor)
+};
 
 namespace detail {
 
@@ -14,14 +25,35 @@ struct Square {
   T values[N][N] = {};
 };
 
-// Sum of the squares of all elements, rooted: the Frobenius norm.
 template <class T, int N>
-constexpr T frobenius(const Square<T, N>& a, int size) {
-  T sum = T(0);
+constexpr T largest_magnitude(const Square<T, N>& a, int size) {
+  T most = T(0);
   for (int i = 0; i < size; ++i)
     for (int j = 0; j < size; ++j)
-      sum += a.values[i][j] * a.values[i][j];
-  return square_root(sum);
+      most = magnitude(a.values[i][j]) > most ? magnitude(a.values[i][j]) : most;
+  return most;
+}
+// Sum of the squares of all elements, rooted: the Frobenius norm. Of shares of the largest element, whose squares
+// neither overflow nor vanish.
+template <class T, int N>
+constexpr T frobenius(const Square<T, N>& a, int size) {
+  const T most = largest_magnitude(a, size);
+  if (!(most > T(0)) || !is_finite(most)) return most;
+  T sum = T(0);
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j) {
+      const T share = a.values[i][j] / most;
+      sum += share * share;
+    }
+  return most * square_root(sum);
+}
+template <class T, int N>
+constexpr bool is_finite_square(const Square<T, N>& a, int size) {
+  bool finite = true;
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j)
+      finite = finite && is_finite(a.values[i][j]);
+  return finite;
 }
 template <class T, int N>
 constexpr Square<T, N> squared(const Square<T, N>& a, int size) {
@@ -34,9 +66,11 @@ constexpr Square<T, N> squared(const Square<T, N>& a, int size) {
 }
 
 /// An upper bound of the largest eigenvalue of a symmetric matrix without negative ones: the 2p-th root of
-/// trace(a^2p), p = 16, at most n^(1/32) times the eigenvalue (1.06 for n = 6).
+/// trace(a^2p), p = 16, at most n^(1/32) times the eigenvalue (1.06 for n = 6). Infinite for a matrix that is not
+/// finite.
 template <class T, int N>
 constexpr T largest_eigenvalue_bound(Square<T, N> a, int size) {
+  if (!is_finite_square(a, size)) return std::numeric_limits<T>::infinity();
   constexpr int squarings = 4;
   T norms[squarings + 1] = {};
   for (int level = 0;; ++level) {
@@ -94,44 +128,66 @@ constexpr StiffBounds<T> stiff_bounds(const System& system, const Q& q, const In
           largest_eigenvalue_bound(weighted_mobility(links, in, q, dampers), links.size())};
 }
 
+// x^2 + 4 y, rooted, without squares that overflow or vanish.
+template <class T>
+constexpr T root_of(const T& x, const T& y) {
+  const T side = T(2) * square_root(y), most = x > side ? x : side;
+  if (!(most > T(0)) || !is_finite(most)) return most;
+  const T a = x / most, b = side / most;
+  return most * square_root(a * a + b * b);
+}
 /// The largest h with h^2 k + 2 h d <= 4.
 template <class T>
 constexpr T limit_of(SemiImplicitEuler, const StiffBounds<T>& bounds) {
-  return T(4) / (bounds.damping + square_root(bounds.damping * bounds.damping + T(4) * bounds.stiffness));
+  return T(4) / (bounds.damping + root_of(bounds.damping, bounds.stiffness));
 }
 /// Undamped, h w <= 2^(3/2), where the region of stability leaves the imaginary axis; else inside the largest half disc
 /// in it, of radius 2.616 (found on a grid of 0.01 degrees).
 template <class T>
 constexpr T limit_of(RungeKutta4, const StiffBounds<T>& bounds) {
   const T reach = bounds.damping > T(0) ? T(2.615) : T(2.8284271247461900976);
-  return reach * T(2) / (bounds.damping + square_root(bounds.damping * bounds.damping + T(4) * bounds.stiffness));
+  return reach * T(2) / (bounds.damping + root_of(bounds.damping, bounds.stiffness));
 }
 template <class T>
 constexpr T limit_of(LinearlyImplicitEuler, const StiffBounds<T>&) {
   return std::numeric_limits<T>::infinity();
 }
 
+template <class Method, class T, class System, class Q, class S, class Stiffness>
+constexpr StepLimit<T> step_limit_in(const System& system, const Q& q, const Inputs<S, T>& in, const Stiffness& drive) {
+  const auto bounds = stiff_bounds<T>(system, q, in, drive);
+  const auto links = system.template links<T>();
+  Soundness<T> all;
+  all.number(bounds.stiffness), all.number(bounds.damping);
+  for_each_link(links, [&](auto i) AXIAL_INLINE {
+    links.link(i).on_joint([&](auto kind) AXIAL_INLINE { all.position(kind, q[i]); });
+    all.number(T(drive.stiffness[i])), all.number(T(drive.damping[i]));
+  });
+  const Status status = all.status();
+  return {status.ok() ? limit_of(Method{}, bounds) : T(0), status};
+}
+
 }  // namespace detail
 
 /// The largest step, s, with which a method is stable for the springs and dampers of a robot at position q: joint
 /// springs, viscous and smoothed friction (its steepest slope), and the drive's own `stiffness` where given. Infinite
-/// without any, and for LinearlyImplicitEuler.
-/// Guaranteed of the motion linearised there, M x'' + D x' + K x = 0: a mode with |x^T M x| = 1 has k = x^T K x at most
-/// the largest eigenvalue of M^-1 K, d likewise, and the limit holds for every such pair. Bounds of both eigenvalues
-/// come from traces of powers (largest_eigenvalue_bound), so the limit is below the true one of springs alone by at
-/// most n^(1/64), 3 % of six joints. M changes with q, so ask again, or keep a margin; stiffness of gravity, of
-/// centrifugal efforts and of contacts is not in it. Costs n structures at rest and O(n^3): for a set-up, not for a
-/// tick.
+/// without any, and for LinearlyImplicitEuler. Where q, an input or a stiffness is NaN, or something overflows, there
+/// is no such step: 0 and the status not_finite; angle_range where sines are not exact. Guaranteed of the motion
+/// linearised there, M x'' + D x' + K x = 0: a mode with |x^T M x| = 1 has k = x^T K x at most the largest eigenvalue
+/// of M^-1 K, d likewise, and the limit holds for every such pair. Bounds of both eigenvalues come from traces of
+/// powers (largest_eigenvalue_bound), so the limit is below the true one of springs alone by at most n^(1/64), 3 % of
+/// six joints. M changes with q, so ask again, or keep a margin; stiffness of gravity, of centrifugal efforts and of
+/// contacts is not in it. Costs n structures at rest and O(n^3): for a set-up, not for a tick.
 template <class Method, class S, class T, class Stiffness = NoStiffness>
-[[nodiscard]] constexpr T step_limit(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {},
-                                     const Stiffness& drive = {}) {
-  return detail::limit_of(Method{}, detail::stiff_bounds<T>(detail::StaticSystem<S>{}, q, in, drive));
+[[nodiscard]] constexpr StepLimit<T> step_limit(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {},
+                                                const Stiffness& drive = {}) {
+  return detail::step_limit_in<Method, T>(detail::StaticSystem<S>{}, q, in, drive);
 }
 /// The same for a run-time model.
 template <class Method, int N, class... F, class T, class Stiffness = NoStiffness, class M = Model<N, F...>>
-[[nodiscard]] constexpr T step_limit(const Model<N, F...>& model, const Positions<M, T>& q, const Inputs<M, T>& in = {},
-                                     const Stiffness& drive = {}) {
-  return detail::limit_of(Method{}, detail::stiff_bounds<T>(detail::ModelSystem<M>{model}, q, in, drive));
+[[nodiscard]] constexpr StepLimit<T> step_limit(const Model<N, F...>& model, const Positions<M, T>& q,
+                                                const Inputs<M, T>& in = {}, const Stiffness& drive = {}) {
+  return detail::step_limit_in<Method, T>(detail::ModelSystem<M>{model}, q, in, drive);
 }
 
 }  // namespace axial
