@@ -59,7 +59,7 @@ template <class T>
 template <class S, class T>
 [[nodiscard]] auto as_eigen(const Jacobian<S, T>& jacobian) {
   constexpr int n = joint_count<S>;
-  static_assert(detail::same_layout<Jacobian<S, T>, T>(6 * n));
+  static_assert(detail::same_layout<decltype(jacobian.columns), T>(6 * n));
   return Eigen::Map<const Eigen::Matrix<T, 6, n>>(&jacobian.columns[0].angular.x);
 }
 

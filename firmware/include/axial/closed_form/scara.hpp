@@ -3,6 +3,7 @@
 
 #include <axial/closed_form/scara_formats.hpp>
 #include <axial/model/separated_format.hpp>
+#include <axial/model/soundness.hpp>
 
 namespace axial {
 namespace closed_form {
@@ -46,7 +47,8 @@ struct ScaraTerms : ScaraRounding<S, T> {
 
 /// Separated dynamics of a SCARA: RRP with parallel axes and centres of mass on the links' x axes, the slender rods of
 /// the paper among them. Source: Djuric et al. 2016, eqs. (82) to (92), with its misprints mended
-/// (doc/scara_errata.md). In: q (rad, rad, m). Out: A, B, C, G. For another robot it does not compile and says why.
+/// (doc/scara_errata.md). In: q (rad, rad, m). Out: A, B, C, G, and a status as of separate(): nothing in it overflows.
+/// For another robot it does not compile and says why.
 template <class S, class T>
 [[nodiscard]] constexpr auto scara(const Positions<robot_of<S>, T>& q) {
   const detail::ScaraTerms<S, T> k;
@@ -66,6 +68,9 @@ template <class S, class T>
   terms.square(shoulder, elbow, -(k.sense * swing.sin));
   terms.square(elbow, shoulder, swing.sin);
   terms.rest(slide, k.weight);
+  Soundness<T> all;
+  all.angle(q[shoulder]), all.angle(q[elbow]), all.number(q[slide]);
+  s.status = all.status();
   return s;
 }
 

@@ -3,7 +3,7 @@
 
 #include <axial/control/feedforward.hpp>
 #include <axial/dynamics/momentum.hpp>
-#include <axial/dynamics/soundness.hpp>
+#include <axial/model/soundness.hpp>
 
 namespace axial {
 

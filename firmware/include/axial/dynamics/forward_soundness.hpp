@@ -3,7 +3,7 @@
 
 #include <axial/dynamics/forward_result.hpp>
 #include <axial/dynamics/passes.hpp>
-#include <axial/dynamics/soundness.hpp>
+#include <axial/model/soundness.hpp>
 
 namespace axial {
 namespace detail {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/dynamics/joint_screws.hpp>
+#include <axial/dynamics/position_soundness.hpp>
 
 namespace axial {
 
@@ -14,6 +15,7 @@ template <class S, class T>
 struct ForwardKinematics {
   WorldPose<T> frames[joint_count<S>];  ///< of every link
   WorldPose<T> tool;                    ///< of the tool
+  Status status{};                      ///< whether they are poses, see forward_kinematics()
 };
 
 /// Geometric Jacobian of the tool's origin: column j is the motion (angular; linear), in world axes, that a unit speed
@@ -21,6 +23,7 @@ struct ForwardKinematics {
 template <class S, class T>
 struct Jacobian {
   MotionVector<Vec3<T>, Vec3<T>> columns[joint_count<S>];  ///< one a joint, from the base outwards
+  Status status{};                                         ///< whether they are numbers, see forward_kinematics()
   /// Column of joint j; the index is not checked.
   AXIAL_INLINE constexpr auto& operator[](int j) { return columns[j]; }
   /// Column of joint j; the index is not checked.
@@ -61,12 +64,23 @@ AXIAL_INLINE constexpr auto frames(const Links& links, const Input& in, const Q&
   });
 }
 
+/// Status at q of what is computed from `poses` (as that of a type, whose slides tell whether something overflows).
+template <class Links, class Input, class Q, class Poses>
+AXIAL_INLINE constexpr Status status_at(const Links& links, const Input& in, const Q& q, const Poses& poses) {
+  Soundness<typename Links::Scalar> all;
+  detail::judge_positions(all, links, in, q);
+  if constexpr (!detail::is_known<typename Links::Scene::Robot>(0))
+    for_each_link(links, [&](auto i) AXIAL_INLINE { detail::collect(all, poses[i].position); });
+  return all.status();
+}
+
 /// Writes the poses of all frames and of the tool.
 template <class Links, class Input, class Q, class Result>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Result& result) {
   auto poses = frames(links, in, read(links, q));
   for_each_link(links, [&](auto i) AXIAL_INLINE { result.frames[i] = stored(links, poses[i]); });
   result.tool = stored(links, poses[links.last()] * links.tool_pose());
+  result.status = status_at(links, in, q, poses);
 }
 
 /// Motion of a point at `arm` (m) from a revolute joint's axis, at 1 rad/s.
@@ -99,12 +113,14 @@ AXIAL_INLINE constexpr void tool_columns(const Links& links, const Input& in, co
   auto poses = frames(links, in, read(links, q));
   auto tool = poses[links.last()] * links.tool_pose();
   columns(links, poses, links.last(), links.link(links.last()).sum(quantity::Length{}, tool.position), jacobian);
+  jacobian.status = status_at(links, in, q, poses);
 }
 /// Columns for the origin of link k's frame.
 template <class Links, class Input, class K, class Q, class Result>
 AXIAL_INLINE constexpr void link_columns(const Links& links, const Input& in, K k, const Q& q, Result& jacobian) {
   auto poses = frames(links, in, read(links, q));
   columns(links, poses, k, poses[k].position, jacobian);
+  jacobian.status = status_at(links, in, q, poses);
 }
 
 }  // namespace kinematics
@@ -118,6 +134,9 @@ template <class T>
 inline constexpr int direction_exponent = 8 * static_cast<int>(sizeof(typename T::Word)) - 2;
 
 /// Poses of all frames and of the tool in the world. In: q (rad or m). Source: Craig 2005, eq. (3.6), as two screws.
+/// The status, which costs nothing where nobody reads it: not_finite where a position is NaN or infinite or a slide so
+/// far out (some 1e15 m in float) that something might overflow, angle_range where sines are not exact; it names no
+/// joint.
 template <class S, class T>
 [[nodiscard]] constexpr ForwardKinematics<robot_of<S>, T> forward_kinematics(const Positions<robot_of<S>, T>& q,
                                                                              const Inputs<S, T>& in = {}) {
@@ -136,7 +155,8 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 }
 
 /// Geometric Jacobian of the tool (m and dimensionless), in world axes, angular part first.
-/// Source: Craig 2005, chapter 5; column j is (z_j; z_j x (p_tool - p_j)), or (0; z_j) for a prismatic joint.
+/// Source: Craig 2005, chapter 5; column j is (z_j; z_j x (p_tool - p_j)), or (0; z_j) for a prismatic joint. The
+/// status is that of forward_kinematics().
 template <class S, class T>
 [[nodiscard]] constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q,
                                                           const Inputs<S, T>& in = {}) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/dynamics/inverse_dynamics.hpp>
+#include <axial/dynamics/position_soundness.hpp>
 
 namespace axial {
 

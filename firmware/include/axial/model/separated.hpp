@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/model/joints.hpp>
+#include <axial/model/status.hpp>
 
 namespace axial {
 
@@ -40,6 +41,7 @@ struct SeparatedG {
 template <class S, class T>
 struct Separated : SeparatedA<S, T>, SeparatedB<S, T>, SeparatedC<S, T>, SeparatedG<S, T> {
   static constexpr int size = joint_count<S>;  ///< number of joints
+  Status status{};                             ///< whether they are numbers, see separate()
 };
 
 }  // namespace axial

@@ -59,7 +59,8 @@ constexpr ForwardDynamicsOf<S, T> implicit_accelerations(const System& system, T
   Tau left{};
   for_each_link(stiff, [&](auto i) AXIAL_INLINE { left[i] = tau[i] - T(h * (stiff.stiffness(i) * qd[i])); });
   ForwardDynamicsOf<S, T> result{};
-  result.status = aba::run(stiff, in, q, qd, left, result);
+  const Status solved = aba::run(stiff, in, q, qd, left, result);
+  result.status = sound_status(links, in, q, qd, result, solved);
   return result;
 }
 

@@ -1,0 +1,72 @@
+// Whether kinematics and separation were asked at positions that are numbers, and from which nothing overflows.
+#pragma once
+
+#include <axial/dynamics/forward_soundness.hpp>
+#include <axial/scalar/math.hpp>
+
+namespace axial {
+namespace detail {
+
+/// Whether what a robot's constants and slides of up to `slide` m make of each other stays below `most`: sums of masses
+/// and inertias times squares of lengths.
+template <class Robot>
+constexpr bool stays_below(double most, double slide) {
+  double mass = 1.0, length = 0.0;
+  for (const auto& link : Robot::chain.links) {
+    length += magnitude(link.a) + magnitude(link.d) + magnitude(link.b) + slide;
+    mass += link.mass;
+    for (double inertia : link.inertia_com)
+      mass += magnitude(inertia);
+    for (double way : link.com)
+      length += magnitude(way);
+  }
+  constexpr double terms = 4096.0 * Robot::chain.size * Robot::chain.size;
+  return 1.0 + length * length < most / (terms * mass);
+}
+
+/// What makes slides infinite from which something might overflow: some 1e15 m in float.
+template <class Robot, class T>
+constexpr auto slide_scale(int) -> decltype(Robot::chain.links, T()) {
+  double far = 1.0;
+  constexpr double most = static_cast<double>(std::numeric_limits<T>::max());
+  while (stays_below<Robot>(most, 4.0 * far))
+    far *= 2.0;
+  return static_cast<T>(most / far);
+}
+/// Of a run-time model, whose answers are looked at instead.
+template <class Robot, class T>
+constexpr T slide_scale(...) {
+  return T(1);
+}
+template <class Robot>
+constexpr auto is_known(int) -> decltype(Robot::chain.links, true) {
+  return true;
+}
+template <class Robot>
+constexpr bool is_known(...) {
+  return false;
+}
+
+/// Positions: angles small enough for their sines, slides from which nothing overflows, pairs from the caller that are
+/// the sine and cosine of some angle (to a quarter of their squares).
+template <class Links, class T, class Input, class Q>
+AXIAL_INLINE constexpr void judge_positions(Soundness<T>& all, const Links& links, const Input& in, const Q& q) {
+  if constexpr (std::is_floating_point_v<T>) {
+    constexpr T far = slide_scale<typename Links::Scene::Robot, T>(0);
+    for_each_link(links, [&](auto i) AXIAL_INLINE {
+      links.link(i).on_joint([&](auto kind) AXIAL_INLINE {
+        if constexpr (std::is_same_v<decltype(kind), Prismatic>) {
+          all.number(far * q[i]);
+        } else if constexpr (Links::Scene::template has<SineCosines>) {
+          const auto& pair = in.turns[i];
+          all.angle(T(4) * largest_angles<T> * ((pair.sin * pair.sin - T(1)) + pair.cos * pair.cos));
+        } else {
+          all.angle(q[i]);
+        }
+      });
+    });
+  }
+}
+
+}  // namespace detail
+}  // namespace axial
