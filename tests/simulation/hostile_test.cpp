@@ -178,3 +178,18 @@ TYPED_TEST(Steps, AreLimitedWhateverTheSizeOfTheSprings) {
     EXPECT_NEAR(limit(T(0), T(size)) * size / damper, 1.0, tolerance) << size;
   }
 }
+
+// Of angles of very many turns sines are not exact: the state moves on, and the status says so, whatever the method.
+TYPED_TEST(Steps, OfVeryManyTurnsSaySo) {
+  using T = TypeParam;
+  const auto status = [](auto method) {
+    auto x = moving<Motion<S, T>>();
+    x.q[1] = T(1.5) * largest_angles<T>;
+    const Status found = advance<decltype(method)>(x, T(1e-6), Held<S, T>{});
+    EXPECT_EQ(x.steps, 1u);
+    return found.code;
+  };
+  EXPECT_EQ(status(SemiImplicitEuler{}), Code::angle_range);
+  EXPECT_EQ(status(RungeKutta4{}), Code::angle_range);
+  EXPECT_EQ(status(LinearlyImplicitEuler{}), Code::angle_range);
+}

@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 #include <axial/control/border.hpp>
 #include <axial/control/collision.hpp>
+#include <axial/control/feedforward.hpp>
 #include <axial/control/payload_estimator.hpp>
 #include <axial/dynamics/check_finite.hpp>
+#include <axial/dynamics/separation.hpp>
 #include <robots/puma560.hpp>
+#include <robots/scara.hpp>
 
 #include <cmath>
 #include <cstring>
@@ -274,4 +277,55 @@ TYPED_TEST(HostileNumbers, AreFoundInAnswersWithoutAStatus) {
   }
   EXPECT_TRUE(check_finite(hostile<T>[4]).ok());
   EXPECT_TRUE(check_finite(hostile<T>[10]).ok());
+}
+
+// Angles of so many turns are inside no declared limit, and yet no answer to them is exact.
+TYPED_TEST(HostileNumbers, OfTurnsAreRefusedWhereNothingLimitsThem) {
+  using T = TypeParam;
+  const Sample<T> sample(3);
+  FeedforwardState<S, T> state;
+  for (const int joint : {0, 1, 2}) {
+    auto q = sample.q;
+    q[joint] = T(0.999) * largest_angles<T>;
+    EXPECT_TRUE((feedforward<S>(state, q, sample.qd, sample.tau).status.ok())) << joint;
+    for (const T sign : {T(1), T(-1)}) {
+      q[joint] = sign * T(1.001) * largest_angles<T>;
+      const Status status = feedforward<S>(state, q, sample.qd, sample.tau).status;
+      EXPECT_EQ(status.code, joint == 2 ? Code::ok : Code::angle_range) << "a slide has no turns";
+      EXPECT_EQ(status.joint, joint == 2 ? -1 : joint);
+      ObserverState<S, T, Tuning> observer;
+      EXPECT_EQ((observe(observer, q, sample.qd, sample.tau).ok()), joint == 2);
+      EXPECT_EQ((clamped_request<S>(q, sample.qd, sample.tau).q[joint]), q[joint]) << "it is its own nearest";
+    }
+  }
+}
+
+// In fixed point answers say what the words are beyond: a slide's end anywhere, a speed where there are speeds.
+TEST(HostileWords, HaveAStatusInEveryAnswer) {
+  using robots::Scara;
+  const auto q = to_fixed<Positions<Scara, Fixed32>>(Joints<Scara, double>{0.5, -0.5, 0.1}).values;
+  EXPECT_TRUE(forward_kinematics<Scara>(q).status.ok());
+  EXPECT_TRUE(jacobian<Scara>(q).status.ok());
+  EXPECT_TRUE((jacobian<Scara, 1>(q).status.ok()));
+  EXPECT_TRUE(separate<Scara>(q).status.ok());
+  EXPECT_TRUE(momentum_terms<Scara>(q, Velocities<Scara, Fixed32>{}).status.ok());
+  for (const std::int32_t far : {INT32_MAX, INT32_MIN}) {
+    auto beyond = q;
+    beyond[2].raw = far;
+    const Status all[] = {forward_kinematics<Scara>(beyond).status, jacobian<Scara>(beyond).status,
+                          jacobian<Scara, 1>(beyond).status, separate<Scara>(beyond).status,
+                          momentum_terms<Scara>(beyond, Velocities<Scara, Fixed32>{}).status};
+    for (const Status& status : all) {
+      EXPECT_EQ(status.code, Code::position_limit);
+      EXPECT_EQ(status.joint, 2);
+    }
+    auto around = q;
+    around[1].raw = far;  // half a turn: beyond the declared angles, and right all the same
+    EXPECT_TRUE(forward_kinematics<Scara>(around).status.ok());
+    EXPECT_TRUE(separate<Scara>(around).status.ok());
+    Velocities<Scara, Fixed32> fast{};
+    fast[1].raw = far;
+    EXPECT_EQ(momentum_terms<Scara>(q, fast).status.code, Code::speed_limit);
+    EXPECT_EQ(momentum_terms<Scara>(q, fast).status.joint, 1);
+  }
 }

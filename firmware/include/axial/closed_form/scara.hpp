@@ -3,7 +3,6 @@
 
 #include <axial/closed_form/scara_formats.hpp>
 #include <axial/model/separated_format.hpp>
-#include <axial/model/soundness.hpp>
 
 namespace axial {
 namespace closed_form {

@@ -3,7 +3,7 @@
 
 #include <axial/model/fixed_inputs_check.hpp>
 #include <axial/model/fixed_limits.hpp>
-#include <axial/model/status.hpp>
+#include <axial/model/soundness.hpp>
 #include <axial/scalar/finite.hpp>
 
 namespace axial {
@@ -23,9 +23,19 @@ struct Limits {
   /// Limits of one joint.
   struct Joint {
     T position_min, position_max, speed, acceleration, effort;  ///< rad or m, rad/s or m/s, rad/s^2 or m/s^2, N m or N
+    T exact_min, exact_max;  ///< rad or m: the range of position, of an angle no farther than its sine is exact
   };
   Joint joints[Robot::chain.size];  ///< from the base outwards
 };
+
+namespace detail {
+template <class T>
+constexpr T exact(const LinkParameters& p, double position) {
+  constexpr double far = static_cast<double>(largest_angles<T>);
+  const bool turns = p.type == JointType::revolute;
+  return limit<T>(turns && position > far ? far : turns && position < -far ? -far : position);
+}
+}  // namespace detail
 
 /// The limits that a robot's links declare; unlimited ones as the largest number T.
 template <class Robot, class T>
@@ -33,8 +43,9 @@ template <class Robot, class T>
   Limits<Robot, T> all{};
   for (int i = 0; i < Robot::chain.size; ++i) {
     const LinkParameters& p = Robot::chain.links[i];
-    all.joints[i] = {limit<T>(p.position_min), limit<T>(p.position_max), limit<T>(p.speed_limit),
-                     limit<T>(p.acceleration_limit), limit<T>(p.effort_limit)};
+    all.joints[i] = {limit<T>(p.position_min),           limit<T>(p.position_max), limit<T>(p.speed_limit),
+                     limit<T>(p.acceleration_limit),     limit<T>(p.effort_limit), detail::exact<T>(p, p.position_min),
+                     detail::exact<T>(p, p.position_max)};
   }
   return all;
 }
@@ -66,7 +77,7 @@ constexpr bool position_inside(const L& l, const T& q) {
   if constexpr (is_stored_v<T>)
     return l.reaches(q);
   else
-    return inside(q, l.position_min, l.position_max);
+    return inside(q, l.exact_min, l.exact_max);
 }
 // A speed, an acceleration or an effort, and what it may be in either direction.
 template <class T, class Most>
@@ -101,18 +112,28 @@ constexpr T nearest_reached(const T& q, const L& l) {
     return q > l.position_max ? l.position_max : q < l.position_min ? l.position_min : q;
 }
 
+// An angle of so many turns may yet be inside the declared limits.
+template <class L, class T>
+constexpr Status::Code position_complaint(const L& l, const T& q) {
+  if constexpr (is_stored_v<T>)
+    return Status::Code::position_limit;
+  else
+    return inside(q, l.position_min, l.position_max) ? Status::Code::angle_range : Status::Code::position_limit;
+}
+
 // What is wrong with a joint of which something is.
 template <class L, class Q, class T>
 constexpr Status::Code complaint(const L& l, const Q& q, const T& qd, const T& qdd) {
   using Code = Status::Code;
   if (!(is_finite(q) && is_finite(qd) && is_finite(qdd))) return Code::not_finite;
-  if (!position_inside(l, q)) return Code::position_limit;
+  if (!position_inside(l, q)) return position_complaint(l, q);
   return magnitude_inside(qd, l.speed) ? Code::acceleration_limit : Code::speed_limit;
 }
 
 }  // namespace detail
 
-/// First joint with which something is wrong in a request, and what: not finite, or outside the declared limits.
+/// First joint with which something is wrong in a request, and what: not finite, outside the declared limits, or an
+/// angle of so many turns that its sine is not exact (angle_range), where the limits allow one.
 template <class S, class T>
 [[nodiscard]] constexpr Status check_request(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                              const Accelerations<robot_of<S>, T>& qdd) {

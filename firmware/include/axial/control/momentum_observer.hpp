@@ -172,7 +172,9 @@ template <class S, class T, class Tuning>
     state.ready = false;
     return status;
   }
-  return detail::update(state, momentum_terms<S>(q, qd, in), tau);
+  auto now = momentum_terms<S>(q, qd, in);
+  now.status = {};  // of a sample that is checked it says nothing new
+  return detail::update(state, now, tau);
 }
 
 }  // namespace axial

@@ -15,32 +15,16 @@ struct TwoRateState {
   FeedforwardState<S, T> output{};  ///< memory of the efforts
 };
 
-namespace detail {
-
-template <class S, class T>
-constexpr bool all_finite(const Separated<S, T>& terms) {
-  bool finite = true;
-  for (int i = 0; i < terms.size; ++i) {
-    finite = finite && is_finite(terms.G[i]);
-    for (int j = 0; j < terms.size; ++j)
-      finite = finite && is_finite(terms.A[i][j]) && is_finite(terms.C[i][j]);
-    for (const T& product : terms.B[i])
-      finite = finite && is_finite(product);
-  }
-  return finite;
-}
-
-}  // namespace detail
-
 /// The slow part: separates the dynamics at q (rad or m), with the run-time inputs that the scene names. A q that is
 /// not finite or outside the declared limits, a payload beyond the declared maximum and inputs that make a term not
-/// finite leave the last good terms as they are; the status says which.
+/// finite (or whose sum of angles has no exact sines) leave the last good terms as they are; the status says which.
 template <class S, class T>
 [[nodiscard]] constexpr Status refresh(TwoRateState<S, T>& state, const Positions<robot_of<S>, T>& q,
                                        const Inputs<S, T>& in = {}) {
   if (const Status status = detail::check_all<S, T>(q, {}, {}, in); !status.ok()) return status;
   const auto terms = separate<S>(q, in);
-  if (!detail::all_finite<S>(terms)) return {Status::Code::not_finite, -1};
+  if constexpr (!is_stored_v<T>)  // in fixed point nothing is left to say
+    if (!terms.status.ok()) return terms.status;
   state.terms = terms, state.q = q, state.ready = true;
   return {};
 }

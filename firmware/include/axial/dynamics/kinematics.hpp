@@ -64,13 +64,17 @@ AXIAL_INLINE constexpr auto frames(const Links& links, const Input& in, const Q&
   });
 }
 
-/// Status at q of what is computed from `poses` (as that of a type, whose slides tell whether something overflows).
-template <class Links, class Input, class Q, class Poses>
-AXIAL_INLINE constexpr Status status_at(const Links& links, const Input& in, const Q& q, const Poses& poses) {
+/// Status of an answer at q. The slides of a type tell whether something overflows; of a run-time model `numbers(i)` of
+/// each link, and `more`, are looked at.
+template <class Links, class Input, class Q, class Numbers, class... More>
+AXIAL_INLINE constexpr Status status_at(const Links& links, const Input& in, const Q& q, const Numbers& numbers,
+                                        const More&... more) {
   Soundness<typename Links::Scalar> all;
   detail::judge_positions(all, links, in, q);
-  if constexpr (!detail::is_known<typename Links::Scene::Robot>(0))
-    for_each_link(links, [&](auto i) AXIAL_INLINE { detail::collect(all, poses[i].position); });
+  if constexpr (!detail::is_known<typename Links::Scene::Robot>(0)) {
+    for_each_link(links, [&](auto i) AXIAL_INLINE { detail::collect(all, numbers(i)); });
+    (detail::collect(all, more), ...);
+  }
   return all.status();
 }
 
@@ -80,7 +84,8 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
   auto poses = frames(links, in, read(links, q));
   for_each_link(links, [&](auto i) AXIAL_INLINE { result.frames[i] = stored(links, poses[i]); });
   result.tool = stored(links, poses[links.last()] * links.tool_pose());
-  result.status = status_at(links, in, q, poses);
+  result.status = status_at(
+      links, in, q, [&](auto i) { return result.frames[i].position; }, result.tool.position);
 }
 
 /// Motion of a point at `arm` (m) from a revolute joint's axis, at 1 rad/s.
@@ -113,14 +118,14 @@ AXIAL_INLINE constexpr void tool_columns(const Links& links, const Input& in, co
   auto poses = frames(links, in, read(links, q));
   auto tool = poses[links.last()] * links.tool_pose();
   columns(links, poses, links.last(), links.link(links.last()).sum(quantity::Length{}, tool.position), jacobian);
-  jacobian.status = status_at(links, in, q, poses);
+  jacobian.status = status_at(links, in, q, [&](auto i) { return jacobian[i]; });
 }
 /// Columns for the origin of link k's frame.
 template <class Links, class Input, class K, class Q, class Result>
 AXIAL_INLINE constexpr void link_columns(const Links& links, const Input& in, K k, const Q& q, Result& jacobian) {
   auto poses = frames(links, in, read(links, q));
   columns(links, poses, k, poses[k].position, jacobian);
-  jacobian.status = status_at(links, in, q, poses);
+  jacobian.status = status_at(links, in, q, [&](auto i) { return jacobian[i]; });
 }
 
 }  // namespace kinematics
@@ -135,13 +140,15 @@ inline constexpr int direction_exponent = 8 * static_cast<int>(sizeof(typename T
 
 /// Poses of all frames and of the tool in the world. In: q (rad or m). Source: Craig 2005, eq. (3.6), as two screws.
 /// The status, which costs nothing where nobody reads it: not_finite where a position is NaN or infinite or a slide so
-/// far out (some 1e15 m in float) that something might overflow, angle_range where sines are not exact; it names no
-/// joint.
+/// far out (some 1e15 m in float) that something might overflow, angle_range where sines are not exact, about no joint.
+/// In fixed point position_limit names the first slide beyond its limits, where formats wrap; input_limit,
+/// payload_limit.
 template <class S, class T>
 [[nodiscard]] constexpr ForwardKinematics<robot_of<S>, T> forward_kinematics(const Positions<robot_of<S>, T>& q,
                                                                              const Inputs<S, T>& in = {}) {
   ForwardKinematics<robot_of<S>, T> result{};
   kinematics::run(links_of<S, T, FullParameters, recursion::Kinematics>(), in, q, result);
+  if constexpr (is_stored_v<T>) result.status = detail::position_status<S>(in, q);
   return result;
 }
 /// The same for a run-time model.
@@ -162,6 +169,7 @@ template <class S, class T>
                                                           const Inputs<S, T>& in = {}) {
   Jacobian<robot_of<S>, T> result{};
   kinematics::tool_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, q, result);
+  if constexpr (is_stored_v<T>) result.status = detail::position_status<S>(in, q);
   return result;
 }
 /// The same for the origin of one link's frame, such as the other hand of a tree: jacobian<Robot, 3>(q).
@@ -175,6 +183,7 @@ template <class S, int Link, class T>
     kinematics::link_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, Link, q, result);
   else
     kinematics::link_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, Index<Link>{}, q, result);
+  if constexpr (is_stored_v<T>) result.status = detail::position_status<S>(in, q);
   return result;
 }
 /// The same for a run-time model.

@@ -11,6 +11,7 @@ template <class S, class T>
 struct MomentumTerms {
   MomentaOf<S, T> momentum{};     ///< M(q) qd, with rotors as the scene names them: N m s or N s
   MomentumRatesOf<S, T> drift{};  ///< C^T qd - g - friction - springs + J^T wrench: N m or N
+  Status status{};                ///< whether they are numbers, see momentum_terms()
 };
 
 namespace momentum {
@@ -106,6 +107,19 @@ AXIAL_INLINE constexpr void carry(const Links& links, const Input& in, const Scr
   });
 }
 
+/// Whether what went in and what came out are numbers.
+template <class Links, class Input, class Q, class V, class Terms>
+AXIAL_INLINE constexpr Status status_of(const Links& links, const Input& in, const Q& q, const V& qd,
+                                        const Terms& terms) {
+  Soundness<typename Links::Scalar> all;
+  detail::judge_positions(all, links, in, q);
+  detail::collect_inputs<typename Links::Scene>(all, in);
+  for_each_link(links, [&](auto i) AXIAL_INLINE {
+    all.number(qd[i]), all.number(terms.momentum[i]), all.number(terms.drift[i]);
+  });
+  return all.status();
+}
+
 /// Over the links of RNEA and of momenta, which differ in fixed point only: by their formats.
 template <class Holding, class Links, class Input, class Q, class V, class Terms>
 AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, const Input& in, const Q& q, const V& qd,
@@ -119,6 +133,7 @@ AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, cons
   auto holding = no_efforts(at_rest);
   hold(at_rest, in, at, screws, read(at_rest, qd), holding);
   carry(links, in, screws, read(links, qd), read(at_rest, holding), terms);
+  if constexpr (is_number_v<typename Links::Scalar>) terms.status = status_of(links, in, q, qd, terms);
 }
 
 }  // namespace momentum
@@ -127,8 +142,10 @@ AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, cons
 /// Source: De Luca and Mattone 2003, eqs. (3) to (6), computed in O(n): p from the links' momenta, C^T qd = dT/dq (for
 /// fixed q and qd as independent variables) from the same pass as -s . (v x* h), without C or dM/dt. No accelerations.
 /// In: q (rad or m), qd; `in` as of inverse_dynamics(), a payload and a known wrench included. Out: both terms.
-/// NaN and infinities propagate; in fixed point q and qd must be inside the declared limits, and nothing overflows
-/// there (formats: model/ranges/momentum.hpp). Cost: doc/observer.md, less than one inverse_dynamics().
+/// The status, which costs nothing where nobody reads it: not_finite where something that goes in or comes out is NaN
+/// or infinite, angle_range where sines are not exact, about no joint. In fixed point it names positions, speeds and
+/// inputs beyond what is declared (position_limit, speed_limit, payload_limit, input_limit); inside, nothing overflows
+/// (formats: model/ranges/momentum.hpp). Cost: doc/observer.md, less than one inverse_dynamics().
 template <class S, class T>
 [[nodiscard]] constexpr MomentumTerms<S, T> momentum_terms(const Positions<robot_of<S>, T>& q,
                                                            const Velocities<robot_of<S>, T>& qd,
@@ -136,6 +153,7 @@ template <class S, class T>
   MomentumTerms<S, T> terms{};
   momentum::run(links_of<S, T, BaseParameters>(), links_of<S, T, BaseParameters, recursion::Momenta>(), in, q, qd,
                 terms);
+  if constexpr (is_stored_v<T>) detail::StateCheck<S, T>(in, q, qd).name(terms.status);
   return terms;
 }
 /// The same for a run-time model.

@@ -158,33 +158,6 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
   rest_terms(links, in, screws, q, bodies, terms);
 }
 
-/// Passes coefficients on, and looks whether they are numbers.
-template <class Terms, class T>
-struct Judged {
-  const Terms& terms;  ///< what takes them
-  Soundness<T>& all;   ///< what looks at them
-
-  /// Coefficients as Collected takes them.
-  ///@{
-  template <class I, class J, class V>
-  AXIAL_INLINE constexpr void inertia(I i, J j, const V& value) const {
-    terms.inertia(i, j, value), all.number(value);
-  }
-  template <class I, class J, class K, class V>
-  AXIAL_INLINE constexpr void product(I i, J j, K k, const V& value) const {
-    terms.product(i, j, k, value), all.number(value);
-  }
-  template <class I, class J, class V>
-  AXIAL_INLINE constexpr void square(I i, J j, const V& value) const {
-    terms.square(i, j, value), all.number(value);
-  }
-  template <class I, class V>
-  AXIAL_INLINE constexpr void rest(I i, const V& value) const {
-    terms.rest(i, value), all.number(value);
-  }
-  ///@}
-};
-
 /// Whether coefficients can overflow at positions that judge_positions() finds sound: where run-time inputs are in
 /// them, or a model whose constants the compiler does not know.
 template <class Scene>
@@ -207,7 +180,7 @@ AXIAL_INLINE constexpr Out collected(const Links& links, const Input& in, const 
     detail::judge_positions(all, links, in, q);
     detail::collect_inputs<Scene>(all, in);
     if constexpr (inputs_can_overflow<Scene> && is_number_v<typename Links::Scalar>) {
-      const Judged<decltype(terms), typename Links::Scalar> judged{terms, all};
+      const JudgedTerms<decltype(terms), typename Links::Scalar> judged{terms, all};
       run(links, in, at, screws, judged);
     } else {
       run(links, in, at, screws, terms);
@@ -224,10 +197,14 @@ AXIAL_INLINE constexpr Out collected(const Links& links, const Input& in, const 
 /// over the basis {qdd_j}, {qd_i qd_j}, {qd_j^2}, {g}; by composite rigid bodies, and Christoffel's symmetries, which
 /// the paper does not use. In: q (rad or m). Out: A, B, C, G for torque(), and a status, which costs nothing where
 /// nobody reads it: not_finite where q or an input is NaN or infinite, a term overflows, or a slide is so far out
-/// (some 1e15 m in float) that it might; angle_range where sines are not exact; it names no joint.
+/// (some 1e15 m in float) that it might; angle_range where sines are not exact; it names no joint. In fixed point
+/// position_limit names the first slide beyond its limits, where formats wrap; input_limit, payload_limit.
 template <class S, class T>
 [[nodiscard]] constexpr Separated<S, T> separate(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
-  return separation::collected<Separated<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
+  auto all =
+      separation::collected<Separated<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
+  if constexpr (is_stored_v<T>) all.status = detail::position_status<S>(in, q);
+  return all;
 }
 /// The same for one of the four, without a status; what the others need alone is not computed.
 template <class S, class T>

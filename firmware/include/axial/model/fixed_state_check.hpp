@@ -88,11 +88,16 @@ struct StateCheck<S, Stored<Word>> {
     const std::int32_t kept = (joints.wraps - 1) >> 31 & (static_cast<std::int32_t>(bad) - 1);
     for (int i = 0; i < joint_count<S>; ++i)
       result.values[i].raw &= static_cast<Word>(kept);
+    name(result.status);
+  }
+  /// Puts what is beyond into the status alone.
+  AXIAL_INLINE constexpr void name(Status& status) const {
+    const bool bad = inputs != Status::Code::ok;
     const int named = ~(joints.first >> 31),
               limit = static_cast<int>(Status::Code::position_limit) + (joints.first & 1);
-    const int code = (limit & named) | (static_cast<int>(result.status.code) & ~named);
-    const int joint = (joints.first >> 1 & named) | (result.status.joint & ~named);
-    result.status = {static_cast<Status::Code>(select(bad, static_cast<int>(inputs), code)), select(bad, -1, joint)};
+    const int code = (limit & named) | (static_cast<int>(status.code) & ~named);
+    const int joint = (joints.first >> 1 & named) | (status.joint & ~named);
+    status = {static_cast<Status::Code>(select(bad, static_cast<int>(inputs), code)), select(bad, -1, joint)};
   }
 };
 

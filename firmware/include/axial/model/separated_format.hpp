@@ -3,6 +3,7 @@
 
 #include <axial/model/joint_access.hpp>
 #include <axial/model/separated.hpp>
+#include <axial/model/soundness.hpp>
 
 namespace axial {
 namespace detail {
@@ -91,6 +92,33 @@ struct Collected {
         out.G[i] = static_cast<T>(value);
     }
   }
+};
+
+/// Passes coefficients on, and looks whether they are numbers.
+template <class Terms, class T>
+struct JudgedTerms {
+  const Terms& terms;  ///< what takes them
+  Soundness<T>& all;   ///< what looks at them
+
+  /// Coefficients as Collected takes them.
+  ///@{
+  template <class I, class J, class V>
+  AXIAL_INLINE constexpr void inertia(I i, J j, const V& value) const {
+    terms.inertia(i, j, value), all.number(value);
+  }
+  template <class I, class J, class K, class V>
+  AXIAL_INLINE constexpr void product(I i, J j, K k, const V& value) const {
+    terms.product(i, j, k, value), all.number(value);
+  }
+  template <class I, class J, class V>
+  AXIAL_INLINE constexpr void square(I i, J j, const V& value) const {
+    terms.square(i, j, value), all.number(value);
+  }
+  template <class I, class V>
+  AXIAL_INLINE constexpr void rest(I i, const V& value) const {
+    terms.rest(i, value), all.number(value);
+  }
+  ///@}
 };
 
 }  // namespace axial
