@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <host_sim/output/command_line.hpp>
 #include <stability/ablation.hpp>
+#include <stability/compiled/rows.hpp>
 #include <stability/fixed/rows.hpp>
 #include <stability/json.hpp>
 #include <stability/rows.hpp>
@@ -67,8 +68,8 @@ struct Options {
 int run(const Options& options) {
   auto rows = stability::all_rows(
       options.scenario, [](const std::string& name) { std::fprintf(stderr, "stability: %s\n", name.c_str()); });
-  const auto fixed = stability::fixed_rows(options.scenario);
-  rows.insert(rows.end(), fixed.begin(), fixed.end());
+  for (const auto& more : {stability::default_rows(options.scenario), stability::fixed_rows(options.scenario)})
+    rows.insert(rows.end(), more.begin(), more.end());
   if (rows.empty()) throw std::runtime_error("no scenario's name holds '" + options.scenario + "'");
   std::printf("%-34s %-6s %-22s %8s %8s %8s %8s  %-4s %s\n", "scenario", "scalar", "route", "cond(M)", "forward",
               "backward", "gate", "", "status");

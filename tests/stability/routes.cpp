@@ -38,7 +38,18 @@ const char* name_of(Route route) {
 const char* name_of(Scalar scalar) { return scalar == Scalar::in_double ? "double" : "float"; }
 const char* name_of(const axial::Status& status) {
   using Code = axial::Status::Code;
-  return status.code == Code::ok ? "ok" : status.code == Code::near_singular ? "near_singular" : "other";
+  switch (status.code) {
+    case Code::ok:
+      return "ok";
+    case Code::near_singular:
+      return "near_singular";
+    case Code::inaccurate:
+      return "inaccurate";
+    case Code::not_finite:
+      return "not_finite";
+    default:
+      return "other";
+  }
 }
 double epsilon_of(Scalar scalar) {
   return scalar == Scalar::in_double ? std::numeric_limits<double>::epsilon()

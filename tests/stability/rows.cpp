@@ -10,10 +10,6 @@ namespace {
 constexpr unsigned seed = 7;
 constexpr double sensible = 1e-2;  // of cond eps
 
-bool is_finite(const oracle::Vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
-}
-
 Row row_of(const Scenario& scenario, const Reference& reference, Route route, Scalar scalar) {
   const Answer answer = solve(scenario, route, scalar);
   Row row{scenario.name, scenario.family, name_of(scalar), name_of(route), name_of(answer.status), scenario.size()};
@@ -77,6 +73,10 @@ void append(std::vector<Row>& all, const std::vector<Row>& more) { all.insert(al
 bool contains(const std::string& name, const std::string& part) { return name.find(part) != std::string::npos; }
 
 }  // namespace
+
+bool is_finite(const oracle::Vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+}
 
 cases::Gate gate_of(const Scenario& scenario, double condition, Route route, Scalar scalar) {
   const cases::Gate own = scalar == Scalar::in_double ? scenario.in_double : scenario.in_float;

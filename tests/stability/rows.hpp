@@ -24,6 +24,9 @@ struct Row {
 /// gate beyond.
 cases::Gate gate_of(const Scenario& scenario, double condition, Route route, Scalar scalar);
 
+/// Whether every one of them is a number.
+bool is_finite(const oracle::Vector<double>& values);
+
 /// A scenario by every route in both types. A singular one passes where it is reported and finite; elsewhere NaN must
 /// be reported.
 std::vector<Row> rows_of(const Scenario& scenario);

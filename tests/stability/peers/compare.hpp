@@ -1,4 +1,5 @@
-// Our articulated bodies beside the engines, on perturbed instances of every scenario.
+// Our forward dynamics (articulated bodies, and the form that is taken by default) beside the engines, on perturbed
+// instances of every scenario.
 #pragma once
 
 #include <stability/measure.hpp>
