@@ -16,7 +16,7 @@ import matplotlib.pyplot as plt
 import speed
 import style
 
-ROUTES = {"articulated_body": "ABA", "split_articulated_body": "split ABA", "composite_body": "composite bodies"}
+ROUTES = {"articulated_body": "ABA", "split_articulated_body": "split ABA", "composite_body": "composite bodies", "default": "default route"}
 ENGINES = {"kdl": "KDL", "kdl_vereshchagin": "KDL, Vereshchagin", "dart": "DART", "simbody": "Simbody", "bullet": "Bullet"}
 SCALARS = ["double", "float"]
 EPSILON = {"double": 2.0 ** -52, "float": 2.0 ** -23}

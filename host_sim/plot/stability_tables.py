@@ -50,7 +50,7 @@ def gates(data):
     rows = data.kind("gate")
     header = ["scenario", "N", "cond(M)"]
     for scalar in SCALARS:
-        header += [f"{scalar}: ABA", "gate", "split", "composite"]
+        header += [f"{scalar}: ABA", "gate", "split", "composite", "default"]
     header.append("flagged by ABA")
     table = []
     for name in unique(row["scenario"] for row in sorted(rows, key=stability.family)):
@@ -83,7 +83,7 @@ def backward(data):
     table = []
     for family in unique(row["family"] for row in sorted(rows, key=stability.family)):
         own = of(rows, family=family)
-        table.append([family] + [number(max(row["backward_error"] for row in of(own, scalar=scalar, route=route)))
+        table.append([family] + [number(max((row["backward_error"] for row in of(own, scalar=scalar, route=route)), default=None))
                                  for scalar, route in columns])
     return markdown(["family"] + [f"{scalar}, {ROUTES[route]}" for scalar, route in columns], table)
 
