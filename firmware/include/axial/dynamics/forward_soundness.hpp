@@ -50,12 +50,17 @@ AXIAL_INLINE constexpr void collect_inputs(Soundness<T>& all, const Input& in) {
 // A joint's position, or the sine and cosine that the caller gives instead.
 template <class Links, class T, class Input, class Q, class I>
 AXIAL_INLINE constexpr void collect_position(Soundness<T>& all, const Links& links, const Input& in, const Q& q, I i) {
-  links.link(i).on_joint([&](auto kind) AXIAL_INLINE {
-    if constexpr (Links::Scene::template has<SineCosines> && std::is_same_v<decltype(kind), Revolute>)
-      all.number(in.turns[i].sin), all.number(in.turns[i].cos);
-    else
-      all.position(kind, q[i]);
-  });
+  if constexpr (Links::Scene::template has<SineCosines>) {
+    const auto& turn = in.turns[i];
+    links.link(i).on_joint([&](auto kind) AXIAL_INLINE {
+      if constexpr (std::is_same_v<decltype(kind), Revolute>)
+        all.number(turn.sin), all.number(turn.cos);
+      else
+        all.position(kind, q[i]);
+    });
+  } else {
+    links.link(i).on_joint([&](auto kind) AXIAL_INLINE { all.position(kind, q[i]); });
+  }
 }
 
 /// The status of an answer that a solver calls `solved`: what is not finite, and angles without exact sines, come

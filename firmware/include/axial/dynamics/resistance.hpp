@@ -67,15 +67,19 @@ constexpr auto own_shares() {
 template <class Scene>
 inline constexpr auto own_shares_of = own_shares<Scene>();
 
+// A joint whose own share is larger than this is never near singular over numbers T.
+template <class T>
+inline constexpr double sufficient_share = 64.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
+template <>
+inline constexpr double sufficient_share<double> = 64.0 * std::numeric_limits<double>::epsilon();
+
 /// Whether a link's joint is never near singular over the link's numbers: what is articulated lies between the link's
 /// own inertia and the composite one.
 template <class Link>
 struct AlwaysResists : std::false_type {};
 template <class Scene, int I, class T, class Parameters, class Rounding>
 struct AlwaysResists<StaticLink<Scene, I, T, Parameters, Rounding>>
-    : std::bool_constant<(own_shares_of<Scene>.of[I] >
-                          64.0 * (std::is_same_v<T, double> ? std::numeric_limits<double>::epsilon()
-                                                            : std::numeric_limits<float>::epsilon()))> {};
+    : std::bool_constant<(own_shares_of<Scene>.of[I] > sufficient_share<T>)> {};
 
 }  // namespace detail
 
