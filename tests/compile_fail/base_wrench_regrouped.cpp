@@ -1,4 +1,5 @@
 // expect: base_wrench needs every link's own parameters
+// within: 5 lines
 #include <axial/axial.hpp>
 #include <robots/scara.hpp>
 

@@ -1,4 +1,5 @@
 // expect: AXIAL_C_DECLARE and AXIAL_C_EXPORT disagree about the number of joints
+// within: 5 lines
 #include <axial/c_interface/export.hpp>
 #include <robots/planar2r.hpp>
 

@@ -1,4 +1,5 @@
 // expect: the C interface has no run-time inputs and no floating base
+// within: 5 lines
 #include <axial/c_interface/export.hpp>
 #include <robots/planar2r.hpp>
 

@@ -1,4 +1,4 @@
-# cmake -DCOMPILER= -DSOURCE= -DROOT= -P check.cmake
+# cmake -DCOMPILER= -DOTHERS= -DSOURCE= -DROOT= -P check.cmake
 # A result that is thrown away is an error, as it is in our presets.
 set(command ${COMPILER} -std=c++17 -fsyntax-only -Werror=unused-result -I${ROOT}/firmware/include -I${ROOT} ${SOURCE})
 file(STRINGS ${SOURCE} first LIMIT_COUNT 1)
@@ -20,3 +20,21 @@ string(FIND "${output}" "${expected}" place)
 if(place EQUAL -1)
   message(FATAL_ERROR "the message does not say '${expected}':\n${output}")
 endif()
+
+# "// within: 5 lines": what this compiler and the others say first.
+file(STRINGS ${SOURCE} head LIMIT_COUNT 2)
+if(NOT head MATCHES "// within: ([0-9]+) lines")
+  return()
+endif()
+set(most ${CMAKE_MATCH_1})
+foreach(compiler IN LISTS COMPILER OTHERS)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C ${compiler} -std=c++17 -fsyntax-only -I${ROOT}/firmware/include
+                          -I${ROOT} ${SOURCE} ERROR_VARIABLE output)
+  string(FIND "${output}" "${expected}" place)
+  string(SUBSTRING "${output}" 0 ${place} before)
+  string(REGEX REPLACE "[^\n]" "" ends "${before}")
+  string(LENGTH "${ends}" lines_before)
+  if(place EQUAL -1 OR NOT lines_before LESS most)
+    message(FATAL_ERROR "${compiler} does not say '${expected}' within ${most} lines:\n${output}")
+  endif()
+endforeach()

@@ -1,4 +1,5 @@
 // expect: classical links make a classical_chain()
+// within: 5 lines
 #include <axial/axial.hpp>
 
 #ifdef MENDED

@@ -1,4 +1,5 @@
 // expect: a classical_chain needs at least one link
+// within: 5 lines
 #include <axial/axial.hpp>
 
 #ifdef MENDED

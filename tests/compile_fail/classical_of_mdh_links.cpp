@@ -1,4 +1,5 @@
 // expect: revolute() and prismatic() are MDH links
+// within: 5 lines
 #include <axial/axial.hpp>
 
 #ifdef MENDED

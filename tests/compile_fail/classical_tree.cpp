@@ -1,4 +1,5 @@
 // expect: a classical_chain is serial
+// within: 5 lines
 #include <axial/axial.hpp>
 
 #ifdef MENDED

@@ -1,4 +1,5 @@
 // expect: ignoring return value of
+// within: 5 lines
 #include <axial/axial.hpp>
 #include <robots/scara.hpp>
 

@@ -1,4 +1,5 @@
 // expect: the robot has no such joint
+// within: 5 lines
 #include <axial/axial.hpp>
 #include <robots/scara.hpp>
 

@@ -1,4 +1,5 @@
-// expect: the mass of a link is negative
+// expect: mass_is_negative_give_kg_of_0_or_more
+// within: 5 lines
 #include <axial/axial.hpp>
 
 struct Robot {

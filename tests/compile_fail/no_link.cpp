@@ -1,4 +1,5 @@
 // expect: a chain needs at least one link
+// within: 5 lines
 #include <axial/axial.hpp>
 
 struct Robot {

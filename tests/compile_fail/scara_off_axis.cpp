@@ -7,8 +7,9 @@ struct Robot {
 #else
   static constexpr double y = 0.05;
 #endif
-  static constexpr auto chain = axial::chain(axial::revolute().mass(1).com(0.1, 0, 0), axial::revolute().a(0.3).mass(1).com(0.1, y, 0),
-                                             axial::prismatic().a(0.2).alpha_deg(180).mass(1));
+  static constexpr auto chain =
+      axial::chain(axial::revolute().mass(1).com(0.1, 0, 0), axial::revolute().a(0.3).mass(1).com(0.1, y, 0),
+                   axial::prismatic().a(0.2).alpha_deg(180).mass(1));
 };
 
 axial::Joints<Robot, float> q{};

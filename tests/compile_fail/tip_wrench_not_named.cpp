@@ -1,4 +1,5 @@
 // expect: add_the_feature_axial_TipWrench_to_the_scene
+// within: 5 lines
 #include <axial/axial.hpp>
 #include <robots/scara.hpp>
 

@@ -1,9 +1,10 @@
 // axial: rigid-body dynamics for microcontrollers. The umbrella header.
 #pragma once
 
-// First, so that few lines of includes stand before what the compiler says of a description.
+// First and one by one, so that few lines of includes stand before what the compiler says of a description or a scene.
 #include <axial/model/chain.hpp>
 #include <axial/model/classical.hpp>
+#include <axial/model/scene.hpp>
 
 #include <axial/closed_form/scara.hpp>
 #include <axial/control/border.hpp>
@@ -19,6 +20,7 @@
 #include <axial/dynamics/joint_torque.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
+#include <axial/dynamics/plain_arrays.hpp>
 #include <axial/dynamics/separated_torque.hpp>
 #include <axial/dynamics/separation.hpp>
 #include <axial/model/consistency.hpp>

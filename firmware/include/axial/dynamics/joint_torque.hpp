@@ -59,12 +59,8 @@ AXIAL_INLINE constexpr auto run_joint(const Links& links, const Input& in, I joi
     return joint_effort(links, int{joint}, branch.force(int{joint}), q, qd, qdd);
 }
 
-/// Refuses a joint that the robot does not have.
 template <class S, int Joint>
-constexpr void check_joint() {
-  static_assert(Joint >= 0 && Joint < joint_count<S>,
-                "axial: the robot has no such joint; joints are counted from 0, base outwards");
-}
+inline constexpr bool has_joint = Joint >= 0 && Joint < joint_count<S>;
 
 }  // namespace rnea
 
@@ -73,14 +69,22 @@ constexpr void check_joint() {
 template <class S, int Joint, class T>
 [[nodiscard]] constexpr T joint_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                        const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
-  rnea::check_joint<S, Joint>();
-  return rnea::run_joint(links_of<S, T, BaseParameters>(), in, Index<Joint>{}, q, qd, qdd);
+  static_assert(rnea::has_joint<S, Joint>,
+                "axial: the robot has no such joint; joints are counted from 0, base outwards");
+  if constexpr (rnea::has_joint<S, Joint>)  // else the message alone
+    return rnea::run_joint(links_of<S, T, BaseParameters>(), in, Index<Joint>{}, q, qd, qdd);
+  else
+    return T{};
 }
 /// Effort of one joint in gravity_torque: gravity_torque<Robot, 2>(q).
 template <class S, int Joint, class T>
 [[nodiscard]] constexpr T gravity_torque(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
-  rnea::check_joint<S, Joint>();
-  return rnea::run_joint(links_of<S, T, BaseParameters>(), in, Index<Joint>{}, q, NoMotion{}, NoMotion{});
+  static_assert(rnea::has_joint<S, Joint>,
+                "axial: the robot has no such joint; joints are counted from 0, base outwards");
+  if constexpr (rnea::has_joint<S, Joint>)
+    return rnea::run_joint(links_of<S, T, BaseParameters>(), in, Index<Joint>{}, q, NoMotion{}, NoMotion{});
+  else
+    return T{};
 }
 
 /// The same two for a run-time model, 0 <= joint < model.size().
