@@ -16,6 +16,31 @@ inline std::uint64_t hostile_states(std::uint64_t few, std::uint64_t tests) {
 }
 inline constexpr std::uint64_t hostile_seed = 18;
 
+/// Numbers that no sensor gives: NaN, infinite, denormal, any bits, powers of ten; some are harmless.
+template <class T>
+T hostile_number(exhaustive::Random& random) {
+  using Limits = std::numeric_limits<T>;
+  constexpr T ends[] = {Limits::quiet_NaN(),
+                        Limits::infinity(),
+                        -Limits::infinity(),
+                        Limits::denorm_min(),
+                        -Limits::denorm_min(),
+                        Limits::max(),
+                        Limits::lowest(),
+                        Limits::min(),
+                        T(0.0),
+                        T(-0.0),
+                        T(512.0),
+                        T(-512.0)};
+  using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+  const std::int64_t kind = random.between(0, 3);
+  if (kind == 0) return ends[random.between(0, 11)];
+  if (kind == 1) return __builtin_bit_cast(T, static_cast<Bits>(random.bits()));
+  const T fraction = static_cast<T>(static_cast<double>(random.between(-1000000, 1000000)) * 1e-6);
+  return kind == 2 ? fraction * static_cast<T>(std::pow(10.0, static_cast<double>(random.between(-38, 38))))
+                   : fraction * T(8.0);
+}
+
 /// A tree of four joints with a slide on each of its branches, one of them on the base's turn and one beyond an elbow.
 struct SlidingTree {
   static constexpr const char* name = "sliding_tree";

@@ -25,6 +25,17 @@ inline std::int64_t hostile_word(exhaustive::Random& random, const exhaustive::S
   }
 }
 
+/// An angle within its joint's limits, of a state's number k; of what is none, `inside`.
+template <class State>
+std::int64_t within_limits(exhaustive::Random& random, int k, std::int64_t inside) {
+  if (k >= State::size || !State::turns(k)) return inside;
+  const auto& link = State::Robot::chain.links[k];
+  const double part = static_cast<double>(random.between(1, 999999)) * 1e-6;
+  const double angle = link.position_min + part * (link.position_max - link.position_min);
+  return static_cast<std::int32_t>(
+      std::llround(std::remainder(angle, 6.283185307179586) * axial::detail::bam_per_radian));
+}
+
 /// State number `index`: all words hostile, all inside, one hostile among those inside, or some.
 template <class State>
 State hostile_state(exhaustive::Random& random, std::uint64_t index) {
@@ -32,7 +43,8 @@ State hostile_state(exhaustive::Random& random, std::uint64_t index) {
   const std::int64_t one = random.between(0, State::quantities - 1);
   for (int k = 0; k < State::quantities; ++k) {
     const auto span = State::span(k);
-    const std::int64_t inside = random.between(span.low, span.high), hostile = hostile_word(random, span);
+    const std::int64_t any = random.between(span.low, span.high), hostile = hostile_word(random, span);
+    const std::int64_t inside = index % 8 < 4 ? any : within_limits<State>(random, k, any);
     const bool chosen = index % 4 == 0 || (index % 4 == 1 && k == one) || (index % 4 == 2 && random.between(0, 3) == 0);
     state.set(k, chosen ? hostile : inside);
   }

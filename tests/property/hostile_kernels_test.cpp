@@ -125,7 +125,9 @@ TYPED_TEST(HostileKernels, AnObserverForgetsNothingThatItRefused) {
     if (status.ok()) {
       ++met;
       const auto q = exhaustive::in_double<R>(state.q), qd = exhaustive::in_double<R>(state.qd);
-      detail::update<S, double, Tuning>(exact, momentum_terms<S>(q, qd), exhaustive::in_double<R>(state.tau));
+      exact.ready = before.ready;
+      static_cast<void>(
+          detail::update<S, double, Tuning>(exact, momentum_terms<S>(q, qd), exhaustive::in_double<R>(state.tau)));
     }
     int outermost = -1;
     for (int i = 0; i < R::chain.size; ++i) {
@@ -147,42 +149,17 @@ TYPED_TEST(HostileKernels, AnObserverForgetsNothingThatItRefused) {
       this->wrong.note(std::fabs(kg - to_real<double>(found.mass)) <= 1e-6, "a mass", k, kg,
                        to_real<double>(found.mass));
   });
-  EXPECT_GT(met, 500U);
+  EXPECT_GT(met, 300U);
 }
 
 namespace {
-
-/// Real numbers that no sensor gives.
-template <class T>
-T hostile_number(exhaustive::Random& random) {
-  using Limits = std::numeric_limits<T>;
-  constexpr T ends[] = {Limits::quiet_NaN(),
-                        Limits::infinity(),
-                        -Limits::infinity(),
-                        Limits::denorm_min(),
-                        -Limits::denorm_min(),
-                        Limits::max(),
-                        Limits::lowest(),
-                        Limits::min(),
-                        T(0.0),
-                        T(-0.0),
-                        T(512.0),
-                        T(-512.0)};
-  using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-  const std::int64_t kind = random.between(0, 3);
-  if (kind == 0) return ends[random.between(0, 11)];
-  if (kind == 1) return __builtin_bit_cast(T, static_cast<Bits>(random.bits()));
-  const T fraction = static_cast<T>(static_cast<double>(random.between(-1000000, 1000000)) * 1e-6);
-  return kind == 2 ? fraction * static_cast<T>(std::pow(10.0, static_cast<double>(random.between(-38, 38))))
-                   : fraction * T(8.0);
-}
 
 template <class Values, class T>
 void check_border(exhaustive::Random& random, std::uint64_t k, Wrong& wrong) {
   using R = robot_of<typename detail::RoleTraits<Values>::S>;
   Joints<R, T> real{};
   for (int i = 0; i < R::chain.size; ++i)
-    real[i] = hostile_number<T>(random);
+    real[i] = property::hostile_number<T>(random);
   const auto fixed = to_fixed<Values>(real);
   const auto back = to_real<double>(fixed.values);
   for (int i = 0; i < R::chain.size; ++i) {
