@@ -120,6 +120,9 @@ void check_forward(const State& state, const Expected<S>& expected, std::uint64_
         expected.surely == Code::ok ? !limit : status.code == expected.surely && status.joint == expected.joint;
     wrong.note(named, "forward dynamics' status", k, static_cast<int>(status.code), static_cast<int>(expected.surely));
   }
+  const Status asked = check_request<S>(state.q, state.qd, Accelerations<R, Fixed32>{});
+  const bool same = asked.ok() ? !limit : status.code == asked.code && status.joint == asked.joint;
+  wrong.note(same, "a request's status", k, static_cast<int>(status.code), static_cast<int>(asked.code));
   if (expected.may_wrap) {
     for (int i = 0; i < R::chain.size; ++i)
       wrong.note(fixed[i].raw == 0, "forward dynamics beyond the limits", k, fixed[i].raw, 0.0);

@@ -10,7 +10,7 @@ using namespace axial;
 using property::Fixed;
 using property::HostileState;
 using property::Wrong;
-constexpr std::uint64_t tests = 8;
+constexpr std::uint64_t tests = 10;
 
 template <class R>
 class HostileWords : public testing::Test {
@@ -41,6 +41,18 @@ TYPED_TEST(HostileWords, ForwardDynamicsIsRightOrSaysOtherwise) {
     property::check_forward<S>(state, property::Expected<S>(state), k, wrong);
   });
 }
+
+template <class R>
+class HostileWordsClassical : public HostileWords<R> {};
+using Classical = testing::Types<property::SlidingTree, robots::Scara>;
+TYPED_TEST_SUITE(HostileWordsClassical, Classical, property::RobotName);
+TYPED_TEST(HostileWordsClassical, TheClassicalFormIsRightOrSaysOtherwise) {
+  using S = Fixed<TypeParam, ArticulatedBody>;
+  this->template run<S>(20000, [](const auto& state, std::uint64_t k, Wrong& wrong) {
+    property::check_forward<S>(state, property::Expected<S>(state), k, wrong);
+  });
+}
+
 TYPED_TEST(HostileWords, FeedforwardIsRightOrSaysOtherwise) {
   using S = Fixed<TypeParam>;
   FeedforwardState<S, Fixed32> memory{};
