@@ -1,5 +1,7 @@
 // Any numbers in float and double: what is answered with ok is finite, and for states that a robot can be in it is
 // right.
+#include <axial/simulation/integrators.hpp>
+
 #include "fixed_robots.hpp"
 #include "hostile.hpp"
 
@@ -9,7 +11,7 @@ namespace {
 
 using namespace axial;
 using property::Wrong;
-constexpr std::uint64_t tests = 24;
+constexpr std::uint64_t tests = 28;
 
 /// q, qd, qdd and efforts of a robot.
 template <class R, class T>
@@ -133,5 +135,20 @@ TYPED_TEST(HostileNumbers, FeedforwardIsRightOrSaysOtherwise) {
     const auto exact = inverse_dynamics<R>(in_double(x.q), in_double(x.qd), in_double(x.qdd));
     const double off = share<R, float>(answer.tau, exact, 1.0);
     this->wrong.note(off <= 1e-5, "efforts", k, off, 0.0);
+  });
+}
+
+TYPED_TEST(HostileNumbers, AStepIsFiniteOrSaysOtherwise) {
+  using R = TypeParam;
+  using S = Scene<R, Gravity, RotorInertia>;
+  this->template run<float>(4000, [&](const Numbers<R, float>& x, std::uint64_t k) {
+    Motion<S, float> motion{};
+    motion.q = x.q, motion.qd = x.qd;
+    const float h = k % 7 == 0 ? static_cast<float>(x.tau[0]) : 1e-3F;
+    const Status status = k % 2 == 0 ? advance<SemiImplicitEuler>(motion, h, Held<S, float>{x.tau, {}})
+                                     : advance<RungeKutta4>(motion, h, Held<S, float>{x.tau, {}});
+    if (!status.ok()) return;
+    this->met += 1;
+    this->wrong.note(are_finite<R, float>(motion.q) && are_finite<R, float>(motion.qd), "a finite motion", k, 0.0, 0.0);
   });
 }
