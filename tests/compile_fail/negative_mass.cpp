@@ -2,11 +2,16 @@
 // within: 5 lines
 #include <axial/axial.hpp>
 
-struct Robot {
 #ifdef MENDED
-  static constexpr auto chain = axial::chain(axial::revolute().mass(0.0));
+constexpr double mass = 1.0;
 #else
-  static constexpr auto chain = axial::chain(axial::revolute().mass(-1.0));
+constexpr double mass = -1.0;
 #endif
+
+struct Robot {
+  static constexpr auto chain = axial::chain(axial::revolute().mass(1.0).com(0.1, 0, 0).inertia_com(0.01, 0.01, 0.01),
+                                             axial::revolute().mass(mass).com(0.1, 0, 0).inertia_com(0.01, 0.01, 0.01));
 };
-static_assert(axial::joint_count<Robot> == 1);
+// What kernels say of a robot that does not compile comes after it.
+auto effort(const axial::Joints<Robot, float>& q) { return axial::inverse_dynamics<Robot>(q, q, q); }
+auto accelerate(const axial::Joints<Robot, float>& q) { return axial::forward_dynamics<Robot>(q, q, q); }

@@ -56,6 +56,24 @@ TEST(Chain, OneCoulombValueHoldsInBothDirections) {
   static_assert(l.coulomb_forward == 0.7 && l.coulomb_backward == -0.7);
 }
 
+TEST(Chain, LimitsInDegreesAreRadians) {
+  constexpr auto l = revolute().position_limits_deg(-180, 90).parameters();
+  static_assert(l.position_min > -3.1415926535898 && l.position_min < -3.1415926535897);
+  static_assert(l.position_max > 1.5707963267948 && l.position_max < 1.5707963267949);
+}
+
+TEST(Chain, WhatIsAcceptedIsKeptAsItIs) {
+  constexpr auto published =
+      axial::chain(axial::accept(axial::as_published), gravity(0, 0, -9.81), gravity(0, 0, -1.62),
+                   revolute().a(300).inertia_com(0, 0, 0.35).mass(1).mass(0));
+  constexpr auto l = published.links[0];
+  static_assert(l.a == 300 && l.inertia_com[2] == 0.35 && l.mass == 0.0 && published.gravity.z == -1.62);
+  constexpr auto one = axial::chain(revolute().accept(axial::as_published).a(300).inertia_com(0, 0, 0.35));
+  static_assert(one.links[0].a == 300 && one.links[0].inertia_com[2] == 0.35);
+  constexpr auto body = axial::chain(base_body().inertia_com(0, 0, 0.35).accept(axial::as_published), revolute());
+  static_assert(body.has_base_body && body.base_body.inertia_com[2] == 0.35);
+}
+
 TEST(Angle, QuarterTurnsAreExactInEitherDirection) {
   for (int k = -9; k <= 9; ++k) {
     const auto angle = Angle::from_degrees(90.0 * k);
