@@ -50,12 +50,14 @@ struct Sample {
 
 /// Numbers that nobody wants to see: not finite, or so large that something made of them is not.
 template <class T>
-constexpr T hostile[] = {std::numeric_limits<T>::quiet_NaN(),    -std::numeric_limits<T>::quiet_NaN(),
-                         std::numeric_limits<T>::infinity(),     -std::numeric_limits<T>::infinity(),
-                         std::numeric_limits<T>::max(),          std::numeric_limits<T>::lowest(),
+constexpr T hostile[] = {std::numeric_limits<T>::quiet_NaN(), -std::numeric_limits<T>::quiet_NaN(),
+                         std::numeric_limits<T>::infinity(), -std::numeric_limits<T>::infinity(),
+                         std::numeric_limits<T>::max(), std::numeric_limits<T>::lowest(),
                          std::numeric_limits<T>::max() / T(300), sizeof(T) == 4 ? T(1e25) : T(1e170),
-                         sizeof(T) == 4 ? T(-1e18) : T(-1e120),  T(1e12),
-                         std::numeric_limits<T>::denorm_min()};
+                         sizeof(T) == 4 ? T(-1e18) : T(-1e120), T(1e12), std::numeric_limits<T>::denorm_min(),
+                         // As a slide's speed these are taken, and what follows overflows: differences of momenta over
+                         // a period, of the robot and of a kilogram of payload.
+                         std::numeric_limits<T>::max() / T(526), std::numeric_limits<T>::max() / T(1050)};
 
 template <class Values>
 bool same(const Values& a, const Values& b) {
