@@ -53,6 +53,13 @@ struct BoardBase {
   }
   static std::uint32_t ticks() { return Derived::Tick::count(); }
 
+  /// Differs from call to call, and from start to start as far as the part allows: made of what RAM held at power-on,
+  /// of how often it was asked for since, and of when, to a clock of the tick's timer. Not for secrets.
+  static std::uint32_t entropy() {
+    axial_entropy = (axial_entropy + Derived::Tick::phase()) * 1664525u + 1013904223u + ticks();
+    return axial_entropy;
+  }
+
   /// Sleeps until an interrupt, unless `awake()`.
   template <class Predicate>
   static void sleep_unless(Predicate awake) {

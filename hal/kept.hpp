@@ -13,6 +13,8 @@ extern volatile std::uint32_t axial_drives;
 extern volatile std::uint32_t axial_drive_pin;
 /// What the last fault left behind.
 extern axial::hal::FaultReport axial_fault_report;
+/// What entropy() was last.
+extern std::uint32_t axial_entropy;
 /// Stack of fault handlers: a fault may mean that the main one cannot be used.
 extern std::uint32_t axial_fault_stack[];
 }

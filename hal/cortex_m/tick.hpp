@@ -33,6 +33,8 @@ class Tick {
 
   /// Ticks since the start of the image; wraps.
   static std::uint32_t count() { return count_; }
+  /// Core clocks left of the present one.
+  static std::uint32_t phase() { return sys_tick().current; }
 
  private:
   inline static volatile std::uint32_t count_ = 0;

@@ -25,7 +25,9 @@ struct DriveChange {
 
 struct HostBoardState {
   std::deque<std::uint8_t> to_board, from_board;
-  std::uint32_t ticks = 0, overruns = 0, tick_rate_Hz = 0;
+  std::uint32_t ticks = 0, overruns = 0, tick_rate_Hz = 0, entropy = 0;
+  std::uint32_t count = 0;                ///< what measured code costs
+  CounterKind counter = CounterKind::none;
   std::string printed;
   bool exited = false;
   int exit_code = 0;
@@ -80,17 +82,21 @@ struct HostBoard {
   static void start_tick(std::uint32_t rate_Hz) { state.tick_rate_Hz = rate_Hz; }
   static void stop_tick() { state.tick_rate_Hz = 0; }
   static std::uint32_t ticks() { return state.ticks; }
+  static std::uint32_t entropy() { return ++state.entropy; }
 
   /// A host test never sleeps: its step returns and the test decides what comes next.
   template <class Predicate>
   static void sleep_unless(Predicate) {}
 
-  static CounterScale counter_scale() { return {CounterKind::none, 0, 0}; }
+  struct Counter {
+    static constexpr std::uint32_t instruction_ns = 64;
+  };
+  static CounterScale counter_scale() { return {state.counter, 1, 1}; }
   static std::uint32_t empty_bracket() { return 0; }
   template <class Code>
   static std::uint32_t count(Code& code) {
     code();
-    return 0;
+    return state.count;
   }
 
   static void enable_drives(bool on) {

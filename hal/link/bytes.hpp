@@ -16,6 +16,10 @@ class ByteWriter {
     if (size_ < capacity_) bytes_[size_] = value;
     ++size_;
   }
+  void operator()(std::uint16_t value) {
+    (*this)(static_cast<std::uint8_t>(value & 0xFFu));
+    (*this)(static_cast<std::uint8_t>(value >> 8));
+  }
   void operator()(std::uint32_t value) {
     for (unsigned shift = 0; shift < 32; shift += 8)
       (*this)(static_cast<std::uint8_t>(value >> shift & 0xFFu));
@@ -42,6 +46,12 @@ class ByteReader {
   void operator()(std::uint8_t& value) {
     value = at_ < count_ ? bytes_[at_] : std::uint8_t{0};
     ++at_;
+  }
+  void operator()(std::uint16_t& value) {
+    std::uint8_t low = 0, high = 0;
+    (*this)(low);
+    (*this)(high);
+    value = static_cast<std::uint16_t>(low | high << 8);
   }
   void operator()(std::uint32_t& value) {
     value = 0;

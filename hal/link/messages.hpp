@@ -11,7 +11,7 @@
 
 namespace axial::hal::link {
 
-constexpr std::uint8_t protocol_version = 1;
+constexpr std::uint8_t protocol_version = 2;
 constexpr std::size_t max_joints = 8;
 constexpr std::size_t name_size = 16;
 
@@ -22,22 +22,25 @@ enum class MessageType : std::uint8_t {
   error = 4,          ///< firmware: something on the line was refused
   stats_request = 5,  ///< host
   stats = 6,          ///< firmware
-  shutdown = 7,       ///< host: end the emulator
-  start = 8,          ///< host: choose a mode, restart the sequence numbers
-  measurement = 9     ///< host: what the encoders say, for images that close a loop; before the tick's set-point
+  shutdown = 7,       ///< host: end the emulator; in images for fault injection alone
+  start = 8,          ///< host: open a session and choose a mode
+  measurement = 9,    ///< host: what the encoders say, for images that close a loop; before the tick's set-point
+  injection = 10      ///< host: fail; in images for fault injection alone
 };
 
 enum class Mode : std::uint8_t {
   lock_step = 0,    ///< a set-point is answered at once; its sequence number is the time
-  free_running = 1  ///< the newest set-point is answered at the board's tick; the watchdog is armed
+  free_running = 1  ///< the newest set-point is answered at the board's tick
 };
 
 enum class TorqueStatus : std::uint8_t {
   ok = 0,
-  not_finite = 1,      ///< the set-point holds NaN or infinity; the last safe torque is repeated
-  outside_limits = 2,  ///< of position, speed, acceleration or payload; the last safe torque is repeated
+  not_finite = 1,      ///< the set-point holds NaN or infinity; the drives are held
+  outside_limits = 2,  ///< of position, speed, acceleration or payload; the drives are held
   effort_limited = 3,  ///< the torque was cut to the joint's effort limit
-  watchdog = 4         ///< no set-point came in time; the last safe torque is repeated
+  watchdog = 4,        ///< no good set-point came in time: a report, no answer
+  disabled = 5,        ///< the drives are disabled until a session is started
+  not_measured = 6     ///< no measurement came with the set-point of an image that closes a loop; the drives are held
 };
 constexpr std::uint8_t no_joint = 255;
 
@@ -51,9 +54,14 @@ enum class Fault : std::uint8_t {
   out_of_order = 5,  ///< a sequence number not after the last one
   bad_payload = 6,   ///< a payload that does not fit its type
   unknown_type = 7,  //
-  overrun = 8        ///< bytes lost in the receiver
+  overrun = 8,       ///< bytes lost in the receiver
+  no_session = 9,    ///< what only a session's frames may ask for
+  far_ahead = 10     ///< a sequence number beyond the window
 };
-constexpr std::size_t fault_kinds = 9;
+constexpr std::size_t fault_kinds = 11;
+/// How far after the last one a sequence number may be. Lost frames are passed over, and a number that is wrong blocks
+/// no more than these.
+constexpr std::uint32_t sequence_window = 20;
 using FaultCounters = std::array<std::uint32_t, fault_kinds>;
 using Name = std::array<char, name_size>;  ///< padded with zeros, at least one
 
@@ -65,6 +73,10 @@ struct Hello {
       counter_denominator;      ///< count over raw ticks; counts in messages are scaled already
   std::uint32_t empty_bracket;  ///< subtracted already
   Name robot, board;
+  std::uint32_t session;        ///< of the frames that follow; what the next `start` must name
+  std::uint32_t nonce;          ///< of the `start` that this answers; 0 after a reset
+  std::uint8_t reset_cause;     ///< see hal::ResetCause
+  std::uint32_t fault_address;  ///< program counter of the last fault; 0 where none is known
 };
 
 struct SetPoint {
@@ -77,8 +89,10 @@ struct Torque {
   static constexpr MessageType type = MessageType::torque;
   std::size_t joints;  ///< not sent: the payload's length tells
   std::array<float, max_joints> tau;
-  std::uint32_t count;  ///< instructions or cycles of this torque
-  std::uint8_t status, joint;
+  std::uint32_t count;         ///< instructions or cycles of this torque
+  std::uint16_t overruns;      ///< deadlines missed so far; stays at 65535
+  std::uint8_t status, joint;  ///< see TorqueStatus
+  std::uint8_t phase;          ///< of the drives: see axial::DrivePhase
 };
 
 struct ErrorReply {
@@ -96,7 +110,8 @@ struct Stats {
   std::uint32_t frames, set_points, refused, gaps;  ///< good frames; torques computed; held by status; numbers left out
   std::uint32_t ticks, watchdog_holds;
   std::uint32_t count_min, count_max;
-  std::uint32_t stack_bytes;  ///< deepest use so far
+  std::uint32_t stack_bytes;        ///< deepest use so far
+  std::uint32_t deadline_overruns;  ///< deadlines missed so far
   FaultCounters counters;
 };
 
@@ -105,9 +120,25 @@ struct Shutdown {
   std::uint8_t exit_code;
 };
 
+/// Its own sequence number is the one after which set-points are counted.
 struct Start {
   static constexpr MessageType type = MessageType::start;
   std::uint8_t mode;
+  std::uint32_t session;  ///< as the last hello said: what was recorded earlier names another
+  std::uint32_t nonce;    ///< the host's choice, not 0; the hello that answers repeats it
+};
+
+/// What an image for fault injection can be made to do.
+enum class InjectedFault : std::uint8_t {
+  stack_overflow = 0,  //
+  wild_jump = 1,       ///< to `address`
+  hang = 2,            ///< an endless loop; with interrupts masked where `address` is not 0
+  stray_write = 3      ///< of a zero to `address`
+};
+struct Injection {
+  static constexpr MessageType type = MessageType::injection;
+  std::uint8_t fault;  ///< see InjectedFault
+  std::uint32_t address;
 };
 
 /// Encoders: 2^-32 turns, or 0.1 um on a slide. No answer: the set-point that follows has one.
@@ -139,6 +170,7 @@ void layout(Archive& a, Hello& m) {
   a(m.clock_Hz), a(m.baud), a(m.tick_Hz);
   a(m.counter_numerator), a(m.counter_denominator), a(m.empty_bracket);
   layout(a, m.robot), layout(a, m.board);
+  a(m.session), a(m.nonce), a(m.reset_cause), a(m.fault_address);
 }
 
 template <class Archive>
@@ -149,7 +181,7 @@ void layout(Archive& a, SetPoint& m) {
 template <class Archive>
 void layout(Archive& a, Torque& m) {
   each(a, m.tau, m.joints);
-  a(m.count), a(m.status), a(m.joint);
+  a(m.count), a(m.overruns), a(m.status), a(m.joint), a(m.phase);
 }
 
 template <class Archive>
@@ -163,7 +195,7 @@ void layout(Archive&, StatsRequest&) {}
 template <class Archive>
 void layout(Archive& a, Stats& m) {
   a(m.frames), a(m.set_points), a(m.refused), a(m.gaps), a(m.ticks), a(m.watchdog_holds);
-  a(m.count_min), a(m.count_max), a(m.stack_bytes), each(a, m.counters, fault_kinds);
+  a(m.count_min), a(m.count_max), a(m.stack_bytes), a(m.deadline_overruns), each(a, m.counters, fault_kinds);
 }
 
 template <class Archive>
@@ -173,7 +205,12 @@ void layout(Archive& a, Shutdown& m) {
 
 template <class Archive>
 void layout(Archive& a, Start& m) {
-  a(m.mode);
+  a(m.mode), a(m.session), a(m.nonce);
+}
+
+template <class Archive>
+void layout(Archive& a, Injection& m) {
+  a(m.fault), a(m.address);
 }
 
 template <class Archive>
@@ -187,7 +224,7 @@ void layout(Archive& a, Measurement& m) {
 }
 
 constexpr std::size_t set_point_size(std::size_t joints) { return 12 * joints; }
-constexpr std::size_t torque_size(std::size_t joints) { return 4 * joints + 6; }
+constexpr std::size_t torque_size(std::size_t joints) { return 4 * joints + 9; }
 constexpr std::size_t measurement_size(std::size_t joints) { return 4 * joints + 1; }
 static_assert(set_point_size(max_joints) <= max_payload && torque_size(max_joints) <= max_payload);
 
@@ -198,17 +235,17 @@ struct WireBytes {
 };
 
 template <class Message>
-std::size_t encode_message(Message message, std::uint32_t sequence, std::uint8_t* out) {
+std::size_t encode_message(Message message, std::uint32_t sequence, std::uint32_t session, std::uint8_t* out) {
   std::uint8_t payload[max_payload];
   ByteWriter writer(payload, sizeof payload);
   layout(writer, message);
-  return encode_frame({static_cast<std::uint8_t>(Message::type), sequence, payload, writer.size()}, out);
+  return encode_frame({static_cast<std::uint8_t>(Message::type), sequence, payload, writer.size(), session}, out);
 }
 
 template <class Message>
-WireBytes encode_message(const Message& message, std::uint32_t sequence) {
+WireBytes encode_message(const Message& message, std::uint32_t sequence, std::uint32_t session = no_session) {
   WireBytes wire{};
-  wire.size = encode_message(message, sequence, wire.bytes.data());
+  wire.size = encode_message(message, sequence, session, wire.bytes.data());
   return wire;
 }
 
@@ -221,7 +258,7 @@ inline bool set_joints(SetPoint& m, std::size_t length) {
   return length % 12 == 0 && m.joints <= max_joints;
 }
 inline bool set_joints(Torque& m, std::size_t length) {
-  m.joints = length < 6 ? 0 : (length - 6) / 4;
+  m.joints = length < torque_size(0) ? 0 : (length - torque_size(0)) / 4;
   return length == torque_size(m.joints) && m.joints <= max_joints;
 }
 inline bool set_joints(Measurement& m, std::size_t length) {

@@ -11,7 +11,9 @@ using Register = volatile std::uint32_t;
 
 struct TimerRegisters {
   Register start, stop, count, clear, shut_down;
-  Register reserved0[75];
+  Register reserved0[11];
+  Register capture[4];
+  Register reserved5[60];
   Register compared[4];
   Register reserved1[44];
   Register shortcuts;
@@ -19,9 +21,10 @@ struct TimerRegisters {
   Register interrupt_enable_set, interrupt_enable_clear;
   Register reserved3[126];
   Register mode, width, reserved4, prescaler;
-  Register reserved5[11];
+  Register reserved6[11];
   Register compare[4];
 };
+static_assert(offsetof(TimerRegisters, capture) == 0x040);
 static_assert(offsetof(TimerRegisters, compared) == 0x140 && offsetof(TimerRegisters, shortcuts) == 0x200);
 static_assert(offsetof(TimerRegisters, interrupt_enable_set) == 0x304 && offsetof(TimerRegisters, mode) == 0x504);
 static_assert(offsetof(TimerRegisters, prescaler) == 0x510 && offsetof(TimerRegisters, compare) == 0x540);
@@ -70,6 +73,12 @@ class TimerTick {
 
   /// Ticks since the start of the image; wraps.
   static std::uint32_t count() { return count_; }
+  /// Clocks of the timer since the last one.
+  static std::uint32_t phase() {
+    auto& timer = Port::registers();
+    timer.capture[1] = 1;
+    return timer.compare[1];
+  }
 
  private:
   inline static volatile std::uint32_t count_ = 0;

@@ -57,6 +57,8 @@ class TimerTick {
 
   /// Ticks since the start of the image; wraps.
   static std::uint32_t count() { return count_; }
+  /// The timer that it counts by.
+  static std::uint32_t phase() { return static_cast<std::uint32_t>(now()); }
 
  private:
   /// The period runs from the last due time, not from now: a late interrupt shifts no later one.

@@ -24,7 +24,11 @@ const char* status_text(std::uint8_t status) {
     case link::TorqueStatus::effort_limited:
       return "the torque was cut to the effort limit";
     case link::TorqueStatus::watchdog:
-      return "the watchdog acted";
+      return "no set-point came in time";
+    case link::TorqueStatus::disabled:
+      return "the drives are disabled";
+    case link::TorqueStatus::not_measured:
+      return "no measurement came with the set-point";
   }
   return "unknown status";
 }
@@ -76,7 +80,6 @@ Recording stream(SerialLine& line, const Robot& robot, const Trajectory& traject
   }
   recording.stats = firmware.stats();
   check_stats(recording.stats, trajectory.size());
-  firmware.shut_down();
   return recording;
 }
 

@@ -1,6 +1,7 @@
 #include <host_sim/link/firmware.hpp>
 
 #include <algorithm>
+#include <random>
 #include <stdexcept>
 
 namespace host_sim {
@@ -12,28 +13,64 @@ constexpr auto start_limit = std::chrono::seconds(20);
 constexpr auto answer_limit = std::chrono::seconds(5);
 
 const char* fault_name(std::uint8_t fault) {
-  constexpr const char* names[] = {"bad stuffing",  "a truncated frame", "an oversized frame",
-                                   "a bad length",  "a bad CRC",         "a sequence number out of order",
-                                   "a bad payload", "an unknown type",   "an overrun"};
+  constexpr const char* names[] = {"bad stuffing",
+                                   "a truncated frame",
+                                   "an oversized frame",
+                                   "a bad length",
+                                   "a bad CRC",
+                                   "a sequence number out of order",
+                                   "a bad payload",
+                                   "an unknown type",
+                                   "an overrun",
+                                   "a frame of no session",
+                                   "a sequence number far ahead"};
   static_assert(sizeof names / sizeof *names == link::fault_kinds);
   return fault < link::fault_kinds ? names[fault] : "an unknown fault";
 }
 
 std::string describe_error(const link::FrameView& frame) {
+  if (frame.type == static_cast<std::uint8_t>(link::MessageType::hello) && frame.length > 0)
+    return "a hello of protocol version " + std::to_string(frame.payload[0]);
   link::ErrorReply reply{};
   return link::decode_message(frame, reply) ? std::string("the firmware reports ") + fault_name(reply.fault)
                                             : "frame of type " + std::to_string(frame.type);
 }
 
+/// A torque that the firmware exerts of itself while no set-point comes.
+bool is_report(const link::FrameView& frame) {
+  link::Torque torque{};
+  return link::decode_message(frame, torque) &&
+         torque.status == static_cast<std::uint8_t>(link::TorqueStatus::watchdog);
+}
+
 }  // namespace
 
 Firmware::Firmware(SerialLine& line) : line_(line) {
-  wait_for<link::Hello>(start_limit, "hello");
-  send(link::Start{static_cast<std::uint8_t>(link::Mode::lock_step)}, 0);
-  hello_ = wait_for<link::Hello>(answer_limit, "hello in lock-step");
+  hello_ = wait_for<link::Hello>(start_limit, "hello");
+  check_version();
+  use_session();
+  open_session();
+}
+
+void Firmware::check_version() const {
   if (hello_.version != link::protocol_version)
     throw std::runtime_error("the firmware speaks protocol version " + std::to_string(hello_.version) +
                              ", this program " + std::to_string(link::protocol_version));
+}
+
+void Firmware::open_session() {
+  const std::uint32_t nonce = std::random_device{}() | 1U;
+  send(link::Start{static_cast<std::uint8_t>(link::Mode::lock_step), hello_.session, nonce}, sequence_);
+  hello_ = wait_for<link::Hello>(answer_limit, "hello in lock-step");
+  check_version();
+  if (hello_.nonce != nonce)
+    throw std::runtime_error("the firmware opened another session than this program asked for");
+  use_session();
+}
+
+void Firmware::use_session() {
+  session_ = hello_.session;
+  decoder_.set_session(session_);
 }
 
 link::Torque Firmware::torque(const link::SetPoint& set_point) {
@@ -53,11 +90,12 @@ link::Stats Firmware::stats() {
   return wait_for<link::Stats>(answer_limit, "statistics");
 }
 
-void Firmware::shut_down() { send(link::Shutdown{0}, ++sequence_); }
-
 template <class Answer>
 Answer Firmware::wait_for(std::chrono::milliseconds limit, const std::string& what) {
-  const link::FrameView frame = next_frame(Clock::now() + limit, what);
+  const auto end = Clock::now() + limit;
+  link::FrameView frame = next_frame(end, what);
+  while (is_report(frame))
+    frame = next_frame(end, what);
   Answer answer{};
   if (!link::decode_message(frame, answer))
     throw std::runtime_error("expected " + what + ", got: " + describe_error(frame));
@@ -82,7 +120,8 @@ link::FrameView Firmware::next_frame(Clock::time_point end, const std::string& w
 
 template <class Message>
 void Firmware::send(const Message& message, std::uint32_t sequence) {
-  const link::WireBytes wire = link::encode_message(message, sequence);
+  const link::WireBytes wire =
+      link::encode_message(message, sequence, Message::type == link::MessageType::start ? link::no_session : session_);
   line_.write(wire.bytes.data(), wire.size);
 }
 

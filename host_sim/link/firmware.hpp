@@ -17,7 +17,7 @@ namespace link = axial::hal::link;
 /// Every member throws std::runtime_error when the answer is late, broken or not the expected one.
 class Firmware {
  public:
-  /// Waits for the hello frame and asks for lock-step.
+  /// Waits for the hello frame and opens a session in lock-step.
   explicit Firmware(SerialLine& line);
 
   const link::Hello& hello() const { return hello_; }
@@ -27,10 +27,11 @@ class Firmware {
   /// The same from an image that closes a loop, which is told first what the encoders say.
   link::Torque torque(const link::Measurement& measurement, const link::SetPoint& set_point);
   link::Stats stats();
-  /// Ends the emulator; nothing answers.
-  void shut_down();
 
  private:
+  void check_version() const;
+  void open_session();
+  void use_session();
   template <class Answer>
   Answer wait_for(std::chrono::milliseconds limit, const std::string& what);
   link::FrameView next_frame(std::chrono::steady_clock::time_point end, const std::string& what);
@@ -41,7 +42,7 @@ class Firmware {
   link::FrameDecoder decoder_;
   std::uint8_t received_[512];
   std::size_t size_ = 0, at_ = 0;
-  std::uint32_t sequence_ = 0;
+  std::uint32_t sequence_ = 0, session_ = link::no_session;
   link::Hello hello_{};
 };
 

@@ -24,6 +24,7 @@ class Host : public Controller {
     controller_.measure(measurement);
     controller_.load(wanted);
     controller_.compute();
+    controller_.settle(wanted);
     controller_.store(torque);
     return torque;
   }
@@ -35,14 +36,6 @@ class Host : public Controller {
 class Emulated : public Controller {
  public:
   Emulated(const Board& board, const std::string& image) : emulator_(board, image), firmware_(emulator_.serial()) {}
-  ~Emulated() override {
-    try {
-      firmware_.shut_down();
-    } catch (const std::runtime_error&) {  // it has ended by itself, which the last answer said
-    }
-  }
-  Emulated(const Emulated&) = delete;
-  Emulated& operator=(const Emulated&) = delete;
 
   link::Torque answer(const link::Measurement& measurement, const link::SetPoint& wanted) override {
     try {

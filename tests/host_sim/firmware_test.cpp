@@ -36,7 +36,7 @@ class PlayedBoard {
 
   template <class Message>
   void send(const Message& message, std::uint32_t sequence) {
-    const auto wire = link::encode_message(message, sequence);
+    const auto wire = link::encode_message(message, sequence, session_);
     board_.write(wire.bytes.data(), wire.size);
   }
   void send_broken_frame() {
@@ -48,14 +48,25 @@ class PlayedBoard {
     board_ = SerialLine();
     throw std::runtime_error("hung up");  // ends run()
   }
-  void greet(std::uint8_t version = link::protocol_version) {
+  void greet(std::uint8_t version = link::protocol_version, std::uint32_t nonce = 0) {
     link::Hello hello{};
     hello.version = version;
     hello.joints = 2;
+    hello.session = nonce == 0 ? booted : opened;
+    hello.nonce = nonce;
+    session_ = link::no_session;
     send(hello, 0);
+    session_ = hello.session;
+  }
+  /// Opens a session where the frame asks for one as it should.
+  void open(const link::FrameView& frame, std::uint32_t nonce_off = 0) {
+    link::Start start{};
+    if (!link::decode_message(frame, start) || frame.session != link::no_session || start.session != booted) return;
+    greet(link::protocol_version, start.nonce + nonce_off);
   }
 
   SerialLine host;
+  static constexpr std::uint32_t booted = 0xB007, opened = 0x5E55;
 
  private:
   void run() try {
@@ -64,6 +75,7 @@ class PlayedBoard {
     std::uint8_t byte = 0;
     while (true) {
       if (board_.read(&byte, 1, std::chrono::seconds(10)) == 0) continue;
+      decoder.set_session(session_);
       if (decoder.feed(byte) == link::FrameEvent::frame) answer_(*this, decoder.frame());
     }
   } catch (const std::runtime_error&) {  // one side hung up
@@ -71,6 +83,7 @@ class PlayedBoard {
 
   Answer answer_;
   SerialLine board_;
+  std::uint32_t session_ = link::no_session;
   std::thread thread_;
 };
 
@@ -78,9 +91,9 @@ bool is(const link::FrameView& frame, link::MessageType type) { return frame.typ
 
 /// A good board: greets on start, and its torque is q + 10 qd + 100 qdd.
 void answer_well(PlayedBoard& board, const link::FrameView& frame) {
-  if (is(frame, link::MessageType::start)) board.greet();
+  board.open(frame);
   link::SetPoint in{};
-  if (!link::decode_message(frame, in)) return;
+  if (!link::decode_message(frame, in) || frame.session != PlayedBoard::opened) return;
   link::Torque out{};
   out.joints = in.joints;
   for (std::size_t i = 0; i < in.joints; ++i)
@@ -92,7 +105,7 @@ void answer_well(PlayedBoard& board, const link::FrameView& frame) {
 /// A board that starts well and answers set-points badly.
 PlayedBoard::Answer with_torque(std::function<void(PlayedBoard&, const link::FrameView&)> bad) {
   return [bad = std::move(bad)](PlayedBoard& board, const link::FrameView& frame) {
-    if (is(frame, link::MessageType::start)) return board.greet();
+    if (is(frame, link::MessageType::start)) return board.open(frame);
     bad(board, frame);
   };
 }
@@ -132,6 +145,34 @@ TEST(Firmware, SetPointsAreSentAsFloat) {
 TEST(Firmware, NoticesAnotherProtocolVersion) {
   const auto old = [](PlayedBoard& board, const link::FrameView&) { board.greet(99); };
   EXPECT_NE(failure(old).find("protocol version 99"), std::string::npos);
+}
+
+TEST(Firmware, NoticesTheAnswerToAnotherStart) {
+  const auto other = [](PlayedBoard& board, const link::FrameView& frame) { board.open(frame, 1); };
+  EXPECT_NE(failure(other).find("another session"), std::string::npos);
+}
+
+TEST(Firmware, ReportsOfAHeldTorqueAreNoAnswers) {
+  const auto late = [](PlayedBoard& board, const link::FrameView& frame) {
+    if (is(frame, link::MessageType::start)) return board.open(frame);
+    link::Torque held{};
+    held.joints = 2;
+    held.status = static_cast<std::uint8_t>(link::TorqueStatus::watchdog);
+    board.send(held, frame.sequence - 1);
+    answer_well(board, frame);
+  };
+  PlayedBoard board(late);
+  EXPECT_EQ(Firmware(board.host).torque(set_point).tau[0], 306.0F);
+}
+
+TEST(Firmware, ATorqueOfAnotherSessionIsABrokenFrame) {
+  const auto other = [](PlayedBoard& board, const link::FrameView& frame) {
+    board.greet();
+    link::Torque torque{};
+    torque.joints = 2;
+    board.send(torque, frame.sequence);
+  };
+  EXPECT_FALSE(failure(with_torque(other)).empty());
 }
 
 TEST(Firmware, NoticesALostTorque) {

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import random
 import select
 import socket
 import subprocess
@@ -26,12 +27,15 @@ def image(board_name, name):
     return path
 
 
-def command(board_name, path, serial, semihosting=True):
+def command(board_name, path, serial, semihosting=True, fast=False):
+    """`fast`: time that the board sleeps passes at once."""
     qemu = board(board_name)["qemu"]
     arguments = qemu["arguments"]
     if not semihosting:
         at = arguments.index("-semihosting-config")
         arguments = arguments[:at] + arguments[at + 2 :]
+    if fast:
+        arguments = [argument + ",sleep=off" if argument.startswith("shift=") else argument for argument in arguments]
     return [qemu["program"], *arguments, "-kernel", str(path), "-serial", serial]
 
 
@@ -45,20 +49,28 @@ def run(board_name, name, timeout=120):
 class Emulator:
     """The main job on an emulated board. This side listens before QEMU starts, so the hello frame is not lost."""
 
-    def __init__(self, board_name, name, semihosting=True):
+    def __init__(self, board_name, name, semihosting=True, mode=link.LOCK_STEP, fast=False):
+        """`mode`: of the session that is opened; None for none."""
+        self.session = link.NO_SESSION
         self.folder = tempfile.TemporaryDirectory(prefix="axial-")
         path = os.path.join(self.folder.name, "serial")
-        with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as listener:
-            listener.bind(path)
+        with socket.socket(socket.AF_INET if fast else socket.AF_UNIX, socket.SOCK_STREAM) as listener:
+            listener.bind(("127.0.0.1", 0) if fast else path)
             listener.listen(1)
             listener.settimeout(20)
-            self.process = subprocess.Popen(command(board_name, image(board_name, name), f"unix:{path}", semihosting),
-                                            stdin=subprocess.DEVNULL)
+            # A UNIX socket takes some 270 single bytes and no more until somebody reads; a board whose time flies says more.
+            address = f"tcp:127.0.0.1:{listener.getsockname()[1]}" if fast else f"unix:{path}"
+            self.printed = open(os.path.join(self.folder.name, "console"), "w+", encoding="utf-8")
+            self.process = subprocess.Popen(command(board_name, image(board_name, name), address, semihosting, fast),
+                                            stdin=subprocess.DEVNULL, stdout=self.printed, stderr=subprocess.STDOUT)
             self.line, _ = listener.accept()
         self.line.setblocking(False)
         self.pending = bytearray()
         self.unsent = bytearray()
-        self.hello = link.hello(self.expect(link.HELLO)[1])
+        self.greeting = self.hello = link.hello(self.expect(link.HELLO)[1])
+        self.session = self.hello["session"]
+        if mode is not None:
+            self.opened = self.open(mode)
 
     def __enter__(self):
         return self
@@ -67,7 +79,29 @@ class Emulator:
         self.line.close()
         self.process.kill()
         self.process.wait()
+        self.printed.close()
         self.folder.cleanup()
+
+    def open(self, mode, number=0):
+        """A session, whose set-points are counted from `number`; the frame that opened it. Whoever names an old one is told
+        the present one."""
+        nonce = random.randrange(1, 1 << 32)
+        self.session = None  # what is still on its way may be of another
+        while self.hello["nonce"] != nonce:
+            frame = link.frame(link.START, number, link.start(mode, self.hello["session"], nonce))
+            self.send(frame)
+            self.hello = link.hello(self.expect(link.HELLO)[1])
+        self.session = self.hello["session"]
+        return frame
+
+    def frame(self, kind, sequence, payload=b""):
+        """A frame of the session."""
+        return link.frame(kind, sequence, payload, self.session)
+
+    def console(self):
+        """What image and emulator have printed so far."""
+        self.printed.seek(0)
+        return self.printed.read()
 
     def send(self, data):
         self.unsent += data
@@ -79,7 +113,7 @@ class Emulator:
         while True:
             piece = self._piece()
             if piece:
-                return link.parse(piece)
+                return link.parse(piece, self.session)
             if piece is None:
                 left = end - time.monotonic()
                 if left <= 0 or not self._pump(left):
@@ -90,16 +124,16 @@ class Emulator:
         while True:
             got = self.receive(timeout)
             if got is None:
-                raise TimeoutError(f"no frame of type {kind}")
+                raise TimeoutError(f"no frame of type {kind}; the console says: {self.console()}")
             if got[0] == kind:
                 return got[1], got[2]
 
     def ask(self, sequence, payload):
         """One lock-step tick: the torque for a set-point."""
-        self.send(link.frame(link.SET_POINT, sequence, payload))
+        self.send(self.frame(link.SET_POINT, sequence, payload))
         while True:
             number, answer = self.expect(link.TORQUE)
-            if number == sequence:
+            if number == sequence and link.torque(answer)["status"] != link.WATCHDOG:
                 return link.torque(answer)
 
     def listen(self, seconds):

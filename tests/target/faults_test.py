@@ -16,7 +16,7 @@ class Faults(harness.BoardTest):
 
     @unittest.skipIf("measuring_only" in emulator.board(sys.argv[1]), "there is no serial port to ask by")
     def test_semihosting_without_a_listener_is_stepped_over(self):
-        with emulator.Emulator(self.board, "feedforward-scara", semihosting=False) as firmware:
+        with emulator.Emulator(self.board, "injection-scara", semihosting=False) as firmware:
             firmware.send(link.frame(link.SHUTDOWN, 0, bytes([7])))
             firmware.ask(1, link.set_point([0.1] * 3, [0] * 3, [0] * 3))
             self.assertIsNone(firmware.process.poll(), "the image runs on")

@@ -25,7 +25,8 @@ class Feedforward(harness.BoardTest):
             with self.subTest(robot), emulator.Emulator(self.board, "feedforward-" + robot) as firmware:
                 hello = firmware.hello
                 self.assertEqual((hello["robot"], hello["board"], hello["joints"]), (robot, self.board, joints))
-                self.assertEqual(hello["version"], 1)
+                self.assertEqual(hello["version"], 2)
+                self.assertEqual(firmware.greeting["reset_cause"], link.POWER_ON)
                 self.assertEqual(hello["counter_kind"], link.COUNTS_INSTRUCTIONS)
                 self.assertEqual(hello["clock_source"], link.CLOCK_EMULATOR, "the fallback of the clock is reported")
                 self.assertEqual(hello["tick_Hz"], self.tick_Hz())
@@ -56,12 +57,12 @@ class Feedforward(harness.BoardTest):
         with self.run_scara() as firmware:
             firmware.ask(5, AT_REST)
             for number in (5, 4, 0xFFFFFFFF):
-                firmware.send(link.frame(link.SET_POINT, number, AT_REST))
+                firmware.send(firmware.frame(link.SET_POINT, number, AT_REST))
                 error = link.error(firmware.expect(link.ERROR)[1])
                 self.assertEqual(error["fault"], link.OUT_OF_ORDER)
             self.assertEqual(error["counters"][link.OUT_OF_ORDER], 3)
             firmware.ask(9, AT_REST)
-            self.assertEqual(firmware.stats()["gaps"], 3)
+            self.assertEqual(firmware.stats()["gaps"], 7)
 
     def test_every_fault_is_named(self):
         good = link.frame(link.SET_POINT, 1, AT_REST)
@@ -75,6 +76,7 @@ class Feedforward(harness.BoardTest):
             link.BAD_CRC: bytes(flipped),
             link.BAD_PAYLOAD: link.frame(link.SET_POINT, 1, AT_REST[:-4]),
             link.UNKNOWN_TYPE: link.frame(77, 1),
+            link.WITHOUT_SESSION: good,
         }
         with self.run_scara() as firmware:
             for fault, data in cases.items():
@@ -85,12 +87,12 @@ class Feedforward(harness.BoardTest):
 
     def test_free_running_ticks_and_watchdog(self):
         with self.run_scara() as firmware:
-            firmware.send(link.frame(link.START, 0, bytes([link.FREE_RUNNING])))
-            self.assertEqual(link.hello(firmware.expect(link.HELLO)[1])["mode"], link.FREE_RUNNING)
+            firmware.open(link.FREE_RUNNING)
+            self.assertEqual(firmware.hello["mode"], link.FREE_RUNNING)
             safe = firmware.ask(1, AT_REST)
             self.assertEqual(safe["status"], link.OK)
             held = link.torque(firmware.expect(link.TORQUE)[1])
-            self.assertEqual((held["status"], held["tau"]), (link.WATCHDOG, safe["tau"]))
+            self.assertEqual((held["status"], held["phase"], held["tau"]), (link.WATCHDOG, link.FADING, safe["tau"]))
             self.assertEqual(firmware.ask(2, AT_REST)["status"], link.OK, "a new set-point ends the hold")
             before, start = firmware.stats(), time.monotonic()
             firmware.listen(0.5)
@@ -100,8 +102,15 @@ class Feedforward(harness.BoardTest):
             self.assertLess(ticks, 1.5 * self.tick_Hz() * passed)
             self.assertGreater(firmware.stats()["watchdog_holds"], before["watchdog_holds"])
 
-    def test_shutdown_ends_the_emulator_with_its_code(self):
+    def test_images_for_flash_know_no_shutdown(self):
         with self.run_scara() as firmware:
+            for kind, payload in (link.SHUTDOWN, bytes([7])), (link.INJECTION, link.injection(link.HANG)):
+                firmware.send(firmware.frame(kind, 0, payload))
+                self.assertEqual(link.error(firmware.expect(link.ERROR)[1])["fault"], link.UNKNOWN_TYPE)
+            self.assertEqual(firmware.ask(1, AT_REST)["status"], link.OK)
+
+    def test_shutdown_ends_the_emulator_with_its_code(self):
+        with emulator.Emulator(self.board, "injection-scara") as firmware:
             firmware.send(link.frame(link.SHUTDOWN, 0, bytes([7])))
             self.assertEqual(firmware.process.wait(20), 7)
 

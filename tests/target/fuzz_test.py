@@ -34,7 +34,7 @@ class Fuzz(harness.BoardTest):
         with emulator.Emulator(self.board, "feedforward-planar2r") as firmware:
             for round_ in range(ROUNDS):
                 bad = link.set_point([dice.uniform(-1, 1)] * 2, [0] * 2, [0] * 2)
-                firmware.send(spoilt(dice, link.frame(link.SET_POINT, number + 1, bad)))
+                firmware.send(spoilt(dice, firmware.frame(link.SET_POINT, number + 1, bad)))
                 number += 2
                 answer = firmware.ask(number, link.set_point([0.5] * 2, [0] * 2, [0] * 2))
                 self.assertEqual(answer["status"], link.OK, f"seed {SEED}, round {round_}")

@@ -3,10 +3,16 @@
 import struct
 import zlib
 
-HELLO, SET_POINT, TORQUE, ERROR, STATS_REQUEST, STATS, SHUTDOWN, START = range(1, 9)
+HELLO, SET_POINT, TORQUE, ERROR, STATS_REQUEST, STATS, SHUTDOWN, START, MEASUREMENT, INJECTION = range(1, 11)
 LOCK_STEP, FREE_RUNNING = 0, 1
-OK, NOT_FINITE, OUTSIDE_LIMITS, EFFORT_LIMITED, WATCHDOG = range(5)
-BAD_COBS, TRUNCATED, OVERSIZED, BAD_LENGTH, BAD_CRC, OUT_OF_ORDER, BAD_PAYLOAD, UNKNOWN_TYPE, OVERRUN = range(9)
+OK, NOT_FINITE, OUTSIDE_LIMITS, EFFORT_LIMITED, WATCHDOG, DISABLED, NOT_MEASURED = range(7)
+IDLE, RUNNING, FADING, HOLDING, PHASE_DISABLED = range(5)
+(BAD_COBS, TRUNCATED, OVERSIZED, BAD_LENGTH, BAD_CRC, OUT_OF_ORDER, BAD_PAYLOAD, UNKNOWN_TYPE, OVERRUN, WITHOUT_SESSION,
+ FAR_AHEAD) = range(11)
+SEQUENCE_WINDOW = 20
+POWER_ON, BY_WATCHDOG, BY_FAULT, BY_STACK_OVERFLOW, BY_SOFTWARE, UNKNOWN_CAUSE = range(6)
+OVERFLOW_STACK, JUMP, HANG, WRITE = range(4)
+NO_SESSION = 0
 CLOCK_CRYSTAL, CLOCK_INTERNAL, CLOCK_EMULATOR = range(3)
 COUNTS_INSTRUCTIONS, COUNTS_CYCLES, COUNTS_NOTHING = range(3)
 
@@ -40,28 +46,41 @@ def unstuff(coded):
     return bytes(out)
 
 
-def body(kind, sequence, payload=b""):
+def body(kind, sequence, payload=b"", session=NO_SESSION):
     head = struct.pack("<BIH", kind, sequence & 0xFFFFFFFF, len(payload)) + payload
-    return head + struct.pack("<I", zlib.crc32(head))
+    return head + struct.pack("<I", zlib.crc32(head) ^ session)
 
 
-def frame(kind, sequence, payload=b""):
-    return b"\0" + stuff(body(kind, sequence, payload)) + b"\0"
+def frame(kind, sequence, payload=b"", session=NO_SESSION):
+    return b"\0" + stuff(body(kind, sequence, payload, session)) + b"\0"
 
 
-def parse(piece):
-    """(type, sequence, payload) of what lay between two delimiters."""
+def parse(piece, session=NO_SESSION):
+    """(type, sequence, payload) of what lay between two delimiters: of the session, or of none; of any where it is None."""
     data = unstuff(piece)
     kind, sequence, length = struct.unpack_from("<BIH", data)
-    if len(data) != 11 + length or struct.unpack_from("<I", data, 7 + length)[0] != zlib.crc32(data[: 7 + length]):
+    told = struct.unpack_from("<I", data, 7 + length)[0] ^ zlib.crc32(data[: 7 + length]) if len(data) == 11 + length else None
+    if told is None or (session is not None and told not in (session, NO_SESSION)):
         raise ValueError("the firmware sent a broken frame: " + piece.hex())
     return kind, sequence, data[7:-4]
 
 
+def start(mode, session, nonce):
+    return struct.pack("<BII", mode, session, nonce)
+
+
+def injection(fault, address=0):
+    return struct.pack("<BI", fault, address)
+
+
+def measurement(counts, feeds_forward=1):
+    return struct.pack(f"<{len(counts)}iB", *counts, feeds_forward)
+
+
 def hello(payload):
     names = ("version joints clock_source counter_kind mode clock_Hz baud tick_Hz counter_numerator "
-             "counter_denominator empty_bracket robot board").split()
-    values = dict(zip(names, struct.unpack("<5B6I16s16s", payload)))
+             "counter_denominator empty_bracket robot board session nonce reset_cause fault_address").split()
+    values = dict(zip(names, struct.unpack("<5B6I16s16sIIBI", payload)))
     for name in ("robot", "board"):
         values[name] = values[name].rstrip(b"\0").decode()
     return values
@@ -73,17 +92,17 @@ def set_point(q, qd, qdd):
 
 
 def torque(payload):
-    joints = (len(payload) - 6) // 4
-    *tau, count, status, joint = struct.unpack(f"<{joints}fIBB", payload)
-    return {"tau": tau, "count": count, "status": status, "joint": joint}
+    joints = (len(payload) - 9) // 4
+    *tau, count, overruns, status, joint, phase = struct.unpack(f"<{joints}fIHBBB", payload)
+    return {"tau": tau, "count": count, "overruns": overruns, "status": status, "joint": joint, "phase": phase}
 
 
 def error(payload):
-    fault, *counters = struct.unpack("<B9I", payload)
+    fault, *counters = struct.unpack("<B11I", payload)
     return {"fault": fault, "counters": counters}
 
 
 def stats(payload):
-    names = "frames set_points refused gaps ticks watchdog_holds count_min count_max stack_bytes".split()
-    values = struct.unpack("<18I", payload)
-    return {**dict(zip(names, values)), "counters": list(values[9:])}
+    names = "frames set_points refused gaps ticks watchdog_holds count_min count_max stack_bytes deadline_overruns".split()
+    values = struct.unpack("<21I", payload)
+    return {**dict(zip(names, values)), "counters": list(values[10:])}

@@ -30,6 +30,15 @@ class Frames(unittest.TestCase):
         self.assertEqual(zlib.crc32(b"123456789"), 0xCBF43926)
         self.assertEqual(link.body(2, 0x12345678, b"abc")[:-4].hex(), "02785634120300616263")
 
+    def test_the_session_is_part_of_the_crc(self):
+        plain, marked = link.body(2, 1, b"abc"), link.body(2, 1, b"abc", 0x01020304)
+        self.assertEqual(plain[:-4], marked[:-4])
+        self.assertEqual(bytes(a ^ b for a, b in zip(plain[-4:], marked[-4:])).hex(), "04030201")
+        self.assertEqual(link.parse(link.stuff(marked), 0x01020304), (2, 1, b"abc"))
+        self.assertEqual(link.parse(link.stuff(plain), 0x01020304), (2, 1, b"abc"))
+        with self.assertRaises(ValueError):
+            link.parse(link.stuff(marked), 0x01020305)
+
     def test_parse_refuses_a_wrong_crc(self):
         good = link.body(2, 1, b"abc")
         self.assertEqual(link.parse(link.stuff(good)), (2, 1, b"abc"))

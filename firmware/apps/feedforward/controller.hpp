@@ -21,14 +21,16 @@ constexpr hal::link::TorqueStatus link_status(Status::Code code) {
   }
 }
 
-/// One torque is load, compute, store; `compute` alone is what a user embeds, and what is measured. The wire carries
-/// float; `Number` is what the control layer computes in: float, or fixed point, to and from which load and store
-/// convert.
+/// One torque is load, compute, settle, store; `compute` alone is what is measured. The wire carries float; `Number` is
+/// what the control layer computes in: float, or fixed point, to and from which load and store convert. What is stored
+/// is what the fall-back exerts, whatever was asked for.
 template <class Scene, class Number = float>
 class Controller {
  protected:
   using Robot = robot_of<Scene>;
   using Real = Joints<Robot, float>;
+  using Tau = EffortsOf<Scene, Number>;
+  using Q = Positions<Robot, Number>;
 
  public:
   static constexpr std::size_t joints = static_cast<std::size_t>(joint_count<Scene>);
@@ -51,16 +53,62 @@ class Controller {
     result_ = feedforward<Scene>(state_, request_.q, request_.qd, request_.qdd);
   }
 
+  /// Gives the request to the fall-back: to follow; or, where it was refused, to hold the arm at its position.
+  void settle(const hal::link::SetPoint& request) {
+    if (met())
+      follow(result_.tau);
+    else
+      hold_at(request);
+  }
+
   void store(hal::link::Torque& answer) const {
-    store_efforts(result_.tau, answer);
-    answer.status = static_cast<std::uint8_t>(link_status(result_.status.code));
+    store_exerted(answer);
+    answer.status = static_cast<std::uint8_t>(status_);
     answer.joint = result_.status.joint < 0 ? hal::link::no_joint : static_cast<std::uint8_t>(result_.status.joint);
   }
 
-  /// The torque to hold while nothing is requested.
-  void store_last_safe(hal::link::Torque& answer) const { store_efforts(state_.last_safe, answer); }
+  /// The torque now, and what the drives are doing.
+  void store_exerted(hal::link::Torque& answer) const {
+    const Tau exerted = fall_back_.torque();
+    Real tau{};
+    if constexpr (is_stored_v<Number>)
+      tau = to_real<float>(exerted);
+    else
+      tau = exerted;
+    answer.joints = joints;
+    for (std::size_t i = 0; i < joints; ++i)
+      answer.tau[i] = tau[static_cast<int>(i)];
+    answer.phase = static_cast<std::uint8_t>(fall_back_.phase());
+  }
+
+  void set_times(const FallBackTimes& times) { fall_back_.set_times(times); }
+  void advance(std::uint32_t ticks) { fall_back_.advance(ticks); }
+  /// A session begins.
+  void restart() { fall_back_.rearm(); }
+  DrivePhase phase() const { return fall_back_.phase(); }
 
  protected:
+  bool met() const {
+    const auto code = result_.status.code;
+    return code == Status::Code::ok || code == Status::Code::effort_limit;
+  }
+
+  void follow(const Tau& tau) {
+    const bool followed = fall_back_.follow(request_.q, tau);
+    status_ = followed ? link_status(result_.status.code) : hal::link::TorqueStatus::disabled;
+  }
+
+  /// True where the fall-back begins to hold.
+  bool hold_at(const hal::link::SetPoint& request) {
+    status_ = link_status(result_.status.code);
+    if constexpr (is_stored_v<Number>) {
+      const auto position = to_fixed<Q>(real(request.q));
+      return position.status.ok() && fall_back_.hold_at(position.values);
+    } else {
+      return fall_back_.hold_at(real(request.q));
+    }
+  }
+
   static Real real(const std::array<float, hal::link::max_joints>& from) {
     Real to{};
     for (std::size_t i = 0; i < joints; ++i)
@@ -68,20 +116,11 @@ class Controller {
     return to;
   }
 
-  static void store_efforts(const EffortsOf<Scene, Number>& efforts, hal::link::Torque& answer) {
-    Real tau{};
-    if constexpr (is_stored_v<Number>)
-      tau = to_real<float>(efforts);
-    else
-      tau = efforts;
-    answer.joints = joints;
-    for (std::size_t i = 0; i < joints; ++i)
-      answer.tau[i] = tau[static_cast<int>(i)];
-  }
-
   Request<Scene, Number> request_{};
   FeedforwardState<Scene, Number> state_{};
   FeedforwardResult<Scene, Number> result_{};
+  FallBack<Scene, Number> fall_back_{};
+  hal::link::TorqueStatus status_ = hal::link::TorqueStatus::ok;
 };
 
 }  // namespace axial::apps

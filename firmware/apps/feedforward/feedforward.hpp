@@ -2,24 +2,26 @@
 /// The main job: set-points in, feed-forward torques and their cost out. A template on the board and on the controller,
 /// so that the same source runs on a microcontroller, in an emulator and inside a host test.
 ///
-/// Lock-step: every set-point is answered at once; its sequence number is the time. Free-running: the newest set-point
-/// is answered at the board's tick; without one for `watchdog_ticks` the last safe torque is repeated, reported and
-/// counted.
+/// Lock-step: every set-point is answered at once. Free-running: the newest set-point is answered at the board's tick.
+/// In both the tick runs: it ages the last good set-point, whose torque then fades into what holds the arm until the
+/// drives are disabled (deadlines.hpp, doc/safety.md), and feeds the watchdog where the loop came round in time.
 
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
+#include <hal/fault_report.hpp>
 #include <hal/link/messages.hpp>
 
+#include "deadlines.hpp"
+#include "injection.hpp"
 #include "sequence.hpp"
+#include "session.hpp"
 #include "tally.hpp"
 
 namespace axial::apps {
 
 namespace link = hal::link;
-
-constexpr std::uint32_t watchdog_ticks = 20;
 
 /// Whether a controller closes a loop: it has measure(measurement).
 template <class Controller, class = void>
@@ -28,8 +30,10 @@ template <class Controller>
 inline constexpr bool closes_loop<Controller, std::void_t<decltype(&Controller::measure)>> = true;
 
 /// `Board`: see hal/README.md. `Controller`: see controller.hpp; `joints`, `name`, load(set-point), compute(), which is
-/// measured, store(torque) and store_last_safe(torque); where it closes a loop, measure(measurement).
-template <class Board, class Controller>
+/// measured, settle(set-point), store(torque), and of its fall-back store_exerted(torque), set_times(times),
+/// advance(ticks), restart(), phase(); where it closes a loop, measure(measurement). `injectable` images end and fail
+/// on request; they are for emulators.
+template <class Board, class Controller, bool injectable = false>
 class Feedforward {
   static_assert(link::fits_tick(Controller::joints, Board::baud, Board::tick_Hz, closes_loop<Controller>),
                 "A set-point and its answer do not fit a tick: raise the board's baud rate or lower its tick_Hz.");
@@ -37,21 +41,33 @@ class Feedforward {
  public:
   void start() {
     Board::start();
+    Board::enable_drives(false);
+    Board::guard_stack();
+    Board::start_tick(Board::tick_Hz);
+    last_tick_ = woke_ = Board::ticks();
+    session_.boot(Board::entropy());
+    decoder_.set_session(session_.id());
+    choose(link::Mode::lock_step);
     greet();
+    Board::start_watchdog(hardware_watchdog_ms);
   }
 
-  /// Handles what has arrived and what is due; then sleeps until there is more.
+  /// Handles a part of what has arrived, and what is due; then sleeps until there is more.
   void step() {
     receive();
-    if (mode_ == link::Mode::free_running) run_ticks();
-    answer_faults();
-    Board::sleep_unless([this] { return !Board::serial_idle() || tick_is_due(); });
+    run_ticks();
+    answer_requests();
+    Board::sleep_unless([this] { return !Board::serial_idle() || Board::ticks() != last_tick_; });
+    woke_ = Board::ticks();
   }
 
  private:
+  /// So many bytes and no more: whoever floods the line does not keep the tick waiting.
+  static constexpr int bytes_a_step = 64;
+
   void receive() {
     std::uint8_t byte = 0;
-    while (Board::read(byte)) {
+    for (int left = bytes_a_step; left > 0 && Board::read(byte); --left) {
       const link::FrameEvent event = decoder_.feed(byte);
       if (event == link::FrameEvent::frame) {
         ++tally_.frames;
@@ -59,6 +75,7 @@ class Feedforward {
       } else if (event != link::FrameEvent::none) {
         tally_.refuse(fault_of(event));
       }
+      if (left == bytes_a_step) Board::entropy();  // when bytes come is what differs from start to start
     }
     tally_.note_overruns(Board::overruns());
   }
@@ -68,16 +85,28 @@ class Feedforward {
       case link::MessageType::set_point:
         return take_set_point(frame);
       case link::MessageType::stats_request:
-        return with<link::StatsRequest>(frame, [&](auto&) { send_stats(frame.sequence); });
+        return with<link::StatsRequest>(frame, [&](auto&) {
+          stats_wanted_ = true;
+          stats_number_ = frame.sequence;
+        });
       case link::MessageType::start:
-        return with<link::Start>(frame, [&](auto& m) { restart(m.mode); });
-      case link::MessageType::shutdown:
-        return with<link::Shutdown>(frame, [&](auto& m) { Board::exit(m.exit_code); });
+        return with<link::Start>(frame, [&](auto& m) { restart(m, frame.sequence); });
       case link::MessageType::measurement:
         return take_measurement(frame);
       default:
-        return tally_.refuse(link::Fault::unknown_type);
+        return handle_injection(frame);
     }
+  }
+
+  void handle_injection(const link::FrameView& frame) {
+    if constexpr (injectable) {
+      const auto type = static_cast<link::MessageType>(frame.type);
+      if (type == link::MessageType::shutdown)
+        return with<link::Shutdown>(frame, [&](auto& m) { Board::exit(m.exit_code); });
+      if (type == link::MessageType::injection)
+        return with<link::Injection>(frame, [&](auto& m) { injection::commit<Board>(m); });
+    }
+    tally_.refuse(link::Fault::unknown_type);
   }
 
   void take_measurement(const link::FrameView& frame) {
@@ -85,6 +114,7 @@ class Feedforward {
       tally_.refuse(link::Fault::unknown_type);
     } else {
       if (frame.length != link::measurement_size(Controller::joints)) return tally_.refuse(link::Fault::bad_payload);
+      if (!in_session(frame)) return tally_.refuse(link::Fault::no_session);
       with<link::Measurement>(frame, [&](auto& m) { controller_.measure(m); });
     }
   }
@@ -96,63 +126,118 @@ class Feedforward {
     action(message);
   }
 
+  /// The decoder passes frames of this session and of none.
+  bool in_session(const link::FrameView& frame) const { return session_.is_open() && frame.session == session_.id(); }
+
   void take_set_point(const link::FrameView& frame) {
     if (frame.length != link::set_point_size(Controller::joints)) return tally_.refuse(link::Fault::bad_payload);
-    if (!sequence_.accept(frame.sequence)) return tally_.refuse(link::Fault::out_of_order);
+    if (!in_session(frame)) return tally_.refuse(link::Fault::no_session);
+    const Sequence::Verdict verdict = sequence_.take(frame.sequence);
+    if (verdict != Sequence::Verdict::next)
+      return tally_.refuse(verdict == Sequence::Verdict::old ? link::Fault::out_of_order : link::Fault::far_ahead);
     decode_message(frame, set_point_);
     fresh_ = true;
     if (mode_ == link::Mode::lock_step) answer();
   }
 
-  /// One answer a tick, however late; a tick that was missed is counted with the others.
+  /// Once a tick, however late; ticks that were missed count with the others.
   void run_ticks() {
-    const std::uint32_t now = Board::ticks();
-    if (now == last_tick_) return;
-    tally_.ticks += now - last_tick_;
+    const std::uint32_t now = Board::ticks(), passed = now - last_tick_;
+    if (passed == 0) return;
     last_tick_ = now;
-    if (fresh_) {
-      answer();
-    } else if (sequence_.started() && ++age_ >= watchdog_ticks) {
-      hold();
-    }
+    tally_.ticks += passed;
+    if (!Board::stack_intact()) return Board::fail(hal::ResetCause::stack_overflow);
+    const DrivePhase before = controller_.phase();
+    controller_.advance(passed);
+    set_drives();
+    bool punctual = now - woke_ <= deadline_ticks();  // an emulator that paused while the board slept is not late
+    if (fresh_) punctual = answer() && punctual;
+    report(before, passed);
+    feed_watchdog(punctual);
   }
 
-  bool tick_is_due() const { return mode_ == link::Mode::free_running && Board::ticks() != last_tick_; }
+  void feed_watchdog(bool punctual) {
+    if (!punctual) {
+      recovering_ = recovery_ticks;
+      return tally_.note_missed_deadline();
+    }
+    if (recovering_ > 0)
+      --recovering_;
+    else if (Board::drives_enabled() == drives_wanted())
+      Board::feed_watchdog();
+  }
 
-  void answer() {
+  /// In lock-step the sequence number is the time: the loop must come round while the hardware's watchdog waits.
+  std::uint32_t deadline_ticks() const { return mode_ == link::Mode::free_running ? 1 : watchdog_ticks; }
+
+  /// False where the torque took longer than a tick that it had to meet.
+  bool answer() {
     auto compute = [this] { controller_.compute(); };
     link::Torque torque{};
     controller_.load(set_point_);
     const std::uint32_t count = Board::count(compute);
+    controller_.settle(set_point_);
+    set_drives();
     controller_.store(torque);
     torque.count = count;
+    torque.overruns = tally_.missed_deadlines();
     tally_.add(torque);
     fresh_ = false;
-    age_ = 0;
-    send(torque, sequence_.last());
+    send(torque, sequence_.last(), session_.id());
+    return mode_ == link::Mode::lock_step || count <= counts_a_tick<Board>();
   }
 
-  /// The torque stays; the host hears of it once every `watchdog_ticks`.
-  void hold() {
-    ++tally_.watchdog_holds;
-    if (age_ % watchdog_ticks != 0) return;
-    link::Torque held{};
-    held.joints = Controller::joints;
-    held.status = static_cast<std::uint8_t>(link::TorqueStatus::watchdog);
-    held.joint = link::no_joint;
-    controller_.store_last_safe(held);
-    send(held, sequence_.last());
+  bool drives_wanted() const {
+    const DrivePhase phase = controller_.phase();
+    return phase != DrivePhase::idle && phase != DrivePhase::disabled;
   }
 
-  void restart(std::uint8_t mode) {
-    if (mode > static_cast<std::uint8_t>(link::Mode::free_running)) return tally_.refuse(link::Fault::bad_payload);
-    mode_ = static_cast<link::Mode>(mode);
-    sequence_ = {};
+  /// The pin is written when it is to change, so that a pin that disagrees afterwards is seen (run_ticks).
+  void set_drives() {
+    if (drives_wanted() == drives_) return;
+    drives_ = !drives_;
+    Board::enable_drives(drives_);
+  }
+
+  /// While the drives are held the host hears of it: when that begins, every `watchdog_ticks`, and when it ends.
+  void report(DrivePhase before, std::uint32_t ticks) {
+    const DrivePhase now = controller_.phase();
+    const bool held = now == DrivePhase::fading || now == DrivePhase::holding;
+    if (held) tally_.watchdog_holds += ticks;
+    since_report_ = now == before ? since_report_ + ticks : watchdog_ticks;
+    const bool due = since_report_ >= watchdog_ticks && now != DrivePhase::running && now != DrivePhase::idle;
+    if (!due || (!held && now == before)) return;
+    since_report_ = 0;
+    link::Torque exerted{};
+    controller_.store_exerted(exerted);
+    exerted.overruns = tally_.missed_deadlines();
+    exerted.status = static_cast<std::uint8_t>(link::TorqueStatus::watchdog);
+    exerted.joint = link::no_joint;
+    send(exerted, sequence_.last(), session_.id());
+  }
+
+  /// A `start` that names another session was recorded, or its sender has not heard the last hello: the answer is one.
+  void restart(const link::Start& wanted, std::uint32_t number) {
+    if (wanted.mode > static_cast<std::uint8_t>(link::Mode::free_running))
+      return tally_.refuse(link::Fault::bad_payload);
+    if (wanted.nonce == 0) return tally_.refuse(link::Fault::bad_payload);
+    if (!session_.open(wanted.session, wanted.nonce, Board::entropy())) {
+      hello_wanted_ = true;
+      return;
+    }
+    nonce_ = wanted.nonce;
+    decoder_.set_session(session_.id());
+    sequence_.restart(number);
     fresh_ = false;
-    age_ = 0;
-    mode_ == link::Mode::free_running ? Board::start_tick(Board::tick_Hz) : Board::stop_tick();
-    last_tick_ = Board::ticks();
+    controller_.restart();
+    choose(static_cast<link::Mode>(wanted.mode));
+    set_drives();
     greet();
+  }
+
+  void choose(link::Mode mode) {
+    mode_ = mode;
+    controller_.set_times(fall_back_times(mode, Board::tick_Hz));
   }
 
   void greet() {
@@ -172,28 +257,35 @@ class Feedforward {
     hello.empty_bracket = Board::empty_bracket();
     hello.robot = link::make_name(Controller::name);
     hello.board = link::make_name(Board::name);
-    send(hello, 0);
+    hello.session = session_.id();
+    hello.nonce = nonce_;
+    hello.reset_cause = static_cast<std::uint8_t>(Board::reset_cause());
+    hello.fault_address = hal::sound(Board::last_fault()) ? Board::last_fault().program_counter : 0;
+    send(hello, sequence_.last(), link::no_session);
   }
 
-  void send_stats(std::uint32_t sequence) {
+  void send_stats() {
     link::Stats stats = tally_.stats();
     stats.gaps = sequence_.gaps();
     stats.stack_bytes = Board::stack_used_bytes();
-    send(stats, sequence);
+    send(stats, stats_number_, session_.id());
   }
 
-  /// Once the line is quiet: a burst of garbage gets one answer, which holds every counter, so that answers can not
+  /// Once the line is quiet: a burst of garbage or of requests gets one answer of each kind, so that answers can not
   /// crowd out what comes in.
-  void answer_faults() {
-    if (!tally_.has_news() || !Board::serial_idle()) return;
-    send(tally_.error_reply(), sequence_.last());
+  void answer_requests() {
+    if (!Board::serial_idle()) return;
+    if (hello_wanted_) greet();
+    if (stats_wanted_) send_stats();
+    if (tally_.has_news()) send(tally_.error_reply(), sequence_.last(), session_.id());
+    hello_wanted_ = stats_wanted_ = false;
   }
 
   /// Not inlined: one wire buffer on the stack, not one for every caller.
   template <class Message>
-  [[gnu::noinline]] void send(const Message& message, std::uint32_t sequence) {
+  [[gnu::noinline]] void send(const Message& message, std::uint32_t sequence, std::uint32_t session) {
     std::uint8_t wire[link::max_wire_size];
-    Board::write(wire, link::encode_message(message, sequence, wire));
+    Board::write(wire, link::encode_message(message, sequence, session, wire));
   }
 
   link::FrameDecoder decoder_{};
@@ -201,9 +293,10 @@ class Feedforward {
   Controller controller_{};
   Tally tally_{};
   Sequence sequence_{};
+  Session session_{};
   link::Mode mode_ = link::Mode::lock_step;
-  std::uint32_t last_tick_ = 0, age_ = 0;
-  bool fresh_ = false;
+  std::uint32_t last_tick_ = 0, woke_ = 0, since_report_ = 0, stats_number_ = 0, nonce_ = 0, recovering_ = 0;
+  bool fresh_ = false, drives_ = false, hello_wanted_ = false, stats_wanted_ = false;
 };
 
 }  // namespace axial::apps

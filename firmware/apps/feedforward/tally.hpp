@@ -41,6 +41,12 @@ class Tally {
     faults_[overrun] = total;
   }
 
+  void note_missed_deadline() { ++missed_deadlines_; }
+  /// As a torque reports them.
+  std::uint16_t missed_deadlines() const {
+    return static_cast<std::uint16_t>(missed_deadlines_ < 0xFFFF ? missed_deadlines_ : 0xFFFF);
+  }
+
   void add(const hal::link::Torque& torque) {
     const auto status = static_cast<hal::link::TorqueStatus>(torque.status);
     const bool computed = status == hal::link::TorqueStatus::ok || status == hal::link::TorqueStatus::effort_limited;
@@ -70,6 +76,7 @@ class Tally {
     out.watchdog_holds = watchdog_holds;
     out.count_min = computed_ == 0 ? 0 : count_min_;
     out.count_max = count_max_;
+    out.deadline_overruns = missed_deadlines_;
     out.counters = faults_;
     return out;
   }
@@ -77,6 +84,7 @@ class Tally {
  private:
   static constexpr auto overrun = static_cast<std::size_t>(hal::link::Fault::overrun);
 
+  std::uint32_t missed_deadlines_ = 0;
   std::uint32_t computed_ = 0, refused_ = 0, count_min_ = 0xFFFFFFFF, count_max_ = 0;
   hal::link::FaultCounters faults_{};
   hal::link::Fault latest_ = hal::link::Fault::bad_cobs;

@@ -33,37 +33,64 @@ constexpr auto tracking_gains() {
 }
 
 /// Feed-forward and feedback: tau + Kp e + Kd (e - e_last) 1/s, cut to the declared efforts. The derivative is that of
-/// the error, so wanted and measured motion lag alike. In float or, by integers alone, in fixed point. A set-point that
-/// the feed-forward refuses is answered by its last safe torque alone.
+/// the error, so wanted and measured motion lag alike. In float or, by integers alone, in fixed point. A set-point
+/// without a measurement of its own is refused, for feedback of an old one grows without end. Feedback is part of the
+/// torque that the fall-back holds and lets fade; it begins without a derivative after each pause.
 template <class Scene, class Number = float>
 class TrackingController : public Controller<Scene, Number> {
   using Base = Controller<Scene, Number>;
+  using typename Base::Q;
   using typename Base::Real;
   using typename Base::Robot;
+  using typename Base::Tau;
   static constexpr int n = Robot::chain.size;
   static constexpr Gains<n> gains = tracking_gains<Scene>();
   static constexpr bool slides(int i) { return Robot::chain.links[i].type == JointType::prismatic; }
+  static constexpr float turn = 6.28318530717958647692F;
   using Error = std::conditional_t<is_stored_v<Number>, std::int32_t, float>;
 
  public:
   void measure(const hal::link::Measurement& measurement) {
     position_ = measurement.position;
     feeds_forward_ = measurement.feeds_forward != 0;
+    measured_ = ever_measured_ = true;
   }
 
   void compute() {
     Base::compute();
     sum_ = this->result_.tau;
-    const auto code = this->result_.status.code;
-    if (code == Status::Code::ok || code == Status::Code::effort_limit) add_all(std::make_integer_sequence<int, n>{});
+    if (this->met()) add_all(std::make_integer_sequence<int, n>{});
   }
 
-  void store(hal::link::Torque& answer) const {
-    Base::store(answer);
-    this->store_efforts(sum_, answer);
+  void settle(const hal::link::SetPoint& request) {
+    if (this->met() && measured_)
+      this->follow(sum_);
+    else
+      refuse(request);
+    measured_ = false;
+  }
+
+  void advance(std::uint32_t ticks) {
+    Base::advance(ticks);
+    if (this->phase() != DrivePhase::running) started_ = false;
+  }
+
+  void restart() {
+    Base::restart();
+    measured_ = ever_measured_ = started_ = false;
   }
 
  private:
+  /// Holds at the request's position, else at what the encoders said last.
+  void refuse(const hal::link::SetPoint& request) {
+    const bool good = this->met();
+    const bool held = this->hold_at(request);
+    if (!held && ever_measured_)
+      (void)this->fall_back_.hold_at(measured(std::make_integer_sequence<int, n>{}));  // or it is held already
+    if (good) this->status_ = hal::link::TorqueStatus::not_measured;
+    started_ = false;
+  }
+
   template <int... I>
   void add_all(std::integer_sequence<int, I...>) {
     (add<I>(), ...);
@@ -121,13 +148,35 @@ class TrackingController : public Controller<Scene, Number> {
     return static_cast<std::int32_t>(tau > most ? most : tau < -most ? -std::int64_t{most} : tau);
   }
 
+  // --- measured: rad or m, within the joint's turn; or words of the position's format
+
+  template <int... I>
+  Q measured(std::integer_sequence<int, I...>) const {
+    return {{measured_position<I>()...}};
+  }
+  template <int I>
+  auto measured_position() const {
+    const std::int32_t counts = position_[static_cast<std::size_t>(I)];
+    if constexpr (is_stored_v<Number>) {
+      if constexpr (slides(I))
+        return LinearEncoder<slide_counts>::template position<Q, I>(counts).value;
+      else
+        return typename Q::Value{counts};
+    } else if constexpr (slides(I)) {
+      return static_cast<float>(counts) * (1.0F / slide_counts);
+    } else {
+      const float q = static_cast<float>(counts) * (turn / 4294967296.0F);
+      if (q < static_cast<float>(Robot::chain.links[I].position_min)) return q + turn;
+      return q > static_cast<float>(Robot::chain.links[I].position_max) ? q - turn : q;
+    }
+  }
+
   // --- wanted less measured: rad or m, or units of the position's format
 
   template <int I>
   Error tracking_error() const {
     const std::int32_t counts = position_[static_cast<std::size_t>(I)];
     if constexpr (!is_stored_v<Number>) {
-      constexpr float turn = 6.28318530717958647692F;
       if constexpr (slides(I)) return this->request_.q[I] - static_cast<float>(counts) * (1.0F / slide_counts);
       const float e = this->request_.q[I] - static_cast<float>(counts) * (turn / 4294967296.0F);
       return e > 0.5F * turn ? e - turn : e < -0.5F * turn ? e + turn : e;
@@ -142,8 +191,8 @@ class TrackingController : public Controller<Scene, Number> {
 
   std::array<std::int32_t, hal::link::max_joints> position_{};
   Error last_[n] = {};
-  EffortsOf<Scene, Number> sum_{};
-  bool feeds_forward_ = true, started_ = false;
+  Tau sum_{};
+  bool feeds_forward_ = true, started_ = false, measured_ = false, ever_measured_ = false;
 };
 
 }  // namespace axial::apps

@@ -1,106 +1,45 @@
 // The main job's own source on the host board: what it answers, what it refuses, what it survives.
 
-#include <firmware/apps/feedforward/feedforward.hpp>
-
 #include <limits>
-#include <optional>
 
-#include <gtest/gtest.h>
-
-#include <hal/host/board.hpp>
-
-#include "../link/noise.hpp"
-#include "sum_controller.hpp"
+#include "app_fixture.hpp"
 
 namespace axial::apps {
 namespace {
 
-using hal::HostBoard;
 using link::noise::Bytes;
 using link::noise::wire;
 
-constexpr std::uint8_t byte_of(link::TorqueStatus status) { return static_cast<std::uint8_t>(status); }
-constexpr std::size_t index_of(link::Fault fault) { return static_cast<std::size_t>(fault); }
-
-link::SetPoint set_point(float value) {
-  link::SetPoint out{};
-  out.joints = SumController::joints;
-  out.q = {value, value, value};
-  return out;
-}
-
-class FeedforwardApp : public testing::Test {
+class FeedforwardApp : public App<SumController> {
  protected:
-  FeedforwardApp() {
-    HostBoard::fresh();
-    app_.start();
-  }
-
-  void send(const Bytes& bytes) {
-    HostBoard::state.to_board.insert(HostBoard::state.to_board.end(), bytes.begin(), bytes.end());
-    app_.step();
-  }
-
-  /// One tick of the board's timer.
-  void tick() {
-    ++HostBoard::state.ticks;
-    app_.step();
-  }
-
-  /// The newest answer of a type since the last call, the older ones dropped.
-  template <class Message>
-  std::optional<Message> answer() {
-    std::optional<Message> found;
-    for (const std::uint8_t byte : HostBoard::state.from_board) {
-      if (decoder_.feed(byte) != link::FrameEvent::frame) continue;
-      Message message{};
-      if (!decode_message(decoder_.frame(), message)) continue;
-      found = message;
-      sequence_ = decoder_.frame().sequence;
-      ++answers_;
-    }
-    HostBoard::state.from_board.clear();
-    return found;
-  }
-
-  link::Stats stats() {
-    send(wire(link::StatsRequest{}, 0));
-    return answer<link::Stats>().value();
-  }
-
-  void choose(link::Mode mode) { send(wire(link::Start{static_cast<std::uint8_t>(mode)}, 0)); }
-
-  Feedforward<HostBoard, SumController> app_;
-  link::FrameDecoder decoder_;
-  std::uint32_t sequence_ = 0;
-  int answers_ = 0;
+  FeedforwardApp() { open(link::Mode::lock_step); }
 };
 
 TEST_F(FeedforwardApp, GreetsFirst) {
-  const auto hello = answer<link::Hello>();
-  ASSERT_TRUE(hello);
-  EXPECT_EQ(hello->version, link::protocol_version);
-  EXPECT_EQ(hello->joints, SumController::joints);
-  EXPECT_EQ(hello->tick_Hz, 1000u);
-  EXPECT_STREQ(hello->robot.data(), "sum");
-  EXPECT_STREQ(hello->board.data(), "host");
+  EXPECT_EQ(greeting_.version, link::protocol_version);
+  EXPECT_EQ(greeting_.joints, SumController::joints);
+  EXPECT_EQ(greeting_.tick_Hz, 1000u);
+  EXPECT_STREQ(greeting_.robot.data(), "sum");
+  EXPECT_STREQ(greeting_.board.data(), "host");
+  EXPECT_EQ(greeting_.nonce, 0u);
 }
 
 TEST_F(FeedforwardApp, AnswersASetPointAtOnceInLockStep) {
-  send(wire(set_point(1.5f), 41));
+  ask(1.5f, 11);
   const auto torque = answer<link::Torque>();
   ASSERT_TRUE(torque);
-  EXPECT_EQ(sequence_, 41u);
+  EXPECT_EQ(sequence_, 11u);
   EXPECT_EQ(torque->joints, SumController::joints);
   EXPECT_EQ(torque->tau[2], 1.5f);
   EXPECT_EQ(torque->status, byte_of(link::TorqueStatus::ok));
+  EXPECT_EQ(torque->phase, byte_of(DrivePhase::running));
 }
 
 TEST_F(FeedforwardApp, RepeatsTheLastSafeTorqueOnANonFiniteSetPoint) {
-  send(wire(set_point(2.0f), 1));
+  ask(2.0f, 1);
   link::SetPoint bad = set_point(3.0f);
   bad.qd[1] = std::numeric_limits<float>::quiet_NaN();
-  send(wire(bad, 2));
+  send(framed(bad, 2));
   const auto torque = answer<link::Torque>();
   ASSERT_TRUE(torque);
   EXPECT_EQ(torque->tau[0], 2.0f);
@@ -110,73 +49,91 @@ TEST_F(FeedforwardApp, RepeatsTheLastSafeTorqueOnANonFiniteSetPoint) {
 }
 
 TEST_F(FeedforwardApp, RefusesNumbersThatDoNotComeAfterTheLast) {
-  send(wire(set_point(1.0f), 10));
+  ask(1.0f, 10);
   answer<link::Torque>();
   for (const std::uint32_t number : {10u, 9u, 0u}) {
-    send(wire(set_point(5.0f), number));
+    ask(5.0f, number);
     const auto error = answer<link::ErrorReply>();
     ASSERT_TRUE(error) << number;
     EXPECT_EQ(error->fault, index_of(link::Fault::out_of_order));
   }
-  send(wire(set_point(5.0f), 14));
+  ask(5.0f, 14);
   EXPECT_TRUE(answer<link::Torque>());
-  EXPECT_EQ(stats().gaps, 3u);
-  EXPECT_EQ(stats().counters[index_of(link::Fault::out_of_order)], 3u);
+  EXPECT_EQ(stats().gaps, 12u);
+  EXPECT_EQ(faults(link::Fault::out_of_order), 3u);
 }
 
-TEST_F(FeedforwardApp, SequenceNumbersWrap) {
-  send(wire(set_point(1.0f), 0xFFFFFFFFu));
-  EXPECT_TRUE(answer<link::Torque>());
-  send(wire(set_point(1.0f), 0));
-  EXPECT_TRUE(answer<link::Torque>());
+TEST_F(FeedforwardApp, ANumberFarAheadBlocksNothing) {
+  ask(1.0f, 1);
+  answer<link::Torque>();
+  for (const std::uint32_t number : {2 + link::sequence_window, 1000u, 0x7FFFFFFFu}) {
+    ask(5.0f, number);
+    const auto error = answer<link::ErrorReply>();
+    ASSERT_TRUE(error) << number;
+    EXPECT_EQ(error->fault, index_of(link::Fault::far_ahead));
+  }
+  ask(3.0f, 2);
+  EXPECT_EQ(answer<link::Torque>()->tau[0], 3.0f);
+}
+
+TEST_F(FeedforwardApp, SequenceNumbersGoOnFromTheStartsOwnAndWrap) {
+  open(link::Mode::lock_step, 0xFFFFFFFE);
+  for (const std::uint32_t number : {0xFFFFFFFFu, 0u, 1u}) {
+    ask(1.0f, number);
+    EXPECT_TRUE(answer<link::Torque>()) << number;
+  }
   EXPECT_EQ(stats().gaps, 0u);
 }
 
 TEST_F(FeedforwardApp, RefusesAnotherRobotsSetPointAndUnknownTypes) {
   link::SetPoint seven = set_point(1.0f);
   seven.joints = 7;
-  send(wire(seven, 1));
+  send(framed(seven, 1));
   EXPECT_EQ(answer<link::ErrorReply>()->fault, index_of(link::Fault::bad_payload));
-  send(wire(link::Start{9}, 1));
+  send(wire(link::Start{9, hello_.session, 7}, 1));
   EXPECT_EQ(answer<link::ErrorReply>()->fault, index_of(link::Fault::bad_payload));
+  send(wire(link::Start{0, hello_.session, 0}, 1));
+  EXPECT_EQ(answer<link::ErrorReply>()->fault, index_of(link::Fault::bad_payload)) << "a nonce of 0 is none";
   send(wire(link::Hello{}, 1));
   EXPECT_EQ(answer<link::ErrorReply>()->fault, index_of(link::Fault::unknown_type));
   link::Measurement measurement{};
   measurement.joints = SumController::joints;
-  send(wire(measurement, 1));
+  send(framed(measurement, 1));
   EXPECT_EQ(answer<link::ErrorReply>()->fault, index_of(link::Fault::unknown_type)) << "it closes no loop";
 }
 
-TEST(ClosedLoopApp, PassesMeasurementsOnAndRefusesAnotherRobots) {
-  struct Measuring : SumController {
-    void measure(const link::Measurement& m) { seen() = m.position[1] + 100 * m.feeds_forward; }
-    static int& seen() {
-      static int value = 0;
-      return value;
-    }
-  };
-  HostBoard::fresh();
-  Feedforward<HostBoard, Measuring> app;
-  app.start();
-  const auto send = [&](const Bytes& bytes) {
-    HostBoard::state.to_board.insert(HostBoard::state.to_board.end(), bytes.begin(), bytes.end());
-    app.step();
-  };
+struct Measuring : SumController {
+  void measure(const link::Measurement& m) { seen() = m.position[1] + 100 * m.feeds_forward; }
+  static int& seen() {
+    static int value = 0;
+    return value;
+  }
+};
+
+class ClosedLoopApp : public App<Measuring> {};
+
+TEST_F(ClosedLoopApp, PassesMeasurementsOnAndRefusesAnotherRobotsAndAnotherSessions) {
   link::Measurement measurement{};
   measurement.joints = SumController::joints;
   measurement.position = {1, 7, 3}, measurement.feeds_forward = 1;
-  HostBoard::state.from_board.clear();
-  send(wire(measurement, 1));
+  Measuring::seen() = 0;
+  send(framed(measurement, 1));
+  EXPECT_EQ(Measuring::seen(), 0);
+  EXPECT_EQ(answer<link::ErrorReply>()->fault, index_of(link::Fault::no_session)) << "none is open";
+  open(link::Mode::lock_step);
+  send(framed(measurement, 1));
   EXPECT_EQ(Measuring::seen(), 107);
-  EXPECT_TRUE(HostBoard::state.from_board.empty()) << "the set-point has the answer";
-  measurement.joints = 2, measurement.position[1] = 9;
+  EXPECT_TRUE(board().from_board.empty()) << "the set-point has the answer";
+  measurement.position[1] = 9;
   send(wire(measurement, 1));
+  EXPECT_EQ(Measuring::seen(), 107) << "of no session";
+  measurement.joints = 2;
+  send(framed(measurement, 1));
   EXPECT_EQ(Measuring::seen(), 107);
-  EXPECT_FALSE(HostBoard::state.from_board.empty());
+  EXPECT_EQ(answer<link::ErrorReply>()->fault, index_of(link::Fault::bad_payload));
 }
 
 TEST_F(FeedforwardApp, ABurstOfGarbageGetsOneAnswerWithEveryCounter) {
-  answer<link::Hello>();
   answers_ = 0;
   Bytes burst;
   for (int i = 0; i < 50; ++i)
@@ -188,18 +145,36 @@ TEST_F(FeedforwardApp, ABurstOfGarbageGetsOneAnswerWithEveryCounter) {
   EXPECT_EQ(error->counters[index_of(link::Fault::truncated)], 50u);
 }
 
+TEST_F(FeedforwardApp, ABurstOfRequestsGetsOneAnswerOfEachKind) {
+  answers_ = 0;
+  Bytes burst;
+  for (int i = 0; i < 50; ++i) {
+    const Bytes stats = wire(link::StatsRequest{}, 9), start = start_frame(link::Mode::lock_step, 1, 7);
+    burst.insert(burst.end(), stats.begin(), stats.end());
+    burst.insert(burst.end(), start.begin(), start.end());
+  }
+  send(burst);
+  const Bytes answered(board().from_board.begin(), board().from_board.end());
+  EXPECT_TRUE(answer<link::Stats>());
+  EXPECT_EQ(answers_, 1);
+  EXPECT_EQ(sequence_, 9u);
+  board().from_board.assign(answered.begin(), answered.end());
+  EXPECT_TRUE(answer<link::Hello>());
+  EXPECT_EQ(answers_, 2);
+}
+
 TEST_F(FeedforwardApp, ReportsBytesLostInTheReceiver) {
-  HostBoard::state.overruns = 3;
+  board().overruns = 3;
   app_.step();
   EXPECT_EQ(answer<link::ErrorReply>()->counters[index_of(link::Fault::overrun)], 3u);
 }
 
 TEST_F(FeedforwardApp, FreeRunningAnswersTheNewestSetPointAtTheTick) {
-  choose(link::Mode::free_running);
-  EXPECT_EQ(HostBoard::state.tick_rate_Hz, 1000u);
-  EXPECT_EQ(answer<link::Hello>()->mode, static_cast<std::uint8_t>(link::Mode::free_running));
-  send(wire(set_point(1.0f), 1));
-  send(wire(set_point(2.0f), 2));
+  open(link::Mode::free_running);
+  EXPECT_EQ(board().tick_rate_Hz, 1000u);
+  EXPECT_EQ(hello_.mode, static_cast<std::uint8_t>(link::Mode::free_running));
+  ask(1.0f, 1);
+  ask(2.0f, 2);
   EXPECT_FALSE(answer<link::Torque>()) << "answered before the tick";
   tick();
   const auto torque = answer<link::Torque>();
@@ -208,32 +183,20 @@ TEST_F(FeedforwardApp, FreeRunningAnswersTheNewestSetPointAtTheTick) {
   EXPECT_EQ(sequence_, 2u);
 }
 
-TEST_F(FeedforwardApp, TheWatchdogHoldsTheLastSafeTorque) {
-  choose(link::Mode::free_running);
-  for (std::uint32_t i = 0; i < 3 * watchdog_ticks; ++i)
-    tick();
-  EXPECT_FALSE(answer<link::Torque>()) << "nothing to hold before the first set-point";
-  send(wire(set_point(4.0f), 1));
-  tick();
-  answer<link::Torque>();
-  for (std::uint32_t i = 1; i < watchdog_ticks; ++i)
-    tick();
-  EXPECT_FALSE(answer<link::Torque>());
-  tick();
-  const auto held = answer<link::Torque>();
-  ASSERT_TRUE(held);
-  EXPECT_EQ(held->status, byte_of(link::TorqueStatus::watchdog));
-  EXPECT_EQ(held->tau[1], 4.0f);
-  send(wire(set_point(5.0f), 2));
-  tick();
-  EXPECT_EQ(answer<link::Torque>()->status, byte_of(link::TorqueStatus::ok));
-  EXPECT_EQ(stats().watchdog_holds, 1u);
+TEST_F(FeedforwardApp, ShutdownAndInjectionAreUnknownToAnImageForFlash) {
+  send(framed(link::Shutdown{7}, 0));
+  EXPECT_EQ(answer<link::ErrorReply>()->fault, index_of(link::Fault::unknown_type));
+  EXPECT_FALSE(board().exited);
+  send(framed(link::Injection{3, 0}, 0));
+  EXPECT_EQ(answer<link::ErrorReply>()->fault, index_of(link::Fault::unknown_type));
 }
 
-TEST_F(FeedforwardApp, ShutdownEndsTheBoardWithItsCode) {
+class InjectableApp : public App<SumController, true> {};
+
+TEST_F(InjectableApp, ShutdownEndsTheBoardWithItsCode) {
   send(wire(link::Shutdown{7}, 0));
-  EXPECT_TRUE(HostBoard::state.exited);
-  EXPECT_EQ(HostBoard::state.exit_code, 7);
+  EXPECT_TRUE(board().exited);
+  EXPECT_EQ(board().exit_code, 7);
 }
 
 /// Spoilt frames may by chance hold a good one (a doubled frame does), so the good frame that follows takes a number
@@ -244,8 +207,8 @@ TEST_F(FeedforwardApp, AGoodFrameAfterAnyOf100000SpoiltOnesIsAnswered) {
   std::uint32_t number = 0;
   for (int round = 0; round < 100000; ++round) {
     const auto value = static_cast<float>(random() % 1000);
-    send(link::noise::spoilt(random, wire(set_point(-1.0f), ++number)));
-    send(wire(set_point(value), ++number));
+    send(link::noise::spoilt(random, framed(set_point(-1.0f), ++number)));
+    ask(value, ++number);
     const auto torque = answer<link::Torque>();
     ASSERT_TRUE(torque && sequence_ == number) << "seed " << seed << ", round " << round;
     ASSERT_EQ(torque->tau[0], value) << "seed " << seed << ", round " << round;

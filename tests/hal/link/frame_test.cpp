@@ -98,6 +98,33 @@ TEST(Frame, NamesEachFault) {
   EXPECT_EQ(feed(decoder, good), FrameEvent::frame);
 }
 
+/// One frame of each session, as a line delivers them.
+Bytes encode_in(std::uint32_t session) {
+  const std::uint8_t payload[] = {1, 0, 3};
+  Bytes out(wire_size(sizeof payload));
+  out.resize(encode_frame({2, 9, payload, sizeof payload, session}, out.data()));
+  return out;
+}
+
+TEST(Frame, OfAnotherSessionIsABadCrc) {
+  FrameDecoder decoder;
+  decoder.set_session(0x80000001);
+  EXPECT_EQ(feed(decoder, encode_in(0x80000001)), FrameEvent::frame);
+  EXPECT_EQ(decoder.frame().session, 0x80000001u);
+  EXPECT_EQ(feed(decoder, encode_in(no_session)), FrameEvent::frame) << "what opens a session belongs to none";
+  EXPECT_EQ(decoder.frame().session, no_session);
+  for (unsigned bit = 0; bit < 32; ++bit)
+    EXPECT_EQ(feed(decoder, encode_in(0x80000001 ^ 1u << bit)), FrameEvent::bad_crc) << bit;
+  decoder.set_session(7);
+  EXPECT_EQ(feed(decoder, encode_in(0x80000001)), FrameEvent::bad_crc);
+}
+
+TEST(Frame, TheSessionIsTheCrcs) {
+  const Bytes plain = encode_in(no_session), marked = encode_in(0xFF);
+  ASSERT_EQ(plain.size(), marked.size()) << "it costs no byte";
+  EXPECT_EQ(static_cast<std::uint8_t>(plain[plain.size() - 5] ^ marked[marked.size() - 5]), 0xFF);
+}
+
 TEST(Frame, LongGarbageWithoutADelimiterIsOneOversizedFrame) {
   FrameDecoder decoder;
   EXPECT_EQ(feed(decoder, Bytes(100000, 0x11)), FrameEvent::none);

@@ -48,20 +48,32 @@ TEST(Messages, TorqueAndHelloRoundTrip) {
   torque.count = 0xFEDCBA98;
   torque.status = static_cast<std::uint8_t>(TorqueStatus::outside_limits);
   torque.joint = 2;
+  torque.overruns = 0xABCD;
+  torque.phase = 3;
   ASSERT_TRUE(round_trip(torque, torque_back));
   EXPECT_EQ(torque_back.tau, torque.tau);
   EXPECT_EQ(torque_back.count, torque.count);
   EXPECT_EQ(torque_back.status, torque.status);
   EXPECT_EQ(torque_back.joint, torque.joint);
+  EXPECT_EQ(torque_back.overruns, torque.overruns);
+  EXPECT_EQ(torque_back.phase, torque.phase);
 
   Hello hello{}, hello_back{};
   hello.version = protocol_version;
   hello.joints = 4;
   hello.clock_Hz = 168000000;
   hello.robot = make_name("a_name_longer_than_the_field");
+  hello.session = 0x11223344;
+  hello.nonce = 0x55667788;
+  hello.reset_cause = 3;
+  hello.fault_address = 0x08001234;
   ASSERT_TRUE(round_trip(hello, hello_back));
   EXPECT_EQ(hello_back.clock_Hz, hello.clock_Hz);
   EXPECT_STREQ(hello_back.robot.data(), "a_name_longer_t");
+  EXPECT_EQ(hello_back.session, hello.session);
+  EXPECT_EQ(hello_back.nonce, hello.nonce);
+  EXPECT_EQ(hello_back.reset_cause, hello.reset_cause);
+  EXPECT_EQ(hello_back.fault_address, hello.fault_address);
 }
 
 TEST(Messages, MeasurementsKeepTheirSign) {
@@ -83,9 +95,11 @@ TEST(Messages, EveryMessageFitsAFrame) {
     EXPECT_TRUE(writer.ok());
     return writer.size();
   };
-  EXPECT_EQ(size(Hello{}), 61u);
-  EXPECT_EQ(size(ErrorReply{}), 37u);
-  EXPECT_EQ(size(Stats{}), 72u);
+  EXPECT_EQ(size(Hello{}), 74u);
+  EXPECT_EQ(size(ErrorReply{}), 45u);
+  EXPECT_EQ(size(Stats{}), 84u);
+  EXPECT_EQ(size(Start{}), 9u);
+  EXPECT_EQ(size(Injection{}), 5u);
   SetPoint full{};
   full.joints = max_joints;
   EXPECT_EQ(size(full), set_point_size(max_joints));
@@ -99,12 +113,12 @@ TEST(Messages, AWrongLengthIsRefused) {
   EXPECT_TRUE(decode_message({2, 0, bytes, 36}, set_point));
   EXPECT_FALSE(decode_message({2, 0, bytes, 35}, set_point));
   EXPECT_FALSE(decode_message({3, 0, bytes, 36}, set_point));
-  EXPECT_TRUE(decode_message({3, 0, bytes, 18}, torque));
-  EXPECT_FALSE(decode_message({3, 0, bytes, 17}, torque));
+  EXPECT_TRUE(decode_message({3, 0, bytes, 21}, torque));
+  EXPECT_FALSE(decode_message({3, 0, bytes, 20}, torque));
   EXPECT_FALSE(decode_message({3, 0, bytes, 5}, torque));
-  EXPECT_TRUE(decode_message({8, 0, bytes, 1}, start));
-  EXPECT_FALSE(decode_message({8, 0, bytes, 0}, start));
-  EXPECT_FALSE(decode_message({8, 0, bytes, 2}, start));
+  EXPECT_TRUE(decode_message({8, 0, bytes, 9}, start));
+  EXPECT_FALSE(decode_message({8, 0, bytes, 8}, start));
+  EXPECT_FALSE(decode_message({8, 0, bytes, 10}, start));
   Measurement measurement{};
   EXPECT_TRUE(decode_message({9, 0, bytes, 13}, measurement));
   EXPECT_FALSE(decode_message({9, 0, bytes, 12}, measurement));
@@ -125,11 +139,11 @@ TEST(Messages, AsManyJointsAsThereMayBeAndNotOneMore) {
   EXPECT_FALSE(decodes(Measurement{}, measurement_size(max_joints + 1)));
 }
 
-// 7 joints: 84 + 34 bytes of payload, 11 of header and CRC, 1 of stuffing and 2 delimiters each: 146 bytes, 1 460 bits.
-static_assert(wire_size(set_point_size(7)) == 98 && wire_size(torque_size(7)) == 48);
-static_assert(fits_tick(7, 1'460'000, 1000) && !fits_tick(7, 1'459'999, 1000));
+// 7 joints: 84 + 37 bytes of payload, 11 of header and CRC, 1 of stuffing and 2 delimiters each: 149 bytes, 1 490 bits.
+static_assert(wire_size(set_point_size(7)) == 98 && wire_size(torque_size(7)) == 51);
+static_assert(fits_tick(7, 1'490'000, 1000) && !fits_tick(7, 1'489'999, 1000));
 // A measurement adds 29 + 14 bytes.
-static_assert(fits_tick(7, 1'890'000, 1000, true) && !fits_tick(7, 1'889'999, 1000, true));
+static_assert(fits_tick(7, 1'920'000, 1000, true) && !fits_tick(7, 1'919'999, 1000, true));
 
 }  // namespace
 }  // namespace axial::hal::link

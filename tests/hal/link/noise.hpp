@@ -12,8 +12,8 @@ namespace axial::hal::link::noise {
 using Bytes = std::vector<std::uint8_t>;
 
 template <class Message>
-Bytes wire(const Message& message, std::uint32_t sequence) {
-  const WireBytes encoded = encode_message(message, sequence);
+Bytes wire(const Message& message, std::uint32_t sequence, std::uint32_t session = no_session) {
+  const WireBytes encoded = encode_message(message, sequence, session);
   return Bytes(encoded.bytes.begin(), encoded.bytes.begin() + static_cast<std::ptrdiff_t>(encoded.size));
 }
 

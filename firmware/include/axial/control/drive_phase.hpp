@@ -48,7 +48,6 @@ class DrivePhases {
 
   /// `ticks` control ticks have passed; what is late is caught up, whatever the number.
   constexpr void advance(const FallBackTimes& times, std::uint32_t ticks) {
-    if (!enabled()) return;
     constexpr std::uint32_t most = 0xFFFFFFFFu;
     ticks_ = ticks > most - ticks_ ? most : ticks_ + ticks;
     leave(DrivePhase::running, times.patience, DrivePhase::fading);
@@ -66,7 +65,7 @@ class DrivePhases {
   [[nodiscard]] constexpr std::uint32_t share(const FallBackTimes& times) const {
     constexpr std::uint32_t all = 1u << 16;
     if (phase_ == DrivePhase::running) return all;
-    if (phase_ != DrivePhase::fading) return 0;
+    if (phase_ != DrivePhase::fading || ticks_ >= times.ramp) return 0;
     return (times.ramp - ticks_) * all / times.ramp;
   }
 

@@ -78,6 +78,9 @@ class FallBack {
     return tau;
   }
 
+  /// Other times from now on; the present phase keeps its age.
+  constexpr void set_times(const FallBackTimes& times) { times_ = times; }
+
   /// Somebody asks for disabled drives again: the next good request enables them. An arm that is held stays held.
   constexpr void rearm() { phases_.rearm(); }
 
