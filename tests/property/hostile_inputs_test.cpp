@@ -39,6 +39,7 @@ auto row_of(In& in) {
 struct Given {
   Inputs<S, Fixed32> fixed{};
   Inputs<Reference, double> exact{};
+  bool stretched = false;  ///< whether pairs are no longer those of angles: then the routes differ by as much
   double limit(int k) const { return most[k] * detail::power_of_two(exponents[k]); }
 
   Given(exhaustive::Random& random, const State& state, std::uint64_t index) {
@@ -53,9 +54,13 @@ struct Given {
     }
     for (int i = 0; i < R::chain.size; ++i) {
       const auto pair = integer::sincos(static_cast<std::uint32_t>(state.q[i].raw));
+      const std::int64_t longer = index % 8 == 7 ? random.between(-(1 << 22), 1 << 22) : 0;  // to 2^-8 of the length
       const bool hostile = index % 8 == 3 && random.between(0, 3) == 0;
-      fixed.turns[i].sin.raw = hostile ? static_cast<std::int32_t>(random.bits()) : pair.sin;
-      fixed.turns[i].cos.raw = hostile ? static_cast<std::int32_t>(random.bits()) : pair.cos;
+      const auto word = [&](std::int64_t x) {
+        return static_cast<std::int32_t>(hostile ? static_cast<std::int32_t>(random.bits()) : x + ((x * longer) >> 30));
+      };
+      fixed.turns[i].sin.raw = word(pair.sin), fixed.turns[i].cos.raw = word(pair.cos);
+      stretched = stretched || longer != 0;
       exact.turns[i] = {fixed.turns[i].sin.raw * 0x1p-30, fixed.turns[i].cos.raw * 0x1p-30};
     }
     const auto numbers = row_of(exact);
@@ -128,6 +133,7 @@ TEST(HostileInputs, ForwardDynamicsIsRightOrSaysOtherwise) {
     }
     if (!fixed.status.ok() && fixed.status.code != Status::Code::rescaled) continue;
     ++met;
+    if (in.stretched) continue;
     const auto exact =
         forward_dynamics<Reference>(exhaustive::in_double<R>(state.q), exhaustive::in_double<R>(state.qd),
                                     exhaustive::in_double<R>(state.tau), in.exact);
