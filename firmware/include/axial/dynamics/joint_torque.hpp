@@ -44,7 +44,7 @@ struct Branch {
   }
 };
 
-/// Effort of one joint over any form of links, N m or N.
+/// Effort of one joint over any form of links, N m or N; joint values as kernels read them.
 template <class Links, class Input, class I, class Q, class V, class A>
 AXIAL_INLINE constexpr auto run_joint(const Links& links, const Input& in, I joint, const Q& q, const V& qd,
                                       const A& qdd) {
@@ -62,17 +62,31 @@ AXIAL_INLINE constexpr auto run_joint(const Links& links, const Input& in, I joi
 template <class S, int Joint>
 inline constexpr bool has_joint = Joint >= 0 && Joint < joint_count<S>;
 
+/// Effort of one joint of a scene as results hold it: in fixed point in the format of that joint's effort.
+template <class S, int Joint, class T, class Q, class V, class A>
+constexpr T joint_effort_of(const Inputs<S, T>& in, const Q& q, const V& qd, const A& qdd) {
+  constexpr Index<Joint> joint;
+  const auto links = links_of<S, T, BaseParameters>();
+  if constexpr (is_stored_v<T>) {
+    EffortsOf<S, T> effort{};
+    write(links, effort, joint, run_joint(links, in, joint, read(links, q), read(links, qd), read(links, qdd)));
+    return effort[Joint];
+  } else {
+    return run_joint(links, in, joint, q, qd, qdd);
+  }
+}
+
 }  // namespace rnea
 
 /// Effort of one joint in inverse_dynamics, N m or N, without the efforts of the others: joint_torque<Robot, 2>(q, qd,
-/// qdd). Inputs as there.
+/// qdd). Inputs as there; in fixed point the exponent is that of the joint's effort there.
 template <class S, int Joint, class T>
 [[nodiscard]] constexpr T joint_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                        const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
   static_assert(rnea::has_joint<S, Joint>,
                 "axial: the robot has no such joint; joints are counted from 0, base outwards");
   if constexpr (rnea::has_joint<S, Joint>)  // else the message alone
-    return rnea::run_joint(links_of<S, T, BaseParameters>(), in, Index<Joint>{}, q, qd, qdd);
+    return rnea::joint_effort_of<S, Joint>(in, q, qd, qdd);
   else
     return T{};
 }
@@ -82,7 +96,7 @@ template <class S, int Joint, class T>
   static_assert(rnea::has_joint<S, Joint>,
                 "axial: the robot has no such joint; joints are counted from 0, base outwards");
   if constexpr (rnea::has_joint<S, Joint>)
-    return rnea::run_joint(links_of<S, T, BaseParameters>(), in, Index<Joint>{}, q, NoMotion{}, NoMotion{});
+    return rnea::joint_effort_of<S, Joint>(in, q, NoMotion{}, NoMotion{});
   else
     return T{};
 }
