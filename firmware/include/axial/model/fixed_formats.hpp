@@ -136,7 +136,8 @@ struct FormatRounding {
   template <class M, class H, class J, class M2, class H2, class J2>
   AXIAL_INLINE static constexpr auto together(const RigidInertia<M, H, J>& a, const RigidInertia<M2, H2, J2>& b) {
     const quantity::RotationalInertia q;
-    const auto &i = a.inertia, &j = b.inertia;
+    const auto& i = a.inertia;
+    const auto& j = b.inertia;
     return RigidInertia{sum(quantity::Mass{}, a.mass, b.mass),
                         sum(quantity::FirstMoment{}, a.first_moment, b.first_moment),
                         Sym3{sum(q, i.xx, j.xx), sum(q, i.yy, j.yy), sum(q, i.zz, j.zz), sum(q, i.xy, j.xy),
@@ -147,10 +148,10 @@ struct FormatRounding {
     return ForceVector{sum(quantity::Moment{}, force.moment, -other.moment),
                        sum(quantity::Force{}, force.force, -other.force)};
   }
-  /// The mass stays what it is: a literal, or with a payload a number of its own format.
+  /// The mass stays what it is: a literal, or with a payload a number; a link's and the payload's together are rounded.
   template <class M, class H, class J>
   AXIAL_INLINE static constexpr auto formatted(const RigidInertia<M, H, J>& body) {
-    return RigidInertia{body.mass, sum(quantity::FirstMoment{}, body.first_moment),
+    return RigidInertia{whole_mass(body.mass), sum(quantity::FirstMoment{}, body.first_moment),
                         symmetric(quantity::RotationalInertia{}, body.inertia)};
   }
   template <class A, class C, class L>
@@ -168,6 +169,13 @@ struct FormatRounding {
   }
 
  private:
+  template <class M>
+  AXIAL_INLINE static constexpr auto whole_mass(const M& mass) {
+    if constexpr (is_structural_v<M> || IsFx<M>::value || is_literal_v<M>)
+      return mass;
+    else
+      return sum(quantity::Mass{}, mass);
+  }
   // u^2 <= D share: the share at the exponent that u^2 has beyond D's, less some bits.
   template <int E, int F, int less>
   AXIAL_INLINE static constexpr std::int32_t share() {

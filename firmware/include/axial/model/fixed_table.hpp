@@ -49,13 +49,19 @@ struct FixedTable {
   static constexpr const auto& drives = Formats::mechanism.drives;
   static constexpr int size = static_cast<int>(sizeof(links) / sizeof(links[0]));
 
+  // Whether a column has an exponent: theta is an angle, and rotors may be none of the scene's.
+  static constexpr bool has_column(double LinkConstants<double>::*member) {
+    using C = LinkConstants<double>;
+    return member != &C::theta && (member != &C::rotor || Formats::mechanism.loads.rotors);
+  }
   template <class Row>
   static constexpr Row row(const TreeLinkConstants<double>& c) {
     Row r{};
     r.prismatic = c.prismatic, r.parent = c.parent;
     for (std::size_t i = 0; i < sizeof(link_numbers<double>) / sizeof(link_numbers<double>[0]); ++i)
-      r.*link_numbers<TableWord>[i] =
-          table_word(c.*link_numbers<double>[i], Formats::columns.of(link_numbers<double>[i]));
+      if (has_column(link_numbers<double>[i]))
+        r.*link_numbers<TableWord>[i] =
+            table_word(c.*link_numbers<double>[i], Formats::columns.of(link_numbers<double>[i]));
     r.theta = static_cast<TableWord>(static_cast<std::uint32_t>(nearest_integer(c.theta * bam_per_radian)));
     if constexpr (std::is_same_v<Row, TreeLinkConstants<TableWord>>)
       for (std::size_t i = 0; i < sizeof(branch_numbers<double>) / sizeof(branch_numbers<double>[0]); ++i)

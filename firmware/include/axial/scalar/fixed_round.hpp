@@ -60,9 +60,13 @@ AXIAL_INLINE constexpr auto saturated(bool& lost, const X& x) {
 
 namespace detail {
 
-// The format of what was turned, behind a product with a sine or cosine.
+// The format of what was turned, behind a product with a sine or cosine; a constant has none of its own.
 template <class X>
 struct TurnedFormat;
+template <std::uint64_t B, class S>
+struct TurnedFormat<Literal<B, S>> {
+  static constexpr int exponent = any_exponent;
+};
 template <int E, class S>
 struct TurnedFormat<Fx<E, S>> {
   static constexpr int exponent = E;
@@ -77,8 +81,8 @@ struct TurnedFormat<Product<Fx<F, S>, Fx<G, S>, n>> {
 };
 template <class A, class B>
 struct TurnedFormat<Sum<A, B>> {
-  static constexpr int exponent = TurnedFormat<A>::exponent;
-  static_assert(exponent == TurnedFormat<B>::exponent, "what is turned has one format");
+  static constexpr int a = TurnedFormat<A>::exponent, b = TurnedFormat<B>::exponent, exponent = smaller(a, b);
+  static_assert(a == b || a == any_exponent || b == any_exponent, "what is turned has one format");
 };
 
 }  // namespace detail

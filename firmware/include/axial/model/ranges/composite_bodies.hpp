@@ -122,16 +122,24 @@ class CompositeBodyAnalysis {
     return m_.steps.shared ? r_.store(f.length) : 0.0;
   }
   constexpr double constant_turn_error() const { return m_.steps.shared ? r_.store(r_.bits - 2) : 0.0; }
+  // What is on and beyond link i weighs, rounded link by link where a run-time payload is in it.
+  constexpr Ball mass(int i) const {
+    Ball all{bodies_.own[i].mass, 0.0};
+    for (int k = i; k < N && m_.loads.payload_mass > 0.0; ++k)
+      all.error += 2.0 * r_.store(all_.format[k].mass);
+    return all;
+  }
   // A body through one screw at the formats f: a turn by the double angle, and a shift that is off by `slip`.
-  constexpr void screw(Ball& first, Ball& inertia, double mass, double tilt, double shift, double slip,
+  constexpr void screw(Ball& first, Ball& inertia, const Ball& weight, double tilt, double shift, double slip,
                        const LinkFormat& f) const {
+    const double mass = weight.size;
     const double step =
         root3 * (r_.products(2, r_.bits - 2, f.first_moment, f.first_moment) + 2.0 * r_.store(f.first_moment));
     const double entry = r_.products(2, r_.bits - 2, f.rotational_inertia, f.rotational_inertia) +
                          r_.products(2, f.first_moment, f.length, f.rotational_inertia) +
                          2.0 * r_.store(f.rotational_inertia);
     const double angle = 4.0 * tilt + 4.0 * r_.store(r_.bits - 2);
-    first.error += root2 * tilt * first.reach() + step + slip * mass;
+    first.error += root2 * tilt * first.reach() + step + slip * mass + shift * weight.error;
     inertia.error += 2.0 * angle * inertia.reach() + 2.0 * shift * first.error + 6.0 * entry +
                      2.0 * slip * (first.reach() + shift * mass);
     first.size += shift * mass, inertia.size += shift * (2.0 * first.size + shift * mass);
@@ -142,23 +150,22 @@ class CompositeBodyAnalysis {
     first_[i].size = bodies_.own[i].moment, inertia_[i].size = bodies_.own[i].inertia;
     first_[i].error += root3 * r_.store(own.first_moment), inertia_[i].error += 3.0 * r_.store(own.rotational_inertia);
     turned_first_[i] = first_[i], turned_inertia_[i] = inertia_[i];
-    screw(turned_first_[i], turned_inertia_[i], bodies_.own[i].mass, turn_error(i), m_.joints[i].travel,
-          length_error(i, own), own);
+    screw(turned_first_[i], turned_inertia_[i], mass(i), turn_error(i), m_.joints[i].travel, length_error(i, own), own);
     all_.range[i].rotational_inertia = inertia_[i], all_.range[i].first_moment = first_[i];
     const int p = m_.parent(i);
     if (p < 0) return;
     Ball first = turned_first_[i], inertia = turned_inertia_[i];
     const LinkFormat& outer = all_.format[p];
-    const double mass = bodies_.own[i].mass, tilt = constant_turn_error(), slip = constant_length_error(outer);
-    screw(first, inertia, mass, tilt, magnitude(c.a), slip, outer);
+    const double tilt = constant_turn_error(), slip = constant_length_error(outer);
+    screw(first, inertia, mass(i), tilt, magnitude(c.a), slip, outer);
     if (c.branch.b < 0.0 || c.branch.b > 0.0 || c.branch.sin_gamma < 0.0 || c.branch.sin_gamma > 0.0)
-      screw(first, inertia, mass, tilt, magnitude(c.branch.b), slip, outer);
+      screw(first, inertia, mass(i), tilt, magnitude(c.branch.b), slip, outer);
     first_[p].error += first.error, inertia_[p].error += inertia.error;
   }
   // Errors of row i of the matrix: the largest is kept with the joint.
   constexpr void climb(int i) {
     const bool slides = m_.links[i].prismatic;
-    Force f{slides ? turned_first_[i] : turned_inertia_[i], slides ? Ball{bodies_.own[i].mass, 0.0} : turned_first_[i]};
+    Force f{slides ? turned_first_[i] : turned_inertia_[i], slides ? mass(i) : turned_first_[i]};
     Ball& entry = all_.range[i].joint_inertia;
     if (m_.steps.shared)
       f.moment.error += r_.store(all_.format[i].moment), f.force.error += r_.store(all_.format[i].force);
