@@ -43,8 +43,16 @@ constexpr ErrorBound<N> bounds_of(const Ranges<N>& ranges, Get get) {
 template <class S, class T>
 using Bounds = ErrorBound<joint_count<S>>;
 
+/// Refuses what fixed point does not compute: nothing is certified of it.
+template <class S, class Recursion>
+constexpr void check_bound() {
+  check_fixed_scene<scene_of<S>>();
+  check_fixed_form<scene_of<S>, Recursion>();
+}
+
 template <class S, class T>
 constexpr Bounds<S, T> bound_on_efforts() {
+  static_assert((check_bound<S, recursion::NewtonEuler>(), true));
   return bounds_of(ranges_for<scene_of<S>, typename T::Word, BaseParameters, recursion::NewtonEuler>,
                    [](const LinkRange& r) { return r.joint_effort.error; });
 }
@@ -80,6 +88,7 @@ template <class S, class T = Fixed32>
 /// Of the mass matrix, one a row: of its entries up to the diagonal, in their SI units.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::MassMatrix) {
+  static_assert((detail::check_bound<S, recursion::CompositeBodies>(), true));
   return detail::bounds_of(
       detail::ranges_for<scene_of<S>, typename T::Word, BaseParameters, recursion::CompositeBodies>,
       [](const LinkRange& r) { return r.joint_inertia.error; });
@@ -87,12 +96,14 @@ template <class S, class T = Fixed32>
 /// Of the origins of the links' frames, m.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::ForwardKinematics) {
+  static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
   return detail::bounds_of(detail::ranges_for<scene_of<S>, typename T::Word, FullParameters, recursion::Kinematics>,
                            [](const LinkRange& r) { return r.length.error; });
 }
 /// Of accelerations, rad/s^2 or m/s^2.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::ForwardDynamics) {
+  static_assert((detail::check_bound<S, recursion::ArticulatedBodiesAtRest>(), true));
   return detail::bounds_of(
       detail::ranges_for<scene_of<S>, typename T::Word, FullParameters, recursion::ArticulatedBodiesAtRest>,
       [](const LinkRange& r) { return r.joint_acceleration.error; });

@@ -118,9 +118,46 @@ struct UnknownTurn<Stored<Word>> {
   static constexpr Stored<Word> value() { return {}; }
 };
 
+/// Whether a robot's type says all about it; a run-time model's does not.
+template <class Robot, class = void>
+inline constexpr bool is_described = false;
+template <class Robot>
+inline constexpr bool is_described<Robot, std::void_t<decltype(Robot::chain.links)>> = true;
+
+/// Friction that fixed point has no proved range for.
+template <class Scene>
+constexpr void check_fixed_friction() {
+  constexpr auto none = [](double LinkParameters::*member) {
+    bool all = true;
+    for (const LinkParameters& link : Scene::Robot::chain.links)
+      all = all && link.*member == 0.0;
+    return all || !Scene::template has<Friction>;
+  };
+  static_assert(none(&LinkParameters::static_friction),
+                "axial: fixed point has viscous and Coulomb friction, not stribeck(); compute this scene in float");
+  static_assert(none(&LinkParameters::smooth_speed),
+                "axial: fixed point has no smooth_speed(); compute this scene in float");
+}
+
+/// What a robot has to declare for the run-time inputs of a scene.
+template <class Scene>
+constexpr void check_fixed_loads() {
+  static_assert(!Scene::template has<Payload> || Scene::Robot::chain.payload_limit.declared,
+                "axial: fixed point leaves room for the declared payload; add axial::payload_limit(mass, com_reach, "
+                "inertia) to the robot's chain");
+  static_assert(
+      !Scene::template has<TipWrench> || Scene::Robot::chain.tip_wrench_limit.declared,
+      "axial: fixed point leaves room for the declared tip wrench; add axial::tip_wrench_limit(force, moment) "
+      "to the robot's chain");
+}
+
 /// What fixed point has no proved range for, yet; with what to do about it.
 template <class Scene>
 constexpr void check_fixed_scene() {
+  static_assert(
+      is_described<typename Scene::Robot>,
+      "axial: a run-time Model has no formats for fixed point, which follow from a robot's type; describe the "
+      "robot as a type, or compute in float");
   static_assert(!Scene::template has<BaseMotion> && !Scene::template has<FloatingBase>,
                 "axial: fixed point needs a base at rest, for nothing declares how it moves; compute this scene in "
                 "float");
@@ -130,14 +167,18 @@ constexpr void check_fixed_scene() {
   static_assert(!Scene::template has<JointSprings>, "axial: fixed point has no JointSprings; compute them in float");
   static_assert(!Scene::template has<CompositeBody>,
                 "axial: forward dynamics in fixed point is that of articulated bodies; take CompositeBody out");
-  static_assert(!Scene::template has<Payload> || Scene::Robot::chain.payload_limit.declared,
-                "axial: fixed point leaves room for the declared payload; add axial::payload_limit(mass, com_reach, "
-                "inertia) to the robot's chain");
-  static_assert(
-      !Scene::template has<TipWrench> || Scene::Robot::chain.tip_wrench_limit.declared,
-      "axial: fixed point leaves room for the declared tip wrench; add axial::tip_wrench_limit(force, moment) "
-      "to the robot's chain");
+  if constexpr (is_described<typename Scene::Robot>) {
+    check_limits<typename Scene::Robot>();
+    check_fixed_friction<Scene>();
+    check_fixed_loads<Scene>();
+  }
 }
+
+/// Said first, where a program names the scene's inputs; every algorithm has them as an argument.
+template <class Scene, class Word>
+struct Offered<Scene, Stored<Word>> {
+  static_assert((check_fixed_scene<Scene>(), true));
+};
 
 }  // namespace detail
 }  // namespace axial

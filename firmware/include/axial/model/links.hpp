@@ -180,9 +180,8 @@ AXIAL_INLINE constexpr auto links_of() {
   using Robot = typename Scene::Robot;
   using Parameters = detail::with_rotors<Scene, parameters_of<Scene, DefaultParameters>>;
   if constexpr (is_stored_v<T>) {
-    detail::check_fixed_scene<Scene>();
+    static_assert((detail::check_fixed_scene<Scene>(), detail::check_fixed_form<Scene, Recursion>(), true));
     using S1 = detail::ArithmeticOf<Scene, typename T::Word>;
-    detail::check_fixed_form<Scene, Recursion>();
     if constexpr (Scene::template has<Looped>)
       return FixedTableLinks<Scene, S1, Parameters, detail::SharedFormats<Scene, Parameters, S1, Recursion>>{};
     else

@@ -86,12 +86,15 @@ template <class S, class T>
 struct InputsOf;
 template <class Robot, class... Features, class T>
 struct InputsOf<Scene<Robot, Features...>, T> : Features::template Input<Robot, T>... {};
+/// What a number system has to say against a scene, before anything of it is computed: see fixed_inputs.hpp.
+template <class Scene, class T>
+struct Offered {};
 }  // namespace detail
 
 /// Run-time inputs of a scene: one member for each named feature that has one (`payload`, `tip_wrench`, ...), none for
 /// the rest: touching the input of a feature that the scene does not name does not compile, and the message says which
 /// to add.
 template <class S, class T>
-struct Inputs : detail::InputsOf<scene_of<S>, T>, AbsentInputs<scene_of<S>> {};
+struct Inputs : detail::Offered<scene_of<S>, T>, detail::InputsOf<scene_of<S>, T>, AbsentInputs<scene_of<S>> {};
 
 }  // namespace axial
