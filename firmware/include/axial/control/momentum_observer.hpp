@@ -120,8 +120,10 @@ AXIAL_INLINE constexpr std::int32_t next_residual(const Formats& f, int i, std::
 template <class S, class T, class Tuning>
 constexpr Status update(ObserverState<S, T, Tuning>& state, const MomentumTerms<S, T>& now,
                         const EffortsOf<S, T>& tau) {
-  const auto &p = now.momentum, &p_last = state.last.momentum;
-  const auto &d = now.drift, &d_last = state.last.drift;
+  const auto& p = now.momentum;
+  const auto& p_last = state.last.momentum;
+  const auto& d = now.drift;
+  const auto& d_last = state.last.drift;
   Residuals<S, T, Tuning> residual = state.residual;
   Soundness<T> all;
   for (int i = 0; i < joint_count<S>; ++i) {

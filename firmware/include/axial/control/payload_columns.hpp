@@ -34,8 +34,10 @@ constexpr PayloadColumns<S, T> payload_columns(const Positions<robot_of<S>, T>& 
                                                const Velocities<robot_of<S>, T>& qd) {
   constexpr int n = joint_count<S>;
   using F = ColumnRounding<S, T>;
-  const auto columns = jacobian<S>(q);
-  const auto last = forward_kinematics<S>(q).frames[n - 1].rotation;
+  Inputs<S, T> in;
+  if constexpr (scene_of<S>::template has<SineCosines>) in.turns = sine_cosines<S>(q);
+  const auto columns = jacobian<S>(q, in);
+  const auto last = forward_kinematics<S>(q, in).frames[n - 1].rotation;
   const Mat3 rotation{F::direction(last.x), F::direction(last.y), F::direction(last.z)};
   auto g = F::gravity();
   typename F::Turning w{}, wi{};

@@ -79,8 +79,10 @@ constexpr Status learn(PayloadMemory<S, T>& learnt, const PayloadColumns<S, T>& 
   }
   for (int i = 0; i < joint_count<S>; ++i) {
     auto& row = learnt.lagged[i].of;
-    const auto &p = now.momentum[i].of, &d = now.drift[i].of;
-    const auto &p_last = last.momentum[i].of, &d_last = last.drift[i].of;
+    const auto& p = now.momentum[i].of;
+    const auto& d = now.drift[i].of;
+    const auto& p_last = last.momentum[i].of;
+    const auto& d_last = last.drift[i].of;
     for (int k = 0; k < 4; ++k) {
       const T lagged = Sums::lagged(k, row[k], p[k], p_last[k], d[k], d_last[k]);
       all.number(lagged);  // where it starts too: what is kept of this sample must not spoil the next

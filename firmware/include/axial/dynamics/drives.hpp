@@ -78,8 +78,10 @@ AXIAL_INLINE constexpr auto friction_effort(const Link& link, const V& qd) {
     return Zero{};
   } else {
     auto viscous = link.viscous() * qd;
-    auto cf = link.coulomb_forward(), cb = link.coulomb_backward();
-    auto sf = link.stribeck_forward(), sb = link.stribeck_backward();
+    auto cf = link.coulomb_forward();  // a declaration each: of several by one auto clang 14 compares types too early
+    auto cb = link.coulomb_backward();
+    auto sf = link.stribeck_forward();
+    auto sb = link.stribeck_backward();
     if constexpr (is_zero_v<decltype(link.inverse_smooth_speed())>)
       return viscous + detail::dry_friction(link, qd, cf, cb, sf, sb);
     else

@@ -47,7 +47,8 @@ AXIAL_INLINE constexpr void collect_inputs(Soundness<T>& all, const Input& in) {
   }
 }
 
-// A joint's position, or the sine and cosine that the caller gives instead.
+// A joint's position, or the sine and cosine that the caller gives instead. Scenes without these are told apart outside
+// the lambda: clang 14 looks into branches of one that its scene leaves out.
 template <class Links, class T, class Input, class Q, class I>
 AXIAL_INLINE constexpr void collect_position(Soundness<T>& all, const Links& links, const Input& in, const Q& q, I i) {
   if constexpr (Links::Scene::template has<SineCosines>) {

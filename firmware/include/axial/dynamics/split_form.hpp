@@ -79,7 +79,8 @@ AXIAL_INLINE constexpr Status run_split(const Links& links, const BiasLinks& bia
   auto bias = no_efforts(bias_links);
   rnea::efforts(bias_links, in, at, screws, read(links, qd), NoMotion{}, bias);
   auto structure = structure_at_rest(links, in, screws);
-  auto given = read(links, tau), left = read(links, bias);
+  auto given = read(links, tau);
+  auto left = read(links, bias);
   if constexpr (is_number_v<typename Links::Scalar>)
     return answer(links, screws, structure, given, left, qdd);
   else
