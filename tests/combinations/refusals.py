@@ -169,6 +169,11 @@ REFUSALS = (
             "scene in float",
             lambda c: is_fixed(c) and not _all_resist(c) and not _some_joint_moves_nothing(c),
             {"number": "fixed32", "inertia": "massless first", "rotor": "none"}, ("ForwardDynamics", "ForwardErrorBound")),
+    Refusal("forward dynamics in fixed point with `BaseParameters`",
+            "axial: forward dynamics in fixed point takes its formats from each link's own parameters, which BaseParameters "
+            "regroups; take BaseParameters out of the scene",
+            lambda c: is_fixed(c) and c["parameters"] == "BaseParameters",
+            {"number": "fixed32", "parameters": "BaseParameters"}, ("ForwardDynamics", "ForwardErrorBound")),
     Refusal("separation with `TipWrench` in fixed point",
             "axial: separate() in fixed point has no wrenches; take TipWrench out of the scene",
             lambda c: is_fixed(c) and c["wrench"] == "TipWrench", {"number": "fixed32", "wrench": "TipWrench"}, SEPARATED),

@@ -226,6 +226,13 @@ constexpr bool resisted_by_themselves() {
   return all;
 }
 
+/// Those formats hold for bodies that have the inertia that they say, which regrouped ones have not.
+template <class Scene, class Recursion>
+constexpr bool has_own_parameters() {
+  return !Scene::template has<BaseParameters> || !(std::is_same_v<Recursion, recursion::ArticulatedBodies> ||
+                                                   std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>);
+}
+
 /// The recursions whose quantities have room for one format all along an arm.
 template <class Scene, class Recursion>
 constexpr void check_fixed_form() {
@@ -235,6 +242,9 @@ constexpr void check_fixed_form() {
           std::is_same_v<Recursion, recursion::Momenta>,
       "axial: forward dynamics and separation in fixed point need a format a link, which the looped form has not; take "
       "Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)");
+  static_assert(has_own_parameters<Scene, Recursion>(),
+                "axial: forward dynamics in fixed point takes its formats from each link's own parameters, which "
+                "BaseParameters regroups; take BaseParameters out of the scene");
   static_assert(resisted_by_themselves<Scene, Recursion>(),
                 "axial: forward dynamics in fixed point takes its formats from what each link resists by itself; give "
                 "every link an inertia about its joint's axis (a slide: a mass), or rotor_inertia() and name "
