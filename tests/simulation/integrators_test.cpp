@@ -218,3 +218,33 @@ TEST(Integrators, PassOnWhatForwardDynamicsSays) {
     EXPECT_EQ(s.joint, 1);
   }
 }
+
+namespace {
+
+/// A mass on a slide whose solver finds fault with one of its calls.
+struct Doubtful {
+  using Subject = Rubbing;
+  int doubted;
+  mutable int calls = 0;
+  [[nodiscard]] int size() const { return 1; }
+  template <class Q, class V, class Tau, class In>
+  auto accelerations(const Q&, const V&, const Tau&, const In&) const {
+    ForwardDynamicsOf<Rubbing, double> a{};
+    const int call = calls++;
+    if (call >= doubted) a.status = {Status::Code::near_singular, call};
+    return a;
+  }
+};
+
+}  // namespace
+
+TEST(RungeKutta4, TellsTheFirstTroubleOfItsFourSlopes) {
+  for (int doubted = 0; doubted <= 4; ++doubted) {
+    Motion<Rubbing, double> x;
+    const Doubtful system{doubted};
+    const Status status = RungeKutta4::step(system, x, 1e-3, Held<Rubbing, double>{});
+    EXPECT_EQ(system.calls, 4);
+    EXPECT_EQ(status.code, doubted < 4 ? Status::Code::near_singular : Status::Code::ok) << doubted;
+    EXPECT_EQ(status.joint, doubted < 4 ? doubted : -1) << "the first";
+  }
+}

@@ -98,6 +98,29 @@ TEST(StepLimit, OfOneJointIsTheTextbooks) {
   EXPECT_NEAR((step_limit<SemiImplicitEuler, Undamped>(q, {}, drive)), 1.0 / w, 1e-14);
 }
 
+namespace {
+
+constexpr double l = 0.5, m = 2.0, k1 = 300.0, k2 = 120.0;
+
+struct TwoMasses {
+  static constexpr auto chain =
+      axial::chain(revolute().mass(m).com(l, 0, 0).spring(k1), revolute().a(l).mass(m).com(l, 0, 0).spring(k2));
+};
+
+}  // namespace
+
+// det(K - w^2 M) = 0 of two point masses on a planar arm: the larger root.
+TEST(StepLimit, OfTwoJointsIsThatOfTheirStiffestMode) {
+  for (const double q2 : {0.0, 0.7, 2.0, 3.0}) {
+    const double b = m * l * l * (1.0 + std::cos(q2)), c = m * l * l, a = c + 2.0 * b;
+    const double square = a * c - b * b, half = 0.5 * (a * k2 + c * k1);
+    const double w = std::sqrt((half + std::sqrt(half * half - square * k1 * k2)) / square);
+    const double h = step_limit<SemiImplicitEuler, Scene<TwoMasses, JointSprings>>(Joints<TwoMasses, double>{0.3, q2});
+    EXPECT_LE(h, 2.0 / w * (1.0 + 1e-12)) << q2;
+    EXPECT_GE(h, 2.0 / w * std::pow(2.0, -1.0 / 64.0)) << q2;
+  }
+}
+
 TEST(StepLimit, IsInfiniteWithoutSpringsAndForTheImplicitMethod) {
   EXPECT_TRUE((std::isinf(step_limit<RungeKutta4, Scene<Wheel>>(Joints<Wheel, double>{}))));
   EXPECT_TRUE((std::isinf(step_limit<LinearlyImplicitEuler, Scene<Wheel, JointSprings>>(Joints<Wheel, double>{}))));
