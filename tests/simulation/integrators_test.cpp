@@ -225,6 +225,7 @@ namespace {
 struct Doubtful {
   using Subject = Rubbing;
   int doubted;
+  int broken = 4;
   mutable int calls = 0;
   [[nodiscard]] int size() const { return 1; }
   template <class Q, class V, class Tau, class In>
@@ -232,6 +233,7 @@ struct Doubtful {
     ForwardDynamicsOf<Rubbing, double> a{};
     const int call = calls++;
     if (call >= doubted) a.status = {Status::Code::near_singular, call};
+    if (call == broken) a.status = {Status::Code::not_finite, -1};
     return a;
   }
 };
@@ -246,5 +248,13 @@ TEST(RungeKutta4, TellsTheFirstTroubleOfItsFourSlopes) {
     EXPECT_EQ(system.calls, 4);
     EXPECT_EQ(status.code, doubted < 4 ? Status::Code::near_singular : Status::Code::ok) << doubted;
     EXPECT_EQ(status.joint, doubted < 4 ? doubted : -1) << "the first";
+  }
+}
+
+TEST(RungeKutta4, TellsWhatIsNotFiniteBeforeAnythingElse) {
+  for (int broken = 0; broken < 4; ++broken) {
+    Motion<Rubbing, double> x;
+    const Status status = RungeKutta4::step(Doubtful{0, broken}, x, 1e-3, Held<Rubbing, double>{});
+    EXPECT_EQ(status.code, Status::Code::not_finite) << broken;
   }
 }

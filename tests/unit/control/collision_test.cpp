@@ -52,7 +52,15 @@ TEST_F(Detector, AThresholdItselfIsNotBeyondIt) {
   EXPECT_EQ(see(-std::nextafter(enter, 9.0)).joint, 0);
 }
 
-TEST_F(Detector, NotANumberIsBeyond) { EXPECT_TRUE(any({NAN, NAN, NAN})); }
+TEST_F(Detector, LeavesOutWhatIsNoNumberAndSaysSo) {
+  EXPECT_FALSE(any({4, 4, NAN, INFINITY}));
+  EXPECT_EQ(see(0.0, NAN).status.code, Status::Code::not_finite);
+  EXPECT_EQ(see(4.0, -INFINITY).joint, -1);
+  EXPECT_TRUE(any({4})) << "the third in a row of those that count";
+  EXPECT_TRUE(see(4).status.ok());
+  EXPECT_TRUE(any({0, NAN}));
+  EXPECT_FALSE(any({NAN, 0})) << "the second calm one";
+}
 
 TEST_F(Detector, NamesTheOutermostJoint) {
   EXPECT_EQ(see(4.0, 2.0).joint, 1);

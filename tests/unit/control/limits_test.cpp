@@ -88,6 +88,38 @@ TEST(Limits, NotFiniteIsFoundWhereItStandsAlone) {
     }
 }
 
+namespace {
+
+struct Turntable {
+  static constexpr auto chain = axial::chain(revolute().mass(1), prismatic().mass(1));
+};
+struct Winch {
+  static constexpr auto chain = axial::chain(revolute().mass(1).position_limits(-1e8, 900).accept(as_published));
+};
+
+template <class R, class T>
+Status::Code at(T first, T second = T(0)) {
+  Joints<R, T> q{};
+  q[0] = first;
+  if constexpr (Joints<R, T>::size > 1) q[1] = second;
+  return check_request<R, T>(q, {}, {}).code;
+}
+
+}  // namespace
+
+TEST(Limits, EndWhereSinesAreNoLongerExact) {
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_EQ((at<Turntable, double>(sign * 524288.0)), Code::ok);
+    EXPECT_EQ((at<Turntable, double>(sign * 524289.0)), Code::angle_range);
+    EXPECT_EQ((at<Turntable, float>(static_cast<float>(sign) * 8192.0F)), Code::ok);
+    EXPECT_EQ((at<Turntable, float>(static_cast<float>(sign) * 8193.0F)), Code::angle_range);
+    EXPECT_EQ((at<Turntable, double>(0.0, sign * 1e12)), Code::ok) << "a slide is no angle";
+  }
+  EXPECT_EQ((at<Winch, double>(-1e7)), Code::angle_range) << "inside the declared limits";
+  EXPECT_EQ((at<Winch, double>(-1e9)), Code::position_limit);
+  EXPECT_EQ((at<Winch, double>(901.0)), Code::position_limit);
+}
+
 TEST(Limits, TheFirstOfTwoBadJointsIsNamed) {
   EXPECT_EQ((check_request<Arm>(J{9, 9}, still, still).joint), 0);
   EXPECT_EQ((check_request<Arm>(J{0.5, 9}, J{0, 9}, still).joint), 1);

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <axial/dynamics/soundness.hpp>
+#include <axial/model/soundness.hpp>
 #include <cmath>
 #include <limits>
 
