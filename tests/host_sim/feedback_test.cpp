@@ -1,0 +1,104 @@
+// The feedback of the tracking controller as numbers: gains, signs, wrapping angles, limits; statuses on the wire.
+#include <firmware/apps/tracking/controller.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <robots/scara.hpp>
+
+namespace axial::apps {
+namespace {
+
+namespace link = hal::link;
+using robots::Scara;
+
+constexpr double w = 2.0 * 3.14159265358979323846 * bandwidth_Hz, turn = 6.283185307179586;
+
+/// M_ii in the middle of the joints' travel.
+double inertia(int i) {
+  Joints<Scara, double> middle{};
+  for (int k = 0; k < 3; ++k)
+    middle[k] = 0.5 * (Scara::chain.links[k].position_min + Scara::chain.links[k].position_max);
+  return mass_matrix<Scara>(middle)(i, i);
+}
+
+template <class T>
+class Feedback : public testing::Test {
+ protected:
+  /// The torque at rest where the wanted joints are q and the encoders say `seen` (rad, m).
+  link::Torque answer(std::array<float, 3> q, std::array<double, 3> seen, bool feeds_forward = false) {
+    link::SetPoint wanted{};
+    link::Measurement measured{};
+    link::Torque torque{};
+    wanted.joints = measured.joints = 3;
+    for (std::size_t i = 0; i < 3; ++i)
+      wanted.q[i] = q[i];
+    for (std::size_t i = 0; i < 2; ++i)
+      measured.position[i] =
+          static_cast<std::int32_t>(std::llround(std::remainder(seen[i] / turn, 1.0) * 4294967296.0));
+    measured.position[2] = static_cast<std::int32_t>(std::llround(seen[2] * slide_counts));
+    measured.feeds_forward = feeds_forward ? 1 : 0;
+    controller_.measure(measured);
+    controller_.load(wanted);
+    controller_.compute();
+    controller_.settle(wanted);
+    controller_.store(torque);
+    return torque;
+  }
+  TrackingController<Scara, T> controller_;
+};
+using Numbers = testing::Types<float, Fixed32>;
+TYPED_TEST_SUITE(Feedback, Numbers);
+
+constexpr std::array<float, 3> here{0.25F, -0.5F, 0.125F};
+
+}  // namespace
+
+TYPED_TEST(Feedback, IsAStiffnessOfTheErrorAtFirst) {
+  const double error[] = {0.01, -0.02, 0.005};
+  const auto torque = this->answer(here, {0.25 - error[0], -0.5 - error[1], 0.125 - error[2]});
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(torque.tau[static_cast<std::size_t>(i)], w * w * inertia(i) * error[i], 2e-4) << i;
+}
+
+TYPED_TEST(Feedback, ThenAlsoADampingOfItsChange) {
+  (void)this->answer(here, {0.25, -0.5, 0.125});
+  const double error[] = {1e-4, -2e-4, 1e-4};
+  const auto torque = this->answer(here, {0.25 - error[0], -0.5 - error[1], 0.125 - error[2]});
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(torque.tau[static_cast<std::size_t>(i)], (w * w + 2.0 * w * control_Hz) * inertia(i) * error[i], 2e-3)
+        << i;
+}
+
+TYPED_TEST(Feedback, AddsToTheFeedForwardWhereThatIsWanted) {
+  const auto without = this->answer(here, {0.25, -0.5, 0.125}), with = this->answer(here, {0.25, -0.5, 0.125}, true);
+  EXPECT_NEAR(without.tau[2], 0.0, 1e-4);
+  EXPECT_NEAR(with.tau[2], -1.25 * 9.8125, 1e-4) << "the slide's weight";
+}
+
+TYPED_TEST(Feedback, GoesTheShortWayRound) {
+  const auto torque = this->answer({2.4F, -0.5F, 0.125F}, {2.41 - turn, -0.5, 0.125});
+  EXPECT_NEAR(torque.tau[0], -w * w * inertia(0) * 0.01, 2e-3);
+}
+
+TYPED_TEST(Feedback, EndsAtTheDeclaredEfforts) {
+  const auto forward = this->answer(here, {-0.75, -1.5, 0.0});
+  const auto backward = this->answer(here, {1.25, 0.5, 0.25});
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double most = Scara::chain.links[i].effort_limit;
+    EXPECT_NEAR(forward.tau[i], most, 1e-5 * most) << i;
+    EXPECT_NEAR(backward.tau[i], -most, 1e-5 * most) << i;
+  }
+}
+
+TEST(LinkStatus, SaysWhatTheHostCanDoAbout) {
+  using Code = Status::Code;
+  EXPECT_EQ(link_status(Code::ok), link::TorqueStatus::ok);
+  EXPECT_EQ(link_status(Code::effort_limit), link::TorqueStatus::effort_limited);
+  EXPECT_EQ(link_status(Code::not_finite), link::TorqueStatus::not_finite);
+  for (const Code code : {Code::position_limit, Code::speed_limit, Code::acceleration_limit, Code::payload_limit})
+    EXPECT_EQ(link_status(code), link::TorqueStatus::outside_limits);
+}
+
+}  // namespace axial::apps
