@@ -48,7 +48,7 @@ using Classical = testing::Types<property::SlidingTree, robots::Scara>;
 TYPED_TEST_SUITE(HostileWordsClassical, Classical, property::RobotName);
 TYPED_TEST(HostileWordsClassical, TheClassicalFormIsRightOrSaysOtherwise) {
   using S = Fixed<TypeParam, ArticulatedBody>;
-  this->template run<S>(20000, [](const auto& state, std::uint64_t k, Wrong& wrong) {
+  this->template run<S>(60000, [](const auto& state, std::uint64_t k, Wrong& wrong) {
     property::check_forward<S>(state, property::Expected<S>(state), k, wrong);
   });
 }

@@ -239,7 +239,7 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
     bool lost = left.singular;
     auto answer = link.on_joint([&](auto joint) AXIAL_INLINE {
       auto own = joint_acceleration(link, left.free, left.gain, moved, left.left, lost);
-      write(links, qdd, i, own);
+      write_limited(links, qdd, i, own, lost);
       return link.shape(with_joint(link, moved, along_axis(joint, own)));
     });
     singular = first_found(singular, lost, static_cast<int>(i));

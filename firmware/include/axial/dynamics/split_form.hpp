@@ -64,7 +64,8 @@ AXIAL_INLINE constexpr Status answer_in_ranges(const Links& links, const Screws&
     const std::int64_t whole =
         detail::rescaled_word<S, solves == 1>(static_cast<typename S::Word>(select(agrees, second, first)), net);
     bool spilt = false;
-    write(links, qdd, i, Fx<exponent, S>{detail::held_in_word<S>(spilt, whole)});
+    const Fx<exponent, S> held{detail::held_in_word<S>(spilt, whole)};
+    write_limited(links, qdd, i, held, spilt);
     lost = first_found(lost, spilt, static_cast<int>(i));
   });
   return status_of<Links>(lost, halvings > 0);

@@ -54,6 +54,18 @@ AXIAL_INLINE constexpr void write(const Links&, Values& values, I i, const X& x)
   }
 }
 
+/// The same where the format of the values may be too small for x: then the largest word, and `lost` is set.
+template <class Links, class Values, class I, class X>
+AXIAL_INLINE constexpr void write_limited(const Links& links, Values& values, I i, const X& x, bool& lost) {
+  if constexpr (!detail::IsFx<X>::value || detail::shares_formats<Links>) {
+    write(links, values, i, x);
+  } else if constexpr (X::exponent >= Values::exponent(I::value)) {
+    write(links, values, i, x);
+  } else {
+    values.values[I::value] = {saturated<Values::exponent(I::value)>(lost, x).raw};
+  }
+}
+
 namespace detail {
 
 template <int E, class S, class X>
