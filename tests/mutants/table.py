@@ -39,8 +39,11 @@ def read(folder=HERE / "tables", root=ROOT):
     """All mutants in the order of the tables; names are unique."""
     mutants = []
     for path in sorted(folder.glob("*.toml")):
-        for name, entry in tomllib.loads(path.read_text()).items():
-            mutants.append(mutant_of(f"{path.stem}.{name}", entry, root))
+        try:
+            entries = tomllib.loads(path.read_text())
+        except tomllib.TOMLDecodeError as error:
+            raise TableError(f"{path}: {error}") from error
+        mutants += [mutant_of(f"{path.stem}.{name}", entry, root) for name, entry in entries.items()]
     return mutants
 
 
