@@ -43,59 +43,60 @@ constexpr Stored<Word> chosen(bool first, const Stored<Word>& a, const Stored<Wo
 
 }  // namespace detail
 
-namespace detail {
-
-/// What an estimator learnt, apart from where it stands.
-template <class S, class T>
-struct PayloadMemory {
-  using Sum = typename PayloadSumOf<T>::type;  ///< a number, in fixed point 96 bits
-  PayloadRow<T> lagged[joint_count<S>] = {};   ///< columns behind the observer's lag, as residuals of -1
-  Sum information[4][4] = {}, moment[4] = {};  ///< of the normal equations: lower triangle, right-hand side
-};
-
-}  // namespace detail
-
 /// Memory of an estimator, owned by the caller; start with `{}`, and again when the payload changes.
 template <class S, class T>
-struct PayloadState : detail::PayloadMemory<S, T> {
-  detail::PayloadColumns<S, T> last{};  ///< columns of the previous sample
-  bool ready = false;                   ///< whether `last` is the previous sample's
+struct PayloadState {
+  using Sum = typename detail::PayloadSumOf<T>::type;  ///< a number, in fixed point 96 bits
+  detail::PayloadColumns<S, T> last{};                 ///< columns of the previous sample
+  detail::PayloadRow<T> lagged[joint_count<S>] = {};   ///< columns behind the observer's lag, as residuals of -1
+  Sum information[4][4] = {}, moment[4] = {};          ///< of the normal equations: lower triangle, right-hand side
+  bool ready = false;                                  ///< whether `last` is the previous sample's
 };
 
 namespace detail {
 
-/// Adds a sample to what was learnt, and says whether all of that is still numbers.
+/// Rows of the sample `now` behind the observer's lag, and whether the sample is sound: numbers so small that no sum of
+/// what was ever added can overflow.
 template <class S, class T, class Tuning>
-constexpr Status learn(PayloadMemory<S, T>& learnt, const PayloadColumns<S, T>& last, bool ready,
-                       const PayloadColumns<S, T>& now, const Positions<robot_of<S>, T>& q,
-                       const Velocities<robot_of<S>, T>& qd,
-                       const typename ResidualInput<S, T, Tuning>::type& residual) {
+constexpr Status lag_columns(const PayloadState<S, T>& state, const PayloadColumns<S, T>& now,
+                             const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+                             const typename ResidualInput<S, T, Tuning>::type& residual,
+                             PayloadRow<T> (&lagged)[joint_count<S>]) {
   using Sums = PayloadSums<S, T, Tuning>;
   Soundness<T> all;
-  for (int i = 0; i < 4; ++i) {
-    Sums::forget(learnt.moment[i]);
-    for (int j = 0; j <= i; ++j)
-      Sums::forget(learnt.information[i][j]);
-  }
+  typename Sums::Squares squares;
   for (int i = 0; i < joint_count<S>; ++i) {
-    auto& row = learnt.lagged[i].of;
     const auto& p = now.momentum[i].of;
     const auto& d = now.drift[i].of;
-    const auto& p_last = last.momentum[i].of;
-    const auto& d_last = last.drift[i].of;
+    const auto& p_last = state.last.momentum[i].of;
+    const auto& d_last = state.last.drift[i].of;
     for (int k = 0; k < 4; ++k) {
-      const T lagged = Sums::lagged(k, row[k], p[k], p_last[k], d[k], d_last[k]);
-      all.number(lagged);  // where it starts too: what is kept of this sample must not spoil the next
-      row[k] = chosen(ready, lagged, row[k]);
+      const T row = Sums::lagged(k, state.lagged[i].of[k], p[k], p_last[k], d[k], d_last[k]);
+      squares.add(row);  // where it starts too: what is kept of this sample must not spoil the next
+      lagged[i].of[k] = chosen(state.ready, row, state.lagged[i].of[k]);
     }
-    Sums::add(learnt.information, learnt.moment, ready, i, learnt.lagged[i], residual[i]);
+    squares.add(residual[i]);
     turns_of<robot_of<S>>.of[i] ? all.angle(q[i]) : all.number(q[i]);
-    all.number(qd[i]), all.number(residual[i]);
+    all.number(qd[i]);
   }
-  // Squares: where these are numbers, so are the products of two rows, which are no larger.
-  for (int i = 0; i < 4; ++i)
-    all.number(learnt.information[i][i]), all.number(learnt.moment[i]);
+  all.number(squares.scaled());
   return all.status();
+}
+
+/// Forgets a little and adds a sample.
+template <class S, class T, class Tuning>
+constexpr void learn(PayloadState<S, T>& state, const PayloadRow<T> (&lagged)[joint_count<S>],
+                     const typename ResidualInput<S, T, Tuning>::type& residual) {
+  using Sums = PayloadSums<S, T, Tuning>;
+  for (int i = 0; i < 4; ++i) {
+    Sums::forget(state.moment[i]);
+    for (int j = 0; j <= i; ++j)
+      Sums::forget(state.information[i][j]);
+  }
+  for (int i = 0; i < joint_count<S>; ++i) {
+    state.lagged[i] = lagged[i];
+    Sums::add(state.information, state.moment, state.ready, i, lagged[i], residual[i]);
+  }
 }
 
 }  // namespace detail
@@ -139,15 +140,14 @@ template <class S, class T, class Tuning>
       return outside;
     }
   const auto now = detail::payload_columns<S, T>(q, qd);
-  detail::PayloadMemory<S, T> learnt = state;
-  const Status status = detail::learn<S, T, Tuning>(learnt, state.last, state.ready, now, q, qd, residual);
-  state.ready = status.ok();
+  detail::PayloadRow<T> lagged[joint_count<S>];
+  const Status status = detail::lag_columns<S, T, Tuning>(state, now, q, qd, residual, lagged);
   if (!status.ok()) {
-    state.last = {};
+    state.last = {}, state.ready = false;
     return status;
   }
-  static_cast<detail::PayloadMemory<S, T>&>(state) = learnt;
-  state.last = now;
+  detail::learn<S, T, Tuning>(state, lagged, residual);
+  state.last = now, state.ready = true;
   return {};
 }
 
@@ -183,7 +183,8 @@ template <class Tuning, class S, class T>
   Soundness<X> all;
   all.number(result.mass), all.number(result.first_moment.x), all.number(result.first_moment.y);
   all.number(result.first_moment.z);
-  result.status = sure ? all.status() : Status{Status::Code::not_ready, -1};
+  constexpr int not_ready = static_cast<int>(Status::Code::not_ready);
+  result.status.code = static_cast<Status::Code>(select(sure, static_cast<int>(all.status().code), not_ready));
   return result;
 }
 

@@ -36,6 +36,20 @@ struct PayloadSums {
     }
     return all;
   }();
+  /// Sum of the squares of a sample's numbers, made infinite where a sum of such samples could exceed a quarter of T's
+  /// range: it weighs no more than so many of them, however many there were.
+  struct Squares {
+    static constexpr double samples = Tuning::memory / Tuning::period + 2.0;
+    static constexpr T room = [] {
+      T heaviest = T(1);
+      for (const T& weight : weights.of)
+        heaviest = weight > heaviest ? weight : heaviest;
+      return T(4) * NumberTraits<T>::constant(samples) * heaviest;
+    }();
+    T sum = T(0);
+    constexpr void add(const T& x) { sum += x * x; }
+    constexpr T scaled() const { return room * sum; }
+  };
   static constexpr T lagged(int, const T& r, const T& p, const T& p_last, const T& d, const T& d_last) {
     return next_residual<Tuning>(r, p, p_last, T(Zero{}), d, d_last);
   }
@@ -111,6 +125,11 @@ struct PayloadSums<S, Stored<Word>, Tuning> {
   static_assert(formats.memory >= 2 && formats.memory <= 28 && n <= (std::int64_t{1} << (32 - formats.memory)),
                 "axial: in fixed point a payload estimator's memory is 4 to 2^28 periods");
 
+  /// Nothing overflows.
+  struct Squares {
+    constexpr void add(const T&) const {}
+    constexpr Zero scaled() const { return {}; }
+  };
   static constexpr T lagged(int k, const T& r, const T& p, const T& p_last, const T& d, const T& d_last) {
     constexpr auto share = static_cast<std::int32_t>(nearest_integer(residual_share<Tuning>() * power_of_two(30)));
     return {next_residual(formats, k, share, r.raw, p.raw, p_last.raw, 0, d.raw, d_last.raw)};
