@@ -88,6 +88,18 @@ TEST_F(SafetyApp, ASilentLineFadesHoldsAndDisablesInFreeRunning) {
   EXPECT_EQ(stats().watchdog_holds, ramp + hold);
 }
 
+TEST_F(SafetyApp, TicksThatComeLateAgeTheLastSetPointAllTheSame) {
+  open(link::Mode::free_running);
+  move(1);
+  tick();
+  board().ticks += patience + ramp;
+  app_.step();
+  EXPECT_EQ(answer<link::Torque>()->phase, byte_of(DrivePhase::holding));
+  board().ticks += hold;
+  app_.step();
+  expect_drives(false);
+}
+
 TEST_F(SafetyApp, ASilentLineFadesHoldsAndDisablesInLockStep) {
   open(link::Mode::lock_step);
   EXPECT_EQ(board().tick_rate_Hz, 1000u) << "the timer runs in lock-step too";
@@ -306,9 +318,11 @@ TEST_F(SafetyApp, ATorqueThatTakesLongerThanATickMissesItsDeadline) {
   for (const link::Mode mode : {link::Mode::free_running, link::Mode::lock_step}) {
     open(mode);
     board().count = instructions_a_tick;
+    const std::uint32_t punctual = stats().deadline_overruns;
     ask(1.0f, 1);
     tick();
     const std::uint32_t before = stats().deadline_overruns, fed = board().feeds;
+    EXPECT_EQ(before, punctual) << "it just meets its tick";
     board().count = instructions_a_tick + 1;
     ask(1.0f, 2);
     tick();
