@@ -58,8 +58,10 @@ AXIAL_INLINE constexpr Status answer_in_ranges(const Links& links, const Screws&
     const std::int32_t first = all[0].raw[i], second = all[solves - 1].raw[i];
     const std::int32_t near = detail::moved_down<S>(second, static_cast<unsigned char>(magnified));
     const auto apart = static_cast<std::int32_t>(static_cast<std::uint32_t>(near) - static_cast<std::uint32_t>(first));
-    const bool agrees = is_negative(all[solves - 1].lost) & detail::is_less(apart, second_solve_tolerance) &
-                        detail::is_less(-second_solve_tolerance, apart);
+    const int agreement = static_cast<int>(is_negative(all[solves - 1].lost)) &
+                          static_cast<int>(detail::is_less(apart, second_solve_tolerance)) &
+                          static_cast<int>(detail::is_less(-second_solve_tolerance, apart));
+    const bool agrees = agreement != 0;
     const int net = halvings - select(agrees, magnified, 0);
     const std::int64_t whole =
         detail::rescaled_word<S, solves == 1>(static_cast<typename S::Word>(select(agrees, second, first)), net);
