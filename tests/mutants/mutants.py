@@ -84,7 +84,7 @@ class Run:
 
     def compile_unchanged(self, mutants):
         """The objects of all programs; a compile-fail source has none."""
-        sources = {(source, tuple(flags)) for mutant in mutants if not is_compile_fail(mutant)
+        sources = {(source, tuple(flags)) for mutant in mutants if not is_compile_fail(mutant.test)
                    for source, flags in self.programs.of(mutant.test)[0]}
         for (source, _), _ in self.each(self.compile_one, sorted(sources)):
             progress(f"compiled {source}")
@@ -94,18 +94,15 @@ class Run:
         build.compile_source(copy, source, list(flags), self.objects.path(source, flags))
 
     def unchanged_failures(self, mutants):
-        """What is wrong with the tests before anything is changed."""
+        """What is wrong with the tests before anything is changed, by the test."""
         filters = collections.defaultdict(set)
         for mutant in mutants:
-            filters[mutant.test, is_compile_fail(mutant)].add((mutant.filter or "*", mutant.by_compiler))
-        failures = []
-        for (test, _), failure in self.each(self.unchanged_failure, [(key, value) for key, value in sorted(filters.items())]):
-            failures += [f"{test[0]}: {failure}"] if failure else []
-        return failures
+            filters[mutant.test].add((mutant.filter or "*", mutant.by_compiler))
+        return {test: failure for (test, _), failure in self.each(self.unchanged_failure, sorted(filters.items())) if failure}
 
     def unchanged_failure(self, copy, item):
-        (test, compile_fail), filters = item
-        if compile_fail:
+        test, filters = item
+        if is_compile_fail(test):
             return compile_fail_failure(copy, test)
         sources, libraries = self.programs.of(test)
         program = self.folder / re.sub(r"\W", "_", test)
@@ -120,7 +117,7 @@ class Run:
         """The test that fails, empty where none does; and what is wrong with the mutant itself."""
         try:
             with copy.changed(mutant):
-                if is_compile_fail(mutant):
+                if is_compile_fail(mutant.test):
                     failure = compile_fail_failure(copy, mutant.test)
                     return (f"{mutant.test}: {failure}" if failure else ""), ""
                 return self.failing_test(copy, mutant), ""
@@ -149,8 +146,8 @@ class Run:
         return build.run(program, mutant.filter)[2]
 
 
-def is_compile_fail(mutant):
-    return mutant.test.startswith("compile_fail/")
+def is_compile_fail(test):
+    return test.startswith("compile_fail/")
 
 
 def compile_fail_failure(copy, test):
@@ -175,9 +172,9 @@ def run_all(mutants, jobs, rows):
         run = Run(pathlib.Path(folder), jobs)
         run.compile_unchanged(mutants)
         failures = run.unchanged_failures(mutants)
-        if failures:
-            raise table.TableError("\n".join(failures))
-        for mutant, (killer, fault) in run.each(run.killed_by, mutants):
+        faults += [f"{test}: {failure}" for test, failure in sorted(failures.items())]
+        sound = [mutant for mutant in mutants if mutant.test not in failures]
+        for mutant, (killer, fault) in run.each(run.killed_by, sound):
             progress("")
             rows.append({"mutant": mutant.name, "file": mutant.file, "killed_by": killer})
             faults += [f"{mutant.name}: {fault}"] if fault else []
