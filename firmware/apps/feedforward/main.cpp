@@ -8,7 +8,8 @@
 #include "feedforward.hpp"
 
 namespace {
-axial::apps::Feedforward<axial::hal::Board, axial::apps::Controller<axial::apps::Robot, AXIAL_NUMBER>, AXIAL_INJECTION> app;
+axial::apps::Feedforward<axial::hal::Board, axial::apps::Controller<axial::apps::Robot, AXIAL_NUMBER>, AXIAL_INJECTION>
+    app;
 }
 
 int main() {

@@ -8,7 +8,9 @@
 #include "controller.hpp"
 
 namespace {
-axial::apps::Feedforward<axial::hal::Board, axial::apps::TrackingController<axial::apps::Robot, AXIAL_NUMBER>, AXIAL_INJECTION> app;
+axial::apps::Feedforward<axial::hal::Board, axial::apps::TrackingController<axial::apps::Robot, AXIAL_NUMBER>,
+                         AXIAL_INJECTION>
+    app;
 }
 
 int main() {
