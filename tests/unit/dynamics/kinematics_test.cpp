@@ -56,3 +56,14 @@ TEST(Jacobian, HasNoColumnForJointsThatDoNotCarryTheTool) {
   EXPECT_EQ(j[0].angular.z, 1.0);
   EXPECT_EQ(j[2].angular.z, 1.0);
 }
+
+// Positions that are numbers each may add up to one that is none.
+TEST(Kinematics, OfAModelSayWhatOverflows) {
+  using M = Model<2>;
+  M model;
+  ASSERT_TRUE(model.add(prismatic().mass(1)));
+  ASSERT_TRUE(model.add(prismatic().mass(1)));
+  const Joints<M, float> near_by{0.5F, 0.25F}, far_out{2e38F, 3e38F};
+  EXPECT_TRUE(forward_kinematics(model, near_by).status.ok());
+  EXPECT_EQ(forward_kinematics(model, far_out).status.code, Status::Code::not_finite);
+}

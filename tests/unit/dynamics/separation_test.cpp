@@ -73,3 +73,27 @@ TEST(Separated, TermsSumToTheTorque) {
         EXPECT_NEAR(tau[k], exact[k], 1e-12) << "joints " << i << " and " << j << " move, effort of joint " << k;
     }
 }
+
+// Each kind of coefficient by itself: the others would show most of what is not finite too, but not all of it.
+TEST(Separated, EveryKindOfCoefficientIsLookedAt) {
+  struct Nobody {
+    void inertia(int, int, double) const {}
+    void product(int, int, int, double) const {}
+    void square(int, int, double) const {}
+    void rest(int, double) const {}
+  };
+  const auto judged = [](const auto& give, double value) {
+    const Nobody nobody;
+    Soundness<double> all;
+    give(JudgedTerms<Nobody, double>{nobody, all}, value);
+    return all.status().code;
+  };
+  const auto expect_seen = [&](const auto& give, const char* what) {
+    EXPECT_EQ(judged(give, 1.0), Status::Code::ok) << what;
+    EXPECT_EQ(judged(give, std::nan("")), Status::Code::not_finite) << what;
+  };
+  expect_seen([](const auto& terms, double x) { terms.inertia(0, 0, x); }, "A");
+  expect_seen([](const auto& terms, double x) { terms.product(0, 0, 1, x); }, "B");
+  expect_seen([](const auto& terms, double x) { terms.square(0, 1, x); }, "C");
+  expect_seen([](const auto& terms, double x) { terms.rest(0, x); }, "G");
+}
