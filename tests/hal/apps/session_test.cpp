@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <utility>
 
 namespace axial::apps {
 namespace {
@@ -58,6 +59,41 @@ TEST(Session, NoIdentifierComesTwiceInARow) {
     ASSERT_NE(session.id(), hal::link::no_session);
     ASSERT_TRUE(seen.insert(session.id()).second) << i;
   }
+}
+
+/// The entropy for which the checksum of (identifier, nonce, entropy) is `wanted`: a checksum is affine in each bit.
+std::uint32_t entropy_for(std::uint32_t id, std::uint32_t nonce, std::uint32_t wanted) {
+  const auto mixed = [&](std::uint32_t with) {
+    std::uint8_t bytes[12];
+    const std::uint32_t words[] = {id, nonce, with};
+    for (std::size_t i = 0; i < 12; ++i)
+      bytes[i] = static_cast<std::uint8_t>(words[i / 4] >> (8 * (i % 4)));
+    return hal::link::crc32(bytes, 12);
+  };
+  std::uint32_t left = wanted ^ mixed(0), columns[32], bits[32], found = 0;
+  for (unsigned k = 0; k < 32; ++k)
+    columns[k] = mixed(1u << k) ^ mixed(0), bits[k] = 1u << k;
+  for (unsigned row = 0; row < 32; ++row) {
+    unsigned pivot = row;
+    while (pivot < 31 && (columns[pivot] >> row & 1u) == 0)
+      ++pivot;
+    std::swap(columns[row], columns[pivot]), std::swap(bits[row], bits[pivot]);
+    for (unsigned k = 0; k < 32; ++k)
+      if (k != row && (columns[k] >> row & 1u) != 0) columns[k] ^= columns[row], bits[k] ^= bits[row];
+  }
+  for (unsigned row = 0; row < 32; ++row)
+    if ((left >> row & 1u) != 0) left ^= columns[row], found ^= bits[row];
+  EXPECT_EQ(mixed(found), wanted);
+  return found;
+}
+
+TEST(Session, AnIdentifierThatWouldComeAgainIsPassedOver) {
+  Session session = booted();
+  const std::uint32_t before = session.id();
+  ASSERT_TRUE(session.open(before, 7, entropy_for(before, 7, before)));
+  EXPECT_EQ(session.id(), before + 1);
+  ASSERT_TRUE(session.open(before + 1, 7, entropy_for(before + 1, 7, hal::link::no_session)));
+  EXPECT_EQ(session.id(), hal::link::no_session + 1);
 }
 
 }  // namespace

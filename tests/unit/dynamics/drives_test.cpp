@@ -87,3 +87,29 @@ TEST(Drives, ABareRobotHasNone) {
       EXPECT_EQ((bias_torque<Scene<Drives, Gravity>>(q, qd)[i]), 0.0);
   }
 }
+
+namespace {
+
+struct Wheel {
+  static constexpr auto chain =
+      axial::chain(revolute().mass(1).inertia_com(1, 1, 0.5).viscous(3).coulomb(2).spring(4, 0.5));
+};
+
+template <class... Route>
+void expect_drives_to_slow_the_wheel() {
+  using S = Scene<Wheel, Friction, JointSprings, Route...>;
+  using W = Joints<Wheel, double>;
+  EXPECT_NEAR((forward_dynamics<S>(W{0.5}, W{2.0}, W{0.0})[0]), -(3 * 2.0 + 2) / 0.5, 1e-13);
+  EXPECT_NEAR((forward_dynamics<S>(W{0.5}, W{-2.0}, W{0.0})[0]), (3 * 2.0 + 2) / 0.5, 1e-13);
+  EXPECT_NEAR((forward_dynamics<S>(W{1.0}, W{0.0}, W{0.0})[0]), -4 * 0.5 / 0.5, 1e-13);
+  EXPECT_NEAR((forward_dynamics<S>(W{1.0}, W{2.0}, W{3 * 2.0 + 2 + 4 * 0.5})[0]), 0.0, 1e-13);
+}
+
+}  // namespace
+
+TEST(Drives, SlowAJointByEveryRouteOfForwardDynamics) {
+  expect_drives_to_slow_the_wheel<ArticulatedBody>();
+  expect_drives_to_slow_the_wheel<SplitArticulatedBody>();
+  expect_drives_to_slow_the_wheel<CompositeBody>();
+  expect_drives_to_slow_the_wheel<ArticulatedBody, Looped>();
+}
