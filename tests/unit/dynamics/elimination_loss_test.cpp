@@ -77,6 +77,18 @@ TEST(Samples, LieInsideTheLimitsAndDiffer) {
   EXPECT_EQ(position(0, 2), -0.25);
 }
 
+// M = (2 1; 1 1), so C^-1 = (2 -r; -r 2) with r = sqrt(2), and S = (r, 1).
+TEST(EliminationError, IsWhatRoundingMakesOfTheWeakestEffort) {
+  const auto m = [](int i, int j) { return i == 0 && j == 0 ? 2.0 : 1.0; };
+  const double r = std::sqrt(2.0);
+  EXPECT_NEAR(detail::elimination_error<2>(m, m, 2), 0.25 * (2 + r) * (2 + r) / r, 1e-12) << "a quarter at least";
+  const auto rounded = [&](int i, int j) { return i == j ? m(i, j) : 1.0 + 8 * r * 0x1p-24; };
+  const double near = 0.25 * 2 + 8 * r, far = 8 * 2 + 0.25 * r;
+  EXPECT_NEAR(detail::elimination_error<2>(m, rounded, 2), (r * near + 2 * far) / r, 1e-6) << "eight where it is more";
+  const auto singular = [](int, int) { return 1.0; };
+  EXPECT_EQ(detail::elimination_error<2>(singular, singular, 2), detail::infinite_loss);
+}
+
 TEST(EliminationLoss, GrowsWithWhatALightLinkCarries) {
   EXPECT_LT(loss<TwoRods<10>>(), most(2));
   EXPECT_LT(loss<TwoRods<10>>(), loss<TwoRods<1000>>());
