@@ -258,3 +258,26 @@ TEST(RungeKutta4, TellsWhatIsNotFiniteBeforeAnythingElse) {
     EXPECT_EQ(status.code, Status::Code::not_finite) << broken;
   }
 }
+
+namespace {
+
+template <class Method, class X>
+void expect_left_alone() {
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1.7e308}) {
+    X x;
+    x.q[0] = 0.25, x.qd[0] = 1e308, x.steps = 7;
+    const Status status = advance<Method>(x, 100.0, Held<Rubbing, double>{{bad}, {}});
+    EXPECT_EQ(status.code, Status::Code::not_finite) << bad;
+    EXPECT_EQ(x.q[0], 0.25);
+    EXPECT_EQ(x.qd[0], 1e308);
+    EXPECT_EQ(x.steps, 7U);
+  }
+}
+
+}  // namespace
+
+TEST(Integrators, LeaveAStateAloneThatWouldNotBeFinite) {
+  expect_left_alone<SemiImplicitEuler, Motion<Rubbing, double>>();
+  expect_left_alone<RungeKutta4, Motion<Rubbing, double>>();
+  expect_left_alone<LinearlyImplicitEuler, CompensatedMotion<Rubbing, double>>();
+}
