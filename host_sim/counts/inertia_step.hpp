@@ -15,7 +15,7 @@ auto reflect_by(Kind joint, const Link& link, const Screw& screw, const Tree& tr
   aba::Subtree sent{Congruence::template to_parent<T>(x, screw, r.inertia),
                     to_parent(x, to_parent(screw, r.bias, link), link),
                     seen_from(tree.reach, shift_length(x) + shift_length(screw))};
-  return aba::Left{r.gain, r.free, velocity.zeta, r.singular, sent};
+  return aba::Left{r.gain, r.free, velocity.zeta, r.singular, r.left, sent};
 }
 
 /// Accelerations of a run-time model without friction and outside forces.
