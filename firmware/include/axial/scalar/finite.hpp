@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/scalar/arithmetic.hpp>
+#include <axial/scalar/traits.hpp>
 
 namespace axial {
 
