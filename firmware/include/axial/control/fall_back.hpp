@@ -32,6 +32,7 @@ class FallBack {
 
  public:
   constexpr FallBack() = default;
+  /// With times other than the default ones.
   constexpr explicit FallBack(const FallBackTimes& times) : times_(times) {}
 
   [[nodiscard]] constexpr DrivePhase phase() const { return phases_.phase(); }  ///< what the drives are doing

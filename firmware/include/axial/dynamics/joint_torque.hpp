@@ -59,6 +59,7 @@ AXIAL_INLINE constexpr auto run_joint(const Links& links, const Input& in, I joi
     return joint_effort(links, int{joint}, branch.force(int{joint}), q, qd, qdd);
 }
 
+/// Whether a scene's robot has a joint of that index.
 template <class S, int Joint>
 inline constexpr bool has_joint = Joint >= 0 && Joint < joint_count<S>;
 

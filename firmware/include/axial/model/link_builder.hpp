@@ -18,7 +18,7 @@ class LinkBuilder {
   constexpr const detail::Given& given() const { return given_; }    ///< what has been named, for chain()'s checks
 
  protected:
-  using Quantity = detail::Quantity;
+  using Quantity = detail::Quantity;  ///< what a call names
 
   /// A copy that `change`, called with its fields, has changed: it names a quantity.
   template <class Change>

@@ -68,6 +68,7 @@ struct PrincipalMoments {
 struct InertiaDefect {
   double negative = 0.0, triangle = 0.0;  ///< shares, >= 0
 };
+/// That share for given moments.
 [[nodiscard]] constexpr InertiaDefect inertia_defect(const PrincipalMoments& m) {
   constexpr double beyond_measure = 1e30;  // share of nothing
   InertiaDefect defect;
