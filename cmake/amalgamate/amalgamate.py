@@ -13,7 +13,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDERS = {"axial": ROOT / "firmware" / "include", "robots": ROOT}
 ALWAYS = ["axial/axial.hpp", "axial/c_interface/export.hpp"]
-INCLUDE = re.compile(r"^\s*#\s*include\s*<([^>]+)>\s*$")
+INCLUDE = re.compile(r"^\s*#\s*include\s*<([^>]+)>\s*(?://.*)?$")
 OPENS = re.compile(r"^\s*#\s*if")
 CLOSES = re.compile(r"^\s*#\s*endif")
 ONCE = re.compile(r"^\s*#\s*pragma\s+once\s*$")

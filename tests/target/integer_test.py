@@ -10,7 +10,7 @@ SHORT = {"multiply": 22, "multiply_narrow": 22, "multiply_high": 23, "multiply_h
          "multiply_high_unsigned": 26, "accumulate": 26, "accumulate_narrow": 26, "deduct": 26, "deduct_narrow": 26,
          "sincos": 201, "reciprocal": 66}
 LONG = {"multiply": 3, "multiply_narrow": 7, "multiply_high": 4, "multiply_high_narrow": 8, "multiply_high_unsigned": 4,
-        "accumulate": 6, "accumulate_narrow": 8, "deduct": 7, "deduct_narrow": 10, "sincos": 52, "reciprocal": 34}
+        "accumulate": 6, "accumulate_narrow": 8, "deduct": 7, "deduct_narrow": 10, "sincos": 52, "reciprocal": 35}
 # No multiply and accumulate, no count of leading zeros: carries and halvings are instructions.
 RISCV = {"multiply": 6, "multiply_narrow": 9, "multiply_high": 5, "multiply_high_narrow": 8, "multiply_high_unsigned": 5,
          "accumulate": 12, "accumulate_narrow": 15, "deduct": 12, "deduct_narrow": 15, "sincos": 71, "reciprocal": 65}
