@@ -15,7 +15,7 @@
 // Coulomb terms do not express).
 #pragma once
 
-#include <axial/model/chain.hpp>
+#include <axial/robot/chain.hpp>
 
 namespace robots {
 

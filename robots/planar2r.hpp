@@ -7,7 +7,7 @@
 //            tests/data/craig_2r_pointmass.json, but for standard gravity.
 #pragma once
 
-#include <axial/model/chain.hpp>
+#include <axial/robot/chain.hpp>
 
 namespace robots {
 

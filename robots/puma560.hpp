@@ -12,7 +12,7 @@
 //            inertia are ours).
 #pragma once
 
-#include <axial/model/chain.hpp>
+#include <axial/robot/chain.hpp>
 
 namespace robots {
 

@@ -12,7 +12,7 @@
 // Frame 0 stands in the shoulder: base() is it over the foot, tool() the origin of the description's last frame.
 #pragma once
 
-#include <axial/model/chain.hpp>
+#include <axial/robot/chain.hpp>
 
 namespace robots {
 

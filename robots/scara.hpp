@@ -7,7 +7,7 @@
 // Their DH rows (theta1, d1, a1, 0), (theta2, 0, a2, 180 deg), (0, d3, 0, 0) are rewritten here as MDH rows.
 #pragma once
 
-#include <axial/model/chain.hpp>
+#include <axial/robot/chain.hpp>
 
 namespace robots {
 

@@ -5,7 +5,7 @@
 //          real ball-screw spline belongs to the motor coordinates, not to the joints.
 #pragma once
 
-#include <axial/model/chain.hpp>
+#include <axial/robot/chain.hpp>
 
 namespace robots {
 

@@ -3,7 +3,7 @@
 // assumed: everything. The values are of the size usual for a humanoid of 1.4 m; they describe no particular product.
 #pragma once
 
-#include <axial/model/chain.hpp>
+#include <axial/robot/chain.hpp>
 
 namespace robots {
 

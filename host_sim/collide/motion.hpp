@@ -1,7 +1,7 @@
 // A motion without rest or repetition, and the noise of what measures it.
 #pragma once
 
-#include <axial/model/joints.hpp>
+#include <axial/scene/joints.hpp>
 
 #include <cmath>
 #include <random>

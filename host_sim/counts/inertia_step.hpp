@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/dynamics/articulated_body.hpp>
-#include <axial/model/model.hpp>
+#include <axial/links/model.hpp>
 
 namespace counts {
 

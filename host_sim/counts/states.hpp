@@ -1,7 +1,7 @@
 // Seeded states of a robot and their exact accelerations.
 #pragma once
 
-#include <axial/model/chain.hpp>
+#include <axial/robot/chain.hpp>
 #include <oracle/from_axial.hpp>
 
 #include <iterator>

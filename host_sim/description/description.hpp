@@ -1,7 +1,7 @@
 // A robot as a value: what an importer reads, an identification changes and a header is written from.
 #pragma once
 
-#include <axial/model/chain.hpp>
+#include <axial/robot/chain.hpp>
 
 #include <stdexcept>
 #include <string>

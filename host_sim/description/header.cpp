@@ -196,7 +196,7 @@ std::string header(const Description& robot, const std::vector<std::string>& fig
   const std::string doubtful = lines_to_accept(warnings);
   if (!doubtful.empty()) throw Refused(doubtful);
   return leading_comment(robot, warnings, figures) +
-         "#pragma once\n\n#include <axial/model/chain.hpp>\n\nnamespace robots {\n\nstruct " + type_name(robot) +
+         "#pragma once\n\n#include <axial/robot/chain.hpp>\n\nnamespace robots {\n\nstruct " + type_name(robot) +
          " {\n  static constexpr const char* name = \"" + plain_name(robot) +
          "\";\n\n  // A line a group of values.\n  // clang-format off\n  static constexpr auto chain = "
          "axial::chain(\n" +

@@ -1,7 +1,7 @@
 // Constant poses of descriptions.
 #pragma once
 
-#include <axial/model/chain.hpp>
+#include <axial/robot/chain.hpp>
 
 namespace description {
 

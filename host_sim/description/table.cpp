@@ -3,7 +3,7 @@
 #include <host_sim/description/poses.hpp>
 #include <host_sim/description/table.hpp>
 
-#include <axial/model/classical.hpp>
+#include <axial/robot/classical.hpp>
 
 #include <algorithm>
 #include <fstream>

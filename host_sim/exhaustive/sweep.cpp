@@ -1,6 +1,6 @@
 #include <host_sim/exhaustive/sweep.hpp>
 
-#include <axial/scalar/integer.hpp>
+#include <axial/fixed/words/integer.hpp>
 
 #include <oracle/scalar.hpp>
 
@@ -10,8 +10,8 @@
 #include <numeric>
 #include <thread>
 
-// What runs for every argument, for wider registers too where the processor has them: the same results, sooner. Not under
-// sanitizers, which are not there yet when the choice is made.
+// What runs for every argument, for wider registers too where the processor has them: the same results, sooner. Not
+// under sanitizers, which are not there yet when the choice is made.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
 #define EXHAUSTIVE_WIDE [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #else

@@ -1,7 +1,7 @@
 // The standard inertial parameters of a link and its drive, in which joint torque is linear.
 #pragma once
 
-#include <axial/model/link_parameters.hpp>
+#include <axial/robot/link_parameters.hpp>
 
 #include <array>
 #include <string>

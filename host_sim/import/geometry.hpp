@@ -1,7 +1,7 @@
 // Lines and frames in extended precision: what a conversion to MDH frames is made of.
 #pragma once
 
-#include <axial/model/chain.hpp>
+#include <axial/robot/chain.hpp>
 
 #include <Eigen/Dense>
 

@@ -3,7 +3,7 @@
 #include <host_sim/import/right_angles.hpp>
 #include <host_sim/import/to_mdh.hpp>
 
-#include <axial/model/classical.hpp>
+#include <axial/robot/classical.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // The oracle's links as the library's descriptions, so that one chain feeds both.
 #pragma once
 
-#include <axial/model/model.hpp>
+#include <axial/links/model.hpp>
 #include <oracle/chain.hpp>
 #include <stdexcept>
 

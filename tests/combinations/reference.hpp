@@ -1,7 +1,7 @@
 // What every combination is compared with: one run-time model in double that knows every feature, compiled once.
 #pragma once
 
-#include <axial/model/model.hpp>
+#include <axial/links/model.hpp>
 
 namespace combinations {
 

@@ -14,7 +14,7 @@ sys.dont_write_bytecode = True
 import description_rules as rules  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FUNCTIONS = ROOT / "firmware/include/axial/model/malformed.hpp"
+FUNCTIONS = ROOT / "firmware/include/axial/robot/malformed.hpp"
 DOCUMENT = ROOT / "doc/conventions.md"
 BEGIN, END = "<!-- table rules -->\n", "<!-- end -->"
 FIRST_LINES, MOST_LINES = 5, 12
@@ -25,7 +25,7 @@ def chain(parts, more=""):
 
 
 def program(chains):
-    text = "#include <axial/model/classical.hpp>\n#include <axial/model/consistency.hpp>\n#include <limits>\nusing namespace axial;\n"
+    text = "#include <axial/robot/classical.hpp>\n#include <axial/scene/consistency.hpp>\n#include <limits>\nusing namespace axial;\n"
     for i, parts in enumerate(chains):
         text += f"struct Robot{i} {{\n  static constexpr auto chain = {parts};\n}};\nstatic_assert(joint_count<Robot{i}> > 0);\n"
     return text

@@ -1,5 +1,5 @@
 // expect: to non-scalar type
-#include <axial/scalar/fixed_round.hpp>
+#include <axial/fixed/words/round.hpp>
 
 using S = axial::Arithmetic<std::int32_t, true, false>;
 axial::Fx<20, S> x{1};

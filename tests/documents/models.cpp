@@ -2,8 +2,8 @@
 // write them.
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
-#include <axial/error_bound.hpp>
-#include <axial/model/classical.hpp>
+#include <axial/fixed/error_bound.hpp>
+#include <axial/robot/classical.hpp>
 #include <cmath>
 #include <robots/puma560.hpp>
 

@@ -1,7 +1,7 @@
 // Operation counts of every robot and count model: exactly what is pinned, nowhere above openSYMORO, and below what a
 // trace reached except where this file says so.
 #include <gtest/gtest.h>
-#include <axial/model/link_view.hpp>
+#include <axial/links/link_view.hpp>
 #include <host_sim/counts/rows.hpp>
 #include <nlohmann/json.hpp>
 #include <robots/models/models.hpp>

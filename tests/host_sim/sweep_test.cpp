@@ -1,7 +1,7 @@
 // ./axial exhaustive: what it says of some blocks is what quadruple precision says of each of their arguments.
 #include <host_sim/exhaustive/sweep.hpp>
 
-#include <axial/scalar/integer.hpp>
+#include <axial/fixed/words/integer.hpp>
 #include <oracle/scalar.hpp>
 
 #include <gtest/gtest.h>

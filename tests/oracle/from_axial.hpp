@@ -1,7 +1,7 @@
 // Copies the description of a robot into an oracle chain. Data only: no function of firmware/ is called.
 #pragma once
 
-#include <axial/model/chain.hpp>
+#include <axial/robot/chain.hpp>
 #include <oracle/chain.hpp>
 
 namespace oracle {

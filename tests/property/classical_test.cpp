@@ -1,9 +1,9 @@
 // Classical chains against first principles in their own frames: homogeneous transforms, Lagrange's equations with
 // Jacobians of the centres of mass, the derivatives of M as central differences in quadruple precision.
-#include <axial/model/classical.hpp>
+#include <axial/robot/classical.hpp>
 
 #include <array>
-#include <axial/model/model.hpp>
+#include <axial/links/model.hpp>
 #include <cases/case_file.hpp>
 #include <cases/to_axial.hpp>
 #include <tuple>

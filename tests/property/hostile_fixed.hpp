@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/axial.hpp>
-#include <axial/error_bound.hpp>
+#include <axial/fixed/error_bound.hpp>
 
 #include "hostile.hpp"
 

@@ -1,5 +1,5 @@
 // Random chains and trees of 1 to 12 mixed joints through the looped run-time model, against the oracle.
-#include <axial/model/model.hpp>
+#include <axial/links/model.hpp>
 #include <cases/to_axial.hpp>
 
 #include "support.hpp"

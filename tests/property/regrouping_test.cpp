@@ -1,6 +1,6 @@
 // Base parameters and folded rotors of 300 random chains and trees with slides and rotors: no joint feels a difference,
 // on a fixed base or a moving one.
-#include <axial/model/model.hpp>
+#include <axial/links/model.hpp>
 #include <cases/to_axial.hpp>
 
 #include "support.hpp"

@@ -1,6 +1,6 @@
 // Random trees of 1 to 20 mixed joints with branch screws, through the looped run-time model: every algorithm against
 // the oracle.
-#include <axial/model/model.hpp>
+#include <axial/links/model.hpp>
 #include <cases/to_axial.hpp>
 #include <robots/torso.hpp>
 

@@ -1,7 +1,7 @@
 // The library's routes of forward dynamics on a scenario, over the run-time model in its looped form.
 #pragma once
 
-#include <axial/model/status.hpp>
+#include <axial/scene/status.hpp>
 #include <cases/scenarios.hpp>
 
 namespace stability {

@@ -7,8 +7,8 @@ import tempfile
 
 CHECK = pathlib.Path(__file__).with_name("check.py")
 BROKEN = {
-    "firmware/include/axial/scalar/a.hpp": "#include <axial/model/b.hpp>\n",
-    "firmware/include/axial/model/b.hpp": "#include <vector>\n",
+    "firmware/include/axial/scalar/a.hpp": "#include <axial/robot/b.hpp>\n",
+    "firmware/include/axial/robot/b.hpp": "#include <vector>\n",
     "firmware/include/axial/closed_form/c.hpp": "#include <axial/dynamics/d.hpp>\n",
     "hal/e.hpp": "#include <axial/axial.hpp>\n",
     "robots/f.hpp": "#include <axial/dynamics/d.hpp>\n",

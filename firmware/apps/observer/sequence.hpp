@@ -3,7 +3,7 @@
 /// numbers on every board and host.
 
 #include <axial/axial.hpp>
-#include <axial/control/payload_words.hpp>
+#include <axial/fixed/control/payload_words.hpp>
 #include <firmware/apps/fixed/golden.hpp>
 
 namespace axial::apps::observer {

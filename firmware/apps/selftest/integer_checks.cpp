@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include <axial/scalar/integer.hpp>
+#include <axial/fixed/words/integer.hpp>
 
 #include "check.hpp"
 

@@ -15,7 +15,7 @@
 #define AXIAL_C_FUNCTION extern
 #endif
 
-/** What a call says besides its numbers: axial::Status::Code (model/status.hpp), and the one that only C can earn. */
+/** What a call says besides its numbers: axial::Status::Code (scene/status.hpp), and the one that only C can earn. */
 typedef enum {
   AXIAL_OK = 0,
   AXIAL_NEAR_SINGULAR = 1,

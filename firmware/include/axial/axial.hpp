@@ -2,14 +2,12 @@
 #pragma once
 
 // First and one by one, so that few lines of includes stand before what the compiler says of a description or a scene.
-#include <axial/model/chain.hpp>
-#include <axial/model/classical.hpp>
-#include <axial/model/scene.hpp>
+#include <axial/robot/chain.hpp>
+#include <axial/robot/classical.hpp>
+#include <axial/scene/scene.hpp>
 
 #include <axial/closed_form/scara.hpp>
-#include <axial/control/border.hpp>
 #include <axial/control/collision.hpp>
-#include <axial/control/encoder.hpp>
 #include <axial/control/fall_back.hpp>
 #include <axial/control/feedforward.hpp>
 #include <axial/control/two_rate.hpp>
@@ -23,5 +21,7 @@
 #include <axial/dynamics/plain_arrays.hpp>
 #include <axial/dynamics/separated_torque.hpp>
 #include <axial/dynamics/separation.hpp>
-#include <axial/model/consistency.hpp>
-#include <axial/model/model.hpp>
+#include <axial/fixed/control/border.hpp>
+#include <axial/fixed/control/encoder.hpp>
+#include <axial/links/model.hpp>
+#include <axial/scene/consistency.hpp>

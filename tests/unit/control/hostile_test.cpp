@@ -1,11 +1,11 @@
 // Bad numbers in observer, detector and payload estimator: each is refused with a status, and nothing stays spoilt.
 #include <gtest/gtest.h>
-#include <axial/control/border.hpp>
 #include <axial/control/collision.hpp>
 #include <axial/control/feedforward.hpp>
 #include <axial/control/payload_estimator.hpp>
 #include <axial/dynamics/check_finite.hpp>
 #include <axial/dynamics/separation.hpp>
+#include <axial/fixed/control/border.hpp>
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>
 

@@ -1,9 +1,9 @@
 // Momenta against Lagrange's equations; what the observer and the detector answer, in float and fixed point.
 #include <gtest/gtest.h>
-#include <axial/control/border.hpp>
 #include <axial/control/collision.hpp>
 #include <axial/cost.hpp>
-#include <axial/model/model.hpp>
+#include <axial/fixed/control/border.hpp>
+#include <axial/links/model.hpp>
 #include <cases/to_axial.hpp>
 #include <oracle/compare.hpp>
 #include <oracle/convert.hpp>

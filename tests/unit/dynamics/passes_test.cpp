@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include <axial/dynamics/passes.hpp>
-#include <axial/model/model.hpp>
+#include <axial/links/model.hpp>
 #include <robots/puma560.hpp>
 
 using namespace axial;

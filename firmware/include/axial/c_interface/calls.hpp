@@ -2,12 +2,12 @@
 #pragma once
 
 #include <axial/axial.h>
-#include <axial/control/border.hpp>
 #include <axial/control/feedforward.hpp>
 #include <axial/dynamics/check_finite.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
+#include <axial/fixed/control/border.hpp>
 
 namespace axial::c_interface {
 

@@ -1,7 +1,7 @@
 // Defines, in one C++ source, the C functions that AXIAL_C_DECLARE (axial/axial.h) declares.
 #pragma once
 
-#include <axial/c_interface/fixed_calls.hpp>
+#include <axial/fixed/c_interface/fixed_calls.hpp>
 
 namespace axial::c_interface {
 

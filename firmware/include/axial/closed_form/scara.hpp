@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/closed_form/scara_formats.hpp>
-#include <axial/model/separated_format.hpp>
+#include <axial/fixed/formats/separated_format.hpp>
 
 namespace axial {
 namespace closed_form {

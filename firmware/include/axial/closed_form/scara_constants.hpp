@@ -1,8 +1,8 @@
 // What the SCARA's closed form depends on, and what the robot must be for it.
 #pragma once
 
-#include <axial/model/link_constants.hpp>
-#include <axial/model/scene.hpp>
+#include <axial/links/link_constants.hpp>
+#include <axial/scene/scene.hpp>
 
 namespace axial {
 namespace closed_form {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/closed_form/scara_constants.hpp>
-#include <axial/model/joint_access.hpp>
+#include <axial/links/joint_access.hpp>
 
 namespace axial {
 namespace closed_form {

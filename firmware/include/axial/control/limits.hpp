@@ -1,9 +1,9 @@
 // Checks of run-time requests against what a robot declares.
 #pragma once
 
-#include <axial/model/fixed_inputs_check.hpp>
-#include <axial/model/fixed_limits.hpp>
-#include <axial/model/soundness.hpp>
+#include <axial/fixed/limits/fixed_limits.hpp>
+#include <axial/fixed/limits/inputs_check.hpp>
+#include <axial/links/soundness.hpp>
 #include <axial/scalar/finite.hpp>
 
 namespace axial {

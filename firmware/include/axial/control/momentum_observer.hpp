@@ -3,7 +3,7 @@
 
 #include <axial/control/feedforward.hpp>
 #include <axial/dynamics/momentum.hpp>
-#include <axial/model/soundness.hpp>
+#include <axial/links/soundness.hpp>
 
 namespace axial {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/dynamics/kinematics.hpp>
-#include <axial/model/fixed_inputs.hpp>
+#include <axial/fixed/formats/input_formats.hpp>
 
 namespace axial::detail {
 

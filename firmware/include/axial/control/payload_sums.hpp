@@ -3,7 +3,7 @@
 
 #include <axial/control/momentum_observer.hpp>
 #include <axial/control/payload_columns.hpp>
-#include <axial/scalar/scaled.hpp>
+#include <axial/fixed/words/scaled.hpp>
 
 namespace axial::detail {
 

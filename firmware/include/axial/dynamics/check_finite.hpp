@@ -5,8 +5,8 @@
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/dynamics/momentum.hpp>
-#include <axial/model/status.hpp>
 #include <axial/scalar/finite.hpp>
+#include <axial/scene/status.hpp>
 
 namespace axial {
 

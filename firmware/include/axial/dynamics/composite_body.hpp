@@ -4,7 +4,7 @@
 #include <axial/dynamics/elimination_loss.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/dynamics/reflection.hpp>
-#include <axial/model/status.hpp>
+#include <axial/scene/status.hpp>
 
 namespace axial {
 namespace crba {

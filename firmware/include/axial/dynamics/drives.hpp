@@ -1,7 +1,7 @@
 // What a joint's drive works against besides its link: friction and springs.
 #pragma once
 
-#include <axial/model/links.hpp>
+#include <axial/links/links.hpp>
 #include <axial/scalar/select.hpp>
 
 namespace axial {

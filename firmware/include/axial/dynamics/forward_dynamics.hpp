@@ -6,7 +6,7 @@
 #include <axial/dynamics/forward_soundness.hpp>
 #include <axial/dynamics/route.hpp>
 #include <axial/dynamics/split_form.hpp>
-#include <axial/model/fixed_state_check.hpp>
+#include <axial/fixed/limits/state_check.hpp>
 
 namespace axial {
 

@@ -1,9 +1,9 @@
 // What forward dynamics answers: accelerations, and what the solver has to say about them.
 #pragma once
 
-#include <axial/model/links.hpp>
-#include <axial/model/status.hpp>
+#include <axial/links/links.hpp>
 #include <axial/scalar/select.hpp>
+#include <axial/scene/status.hpp>
 
 namespace axial {
 

@@ -3,7 +3,7 @@
 
 #include <axial/dynamics/forward_result.hpp>
 #include <axial/dynamics/passes.hpp>
-#include <axial/model/soundness.hpp>
+#include <axial/links/soundness.hpp>
 
 namespace axial {
 namespace detail {

@@ -8,7 +8,7 @@
 #include <axial/dynamics/loads.hpp>
 #include <axial/dynamics/moving_base.hpp>
 #include <axial/dynamics/water.hpp>
-#include <axial/model/model.hpp>
+#include <axial/links/model.hpp>
 
 namespace axial {
 namespace rnea {

@@ -1,7 +1,7 @@
 // What a spatial vector has along a joint's axis, which is the z axis of the link's frame.
 #pragma once
 
-#include <axial/model/link_constants.hpp>
+#include <axial/links/link_constants.hpp>
 #include <axial/spatial/spatial_vector.hpp>
 
 namespace axial {

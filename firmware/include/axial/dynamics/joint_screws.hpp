@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/dynamics/passes.hpp>
-#include <axial/model/model.hpp>
+#include <axial/links/model.hpp>
 #include <axial/scalar/packed_sincos.hpp>
 
 namespace axial {

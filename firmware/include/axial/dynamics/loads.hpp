@@ -1,7 +1,7 @@
 // Loads that a scene adds to the links: payload and wrenches.
 #pragma once
 
-#include <axial/model/links.hpp>
+#include <axial/links/links.hpp>
 
 namespace axial {
 

@@ -1,7 +1,7 @@
 // What frame 0 does: at rest, tilted, or moving as the scene's inputs say.
 #pragma once
 
-#include <axial/model/links.hpp>
+#include <axial/links/links.hpp>
 
 namespace axial {
 

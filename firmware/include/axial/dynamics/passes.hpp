@@ -1,7 +1,7 @@
 // Passes over the links: outward (from the base), inward (from the tips). One form for unrolled and looped links.
 #pragma once
 
-#include <axial/model/links.hpp>
+#include <axial/links/links.hpp>
 
 namespace axial {
 

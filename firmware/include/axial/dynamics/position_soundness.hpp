@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/dynamics/forward_soundness.hpp>
-#include <axial/model/fixed_state_check.hpp>
+#include <axial/fixed/limits/state_check.hpp>
 #include <axial/scalar/math.hpp>
 
 namespace axial {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/dynamics/reach.hpp>
-#include <axial/model/link_view.hpp>
+#include <axial/links/link_view.hpp>
 
 namespace axial {
 

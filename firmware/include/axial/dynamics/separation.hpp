@@ -4,7 +4,7 @@
 #include <axial/dynamics/joint_motions.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/dynamics/position_soundness.hpp>
-#include <axial/model/separated_format.hpp>
+#include <axial/fixed/formats/separated_format.hpp>
 
 namespace axial {
 namespace separation {

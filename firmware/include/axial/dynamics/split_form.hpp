@@ -1,9 +1,9 @@
 // Forward dynamics in the split form: the bias torque by RNEA, then the structure at rest under what is left of tau.
 #pragma once
 
-#include <axial/dynamics/drive_scale.hpp>
 #include <axial/dynamics/free_response.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
+#include <axial/fixed/dynamics/drive_scale.hpp>
 
 namespace axial {
 namespace aba {

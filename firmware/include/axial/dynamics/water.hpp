@@ -6,7 +6,7 @@
 #include <axial/dynamics/moving_base.hpp>
 #include <axial/dynamics/passes.hpp>
 #include <axial/dynamics/reach.hpp>
-#include <axial/model/water_view.hpp>
+#include <axial/links/water_view.hpp>
 
 namespace axial {
 

@@ -1,7 +1,6 @@
 // Whether a number is one.
 #pragma once
 
-#include <axial/scalar/arithmetic.hpp>
 #include <axial/scalar/traits.hpp>
 
 namespace axial {
@@ -14,11 +13,6 @@ template <class T>
     return (__builtin_bit_cast(std::uint32_t, x) & 0x7F800000u) != 0x7F800000u;
   else
     return (__builtin_bit_cast(std::uint64_t, x) & 0x7FF0000000000000u) != 0x7FF0000000000000u;
-}
-/// Fixed point is always a number.
-template <class Word>
-[[nodiscard]] constexpr bool is_finite(const Stored<Word>&) {
-  return true;
 }
 
 }  // namespace axial

@@ -1,7 +1,7 @@
 // Integrators: how a robot moves on by one step of time.
 #pragma once
 
-#include <axial/model/soundness.hpp>
+#include <axial/links/soundness.hpp>
 #include <axial/simulation/system.hpp>
 
 namespace axial {

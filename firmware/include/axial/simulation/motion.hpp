@@ -1,8 +1,8 @@
 // What an integrator moves on: positions, velocities, a count of steps; the rounding errors of the sums where asked.
 #pragma once
 
-#include <axial/model/joints.hpp>
 #include <axial/scalar/select.hpp>
+#include <axial/scene/joints.hpp>
 
 namespace axial {
 

@@ -1,0 +1,112 @@
+// How far a result in fixed point can be from the exact one: known to the compiler, usable in a static_assert.
+#pragma once
+
+#include <axial/algorithm.hpp>
+
+namespace axial {
+
+/// The largest error of each result of an algorithm, for every state inside the declared limits: SI units of the
+/// result.
+template <int N>
+struct ErrorBound {
+  static constexpr int size = N;  ///< number of results
+  double of[N] = {};              ///< one a result, in its SI unit
+
+  constexpr double operator[](int i) const { return of[i]; }  ///< bound of result i; the index is not checked
+  /// The largest of them.
+  [[nodiscard]] constexpr double worst() const {
+    double most = 0.0;
+    for (const double error : of)
+      most = error > most ? error : most;
+    return most;
+  }
+};
+
+namespace detail {
+
+template <class Scene, class Word, class Default, class Recursion>
+using RangesFor =
+    std::add_lvalue_reference_t<decltype(ranges_of<Scene, with_rotors<Scene, parameters_of<Scene, Default>>,
+                                                   ArithmeticOf<Scene, Word>, Recursion>)>;
+template <class Scene, class Word, class Default, class Recursion>
+inline constexpr RangesFor<Scene, Word, Default, Recursion> ranges_for =
+    ranges_of<Scene, with_rotors<Scene, parameters_of<Scene, Default>>, ArithmeticOf<Scene, Word>, Recursion>;
+
+template <int N, class Get>
+constexpr ErrorBound<N> bounds_of(const Ranges<N>& ranges, Get get) {
+  ErrorBound<N> bound;
+  for (int i = 0; i < N; ++i)
+    bound.of[i] = get(ranges.range[i]);
+  return bound;
+}
+
+template <class S, class T>
+using Bounds = ErrorBound<joint_count<S>>;
+
+/// Refuses what fixed point does not compute: nothing is certified of it.
+template <class S, class Recursion>
+constexpr void check_bound() {
+  check_fixed_scene<scene_of<S>>();
+  check_fixed_form<scene_of<S>, Recursion>();
+}
+
+template <class S, class T>
+constexpr Bounds<S, T> bound_on_efforts() {
+  static_assert((check_bound<S, recursion::NewtonEuler>(), true));
+  return bounds_of(ranges_for<scene_of<S>, typename T::Word, BaseParameters, recursion::NewtonEuler>,
+                   [](const LinkRange& r) { return r.joint_effort.error; });
+}
+
+}  // namespace detail
+
+/// `error_bound<Scene>(algorithm::inverse_dynamics)`, N m or N a joint; the inputs are taken as the words say. Every
+/// rounding of every stored quantity is in it, to second order and beyond, and the errors of sines and cosines:
+/// doc/ranges.md. Also for bias and gravity, the closed form, forward dynamics (rad/s^2 or m/s^2), the mass matrix (a
+/// bound a row), and for poses and Jacobians the positions (m) of a link's frame.
+/// Source: the recursions of doc/ranges.md.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr auto error_bound(algorithm::InverseDynamics) {
+  return detail::bound_on_efforts<S, T>();
+}
+/// Of the bias torque, N m or N.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr auto error_bound(algorithm::Bias) {
+  return detail::bound_on_efforts<S, T>();
+}
+/// Of the gravity torque, N m or N.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr auto error_bound(algorithm::Gravity) {
+  return detail::bound_on_efforts<S, T>();
+}
+/// Of the SCARA's closed form, N m or N.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr auto error_bound(algorithm::ClosedForm) {
+  using A = detail::ArithmeticOf<scene_of<S>, typename T::Word>;
+  return detail::bounds_of(closed_form::detail::ScaraTable<S, A>::value,
+                           [](const LinkRange& r) { return r.joint_effort.error; });
+}
+/// Of the mass matrix, one a row: of its entries up to the diagonal, in their SI units.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr auto error_bound(algorithm::MassMatrix) {
+  static_assert((detail::check_bound<S, recursion::CompositeBodies>(), true));
+  return detail::bounds_of(
+      detail::ranges_for<scene_of<S>, typename T::Word, BaseParameters, recursion::CompositeBodies>,
+      [](const LinkRange& r) { return r.joint_inertia.error; });
+}
+/// Of the origins of the links' frames, m.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr auto error_bound(algorithm::ForwardKinematics) {
+  static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
+  return detail::bounds_of(detail::ranges_for<scene_of<S>, typename T::Word, FullParameters, recursion::Kinematics>,
+                           [](const LinkRange& r) { return r.length.error; });
+}
+/// Of accelerations, rad/s^2 or m/s^2.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr auto error_bound(algorithm::ForwardDynamics) {
+  static_assert((detail::check_bound<S, recursion::ArticulatedBodiesAtRest>(), true));
+  return detail::bounds_of(
+      detail::ranges_for<scene_of<S>, typename T::Word, FullParameters, recursion::ArticulatedBodiesAtRest>,
+      [](const LinkRange& r) { return r.joint_acceleration.error; });
+}
+
+}  // namespace axial

@@ -1,0 +1,184 @@
+// Run-time inputs of a scene in fixed point: their formats, from what the robot declares, and how kernels read them.
+#pragma once
+
+#include <axial/fixed/formats/joint_formats.hpp>
+#include <axial/fixed/words/round.hpp>
+
+namespace axial {
+
+/// Exponents of the words that `Inputs<Scene, Stored<Word>>` holds: value = raw 2^-exponent, SI.
+template <class Robot, class T>
+struct InputFormats {
+  /// largest raw value of a word
+  static constexpr double capacity = static_cast<double>(std::numeric_limits<typename T::Word>::max());
+  /// The exponent of what reaches `most` (SI).
+  static constexpr int of(double most) { return detail::fitting_exponent(most, capacity); }
+  static constexpr PayloadLimit load = Robot::chain.payload_limit;  ///< as declared
+  /// of a run-time payload: kg, m, kg m^2
+  static constexpr int payload_mass = of(load.mass), payload_com = of(load.com_reach),
+                       payload_inertia = of(load.inertia);
+  static constexpr TipWrenchLimit wrench = Robot::chain.tip_wrench_limit;  ///< as declared
+  /// of a wrench at the tip: N, N m
+  static constexpr int tip_force = of(wrench.force), tip_moment = of(wrench.moment);
+  /// A gravity vector given at run time may be as long as the declared one.
+  static constexpr int gravity =
+      of(detail::length_of(Robot::chain.gravity.x, Robot::chain.gravity.y, Robot::chain.gravity.z));
+  static constexpr int sine_cosine = 8 * static_cast<int>(sizeof(typename T::Word)) - 2;  ///< of sines and cosines
+};
+
+namespace detail {
+
+/// A payload whose parts have their own formats.
+template <class M, class C, class J>
+struct FormattedPayload {
+  M mass{};
+  C com{};
+  J inertia_com{};
+};
+template <class M, class C, class J>
+FormattedPayload(M, C, J) -> FormattedPayload<M, C, J>;
+
+template <int E, class S, class Word>
+AXIAL_INLINE constexpr auto in_format(const Stored<Word>& x) {
+  return Fx<E, S>{x.raw};
+}
+template <int E, class S, class Word>
+AXIAL_INLINE constexpr auto in_format(const Vec3<Stored<Word>>& v) {
+  return Vec3{in_format<E, S>(v.x), in_format<E, S>(v.y), in_format<E, S>(v.z)};
+}
+template <int E, class S, class Word>
+AXIAL_INLINE constexpr auto in_format(const Sym3<Stored<Word>>& m) {
+  return Sym3{in_format<E, S>(m.xx), in_format<E, S>(m.yy), in_format<E, S>(m.zz),
+              in_format<E, S>(m.xy), in_format<E, S>(m.xz), in_format<E, S>(m.yz)};
+}
+
+template <class Scene, class Word>
+using FormatsOfInputs = InputFormats<typename Scene::Robot, Stored<Word>>;
+
+}  // namespace detail
+
+/// Inputs as kernels over a scalar read them: as they are, or with their formats.
+template <class Scene, class Scalar, class T>
+AXIAL_INLINE constexpr const PayloadBody<T>& read_payload(const PayloadBody<T>& load) {
+  return load;
+}
+/// A payload's words with their formats.
+template <class Scene, class Scalar, class Word>
+AXIAL_INLINE constexpr auto read_payload(const PayloadBody<Stored<Word>>& load) {
+  using F = detail::FormatsOfInputs<Scene, Word>;
+  return detail::FormattedPayload{detail::in_format<F::payload_mass, Scalar>(load.mass),
+                                  detail::in_format<F::payload_com, Scalar>(load.com),
+                                  detail::in_format<F::payload_inertia, Scalar>(load.inertia_com)};
+}
+/// Floating point: the wrench as it is.
+template <class Scene, class Scalar, class T>
+AXIAL_INLINE constexpr const ForceVector<Vec3<T>, Vec3<T>>& read_wrench(const ForceVector<Vec3<T>, Vec3<T>>& wrench) {
+  return wrench;
+}
+/// A wrench's words with their formats.
+template <class Scene, class Scalar, class Word>
+AXIAL_INLINE constexpr auto read_wrench(const ForceVector<Vec3<Stored<Word>>, Vec3<Stored<Word>>>& wrench) {
+  using F = detail::FormatsOfInputs<Scene, Word>;
+  return ForceVector{detail::in_format<F::tip_moment, Scalar>(wrench.moment),
+                     detail::in_format<F::tip_force, Scalar>(wrench.force)};
+}
+/// Floating point: the vector as it is.
+template <class Scene, class Scalar, class T>
+AXIAL_INLINE constexpr const Vec3<T>& read_gravity(const Vec3<T>& g) {
+  return g;
+}
+/// A gravity vector's words with their format.
+template <class Scene, class Scalar, class Word>
+AXIAL_INLINE constexpr auto read_gravity(const Vec3<Stored<Word>>& g) {
+  return detail::in_format<detail::FormatsOfInputs<Scene, Word>::gravity, Scalar>(g);
+}
+/// Floating point: the pair as it is.
+template <class Scene, class Scalar, class T>
+AXIAL_INLINE constexpr const SinCos<T>& read_turn(const SinCos<T>& turn) {
+  return turn;
+}
+/// A pair's words with their format.
+template <class Scene, class Scalar, class Word>
+AXIAL_INLINE constexpr auto read_turn(const SinCos<Stored<Word>>& turn) {
+  return SinCos<Fx<Scalar::unit, Scalar>>{{turn.sin.raw}, {turn.cos.raw}};
+}
+
+namespace detail {
+
+/// The gravity that a robot declares, as an input starts with it.
+template <class Robot, class Word>
+struct DeclaredGravity<Robot, Stored<Word>> {
+  static constexpr Stored<Word> constant(double value) {
+    constexpr int exponent = InputFormats<Robot, Stored<Word>>::gravity;
+    return {static_cast<Word>(nearest_integer(value * power_of_two(exponent)))};
+  }
+};
+template <class Word>
+struct UnknownTurn<Stored<Word>> {
+  static constexpr Stored<Word> value() { return {}; }
+};
+
+/// Whether a robot's type says all about it; a run-time model's does not.
+template <class Robot, class = void>
+inline constexpr bool is_described = false;
+template <class Robot>
+inline constexpr bool is_described<Robot, std::void_t<decltype(Robot::chain.links)>> = true;
+
+/// Friction that fixed point has no proved range for.
+template <class Scene>
+constexpr void check_fixed_friction() {
+  constexpr auto none = [](double LinkParameters::*member) {
+    bool all = true;
+    for (const LinkParameters& link : Scene::Robot::chain.links)
+      all = all && link.*member == 0.0;
+    return all || !Scene::template has<Friction>;
+  };
+  static_assert(none(&LinkParameters::static_friction),
+                "axial: fixed point has viscous and Coulomb friction, not stribeck(); compute this scene in float");
+  static_assert(none(&LinkParameters::smooth_speed),
+                "axial: fixed point has no smooth_speed(); compute this scene in float");
+}
+
+/// What a robot has to declare for the run-time inputs of a scene.
+template <class Scene>
+constexpr void check_fixed_loads() {
+  static_assert(!Scene::template has<Payload> || Scene::Robot::chain.payload_limit.declared,
+                "axial: fixed point leaves room for the declared payload; add axial::payload_limit(mass, com_reach, "
+                "inertia) to the robot's chain");
+  static_assert(
+      !Scene::template has<TipWrench> || Scene::Robot::chain.tip_wrench_limit.declared,
+      "axial: fixed point leaves room for the declared tip wrench; add axial::tip_wrench_limit(force, moment) "
+      "to the robot's chain");
+}
+
+/// What fixed point has no proved range for, yet; with what to do about it.
+template <class Scene>
+constexpr void check_fixed_scene() {
+  static_assert(
+      is_described<typename Scene::Robot>,
+      "axial: a run-time Model has no formats for fixed point, which follow from a robot's type; describe the "
+      "robot as a type, or compute in float");
+  static_assert(!Scene::template has<BaseMotion> && !Scene::template has<FloatingBase>,
+                "axial: fixed point needs a base at rest, for nothing declares how it moves; compute this scene in "
+                "float");
+  static_assert(!Scene::template has<Underwater>, "axial: fixed point has no water; compute this scene in float");
+  static_assert(!Scene::template has<ExternalWrenches>,
+                "axial: fixed point has no ExternalWrenches; name TipWrench, or compute this scene in float");
+  static_assert(!Scene::template has<JointSprings>, "axial: fixed point has no JointSprings; compute them in float");
+  static_assert(!Scene::template has<CompositeBody>,
+                "axial: forward dynamics in fixed point is that of articulated bodies; take CompositeBody out");
+  if constexpr (is_described<typename Scene::Robot>) {
+    check_limits<typename Scene::Robot>();
+    check_fixed_friction<Scene>();
+    check_fixed_loads<Scene>();
+  }
+}
+
+/// Said first, where a program names the scene's inputs; every algorithm has them as an argument.
+template <class Scene, class Word>
+struct Offered<Scene, Stored<Word>> {
+  static_assert((check_fixed_scene<Scene>(), true));
+};
+
+}  // namespace detail
+}  // namespace axial

@@ -1,0 +1,121 @@
+// Joint values in fixed point: integers, and the exponents that the robot's declared limits give them.
+#pragma once
+
+#include <axial/fixed/ranges/forward_error.hpp>
+#include <axial/fixed/ranges/momentum.hpp>
+#include <axial/scene/joints.hpp>
+
+namespace axial {
+
+namespace detail {
+
+template <class Word, class Role>
+struct RoleOf<Stored<Word>, Role> {
+  using type = Role;
+};
+
+constexpr bool is_bounded(double limit) { return limit < std::numeric_limits<double>::max(); }
+
+template <class Robot>
+constexpr void check_limits() {
+  constexpr auto all = [](bool (*good)(const LinkParameters&)) {
+    for (const LinkParameters& link : Robot::chain.links)
+      if (!good(link)) return false;
+    return true;
+  };
+  static_assert(all([](const LinkParameters& p) { return is_bounded(p.speed_limit); }),
+                "axial: fixed point takes its formats from the declared limits; give every link a speed_limit()");
+  static_assert(all([](const LinkParameters& p) { return is_bounded(p.acceleration_limit); }),
+                "axial: fixed point takes its formats from the declared limits; give every link an "
+                "acceleration_limit()");
+  static_assert(all([](const LinkParameters& p) {
+                  return p.type == JointType::revolute || (is_bounded(p.position_max) && is_bounded(-p.position_min));
+                }),
+                "axial: fixed point takes its formats from the declared limits; give every prismatic link "
+                "position_limits()");
+}
+
+/// What joint values are rounded to, whatever the scene's arithmetic.
+template <class Word>
+inline constexpr Rounding joint_rounding{8 * static_cast<int>(sizeof(Word)), true, false, 0.0};
+
+/// Ranges of a scene's inverse dynamics on full parameters: the formats of efforts follow from them.
+template <class S, class Word>
+inline constexpr auto motion_ranges_of = newton_euler_ranges(mechanism_of<scene_of<S>, FullParameters>,
+                                                             joint_rounding<Word>);
+
+/// The same of its momenta, and of the accelerations that efforts give; how far efforts can drive beyond those ranges.
+///@{
+template <class S, class Word>
+inline constexpr auto momentum_ranges_of = momentum_ranges(mechanism_of<scene_of<S>, FullParameters>,
+                                                           joint_rounding<Word>);
+template <class S, class Word>
+inline constexpr auto free_ranges_of = articulated_at_rest_sizes(mechanism_of<scene_of<S>, FullParameters>,
+                                                                 joint_rounding<Word>, motion_ranges_of<S, Word>);
+template <class S, class Word>
+inline constexpr double excess_of = excess_of_drive(mechanism_of<scene_of<S>, FullParameters>, joint_rounding<Word>,
+                                                    motion_ranges_of<S, Word>);
+///@}
+
+/// Exponents of joint i's values by their role. A role asks for no more of the analyses than it needs.
+template <class S, class Word>
+struct RoleExponent {
+  static constexpr const LinkParameters& link(int i) { return robot_of<S>::chain.links[i]; }
+  static constexpr int fitting(double size) { return fitting_exponent(size, joint_rounding<Word>.capacity()); }
+  static constexpr double motion_effort(int i) { return motion_ranges_of<S, Word>.range[i].joint_effort.size; }
+
+  static constexpr int of(role::Position, int i) {
+    const double low = magnitude(link(i).position_min), high = magnitude(link(i).position_max);
+    return link(i).type == JointType::revolute ? 0 : fitting(low > high ? low : high);
+  }
+  static constexpr int of(role::Velocity, int i) { return fitting(link(i).speed_limit); }
+  static constexpr int of(role::Acceleration, int i) { return fitting(link(i).acceleration_limit); }
+  static constexpr int of(role::Effort, int i) {
+    const double declared = link(i).effort_limit, own = motion_effort(i);
+    return joint_rounding<Word>.exponent(is_bounded(declared) && declared > own ? declared : own);
+  }
+  static constexpr int of(role::FreeAcceleration, int i) {
+    return joint_rounding<Word>.exponent(excess_of<S, Word> * free_ranges_of<S, Word>.range[i].joint_acceleration.size);
+  }
+  static constexpr int of(role::Momentum, int i) {
+    return joint_rounding<Word>.exponent(momentum_ranges_of<S, Word>.range[i].joint_effort.size);
+  }
+  static constexpr int of(role::MomentumRate, int i) {
+    const double slope =
+        kinetic_slope_range(mechanism_of<scene_of<S>, FullParameters>, momentum_ranges_of<S, Word>, i).size;
+    return joint_rounding<Word>.exponent(slope + motion_effort(i));
+  }
+};
+
+template <class S, class Word, class Role>
+constexpr auto role_exponents() {
+  check_limits<robot_of<S>>();
+  constexpr int size = joint_count<S>;
+  struct Table {
+    int of[size] = {};
+  } table;
+  for (int i = 0; i < size; ++i)
+    table.of[i] = RoleExponent<S, Word>::of(Role{}, i);
+  return table;
+}
+template <class S, class Word, class Role>
+inline constexpr auto exponents_of = role_exponents<S, Word, Role>();
+
+}  // namespace detail
+
+/// Joint values of one role in fixed point: value = raw * 2^-exponent(i) in SI units; revolute positions are BAM32,
+/// angle = raw * 2 pi / 2^32, in 32 bits whatever the word.
+template <class S, class Word, class Role>
+struct Joints<S, Stored<Word>, Role> {
+  /// a stored word; positions have 32 bits
+  using Value = std::conditional_t<std::is_same_v<Role, role::Position>, Fixed32, Stored<Word>>;
+  static constexpr int size = joint_count<S>;  ///< number of joints
+  Value values[size];                          ///< from the base outwards
+
+  /// Exponent of joint i's value; 0 for revolute positions.
+  static constexpr int exponent(int i) { return detail::exponents_of<S, typename Value::Word, Role>.of[i]; }
+  constexpr Value& operator[](int i) { return values[i]; }              ///< value of joint i; the index is not checked
+  constexpr const Value& operator[](int i) const { return values[i]; }  ///< value of joint i; the index is not checked
+};
+
+}  // namespace axial

@@ -1,0 +1,252 @@
+// The formats of a scene's quantities, link by link: how a fixed-point link rounds.
+#pragma once
+
+#include <axial/fixed/formats/joint_formats.hpp>
+#include <axial/fixed/ranges/kinematics.hpp>
+#include <axial/fixed/ranges/separation.hpp>
+#include <axial/fixed/words/divide.hpp>
+#include <axial/spatial/inertia.hpp>
+
+namespace axial {
+
+/// Which recursion a kernel is, for its ranges.
+namespace recursion {
+struct NewtonEuler {};              ///< inverse dynamics
+struct CompositeBodies {};          ///< the mass matrix
+struct ArticulatedBodies {};        ///< the classical form
+struct ArticulatedBodiesAtRest {};  ///< of the split form
+struct Kinematics {};               ///< poses and Jacobians
+struct Separation {};               ///< the separated terms
+struct Momenta {};                  ///< joint momenta and their drift
+}  // namespace recursion
+
+namespace detail {
+
+/// The arithmetic of a scene over words of a type.
+template <class Scene, class Word>
+using ArithmeticOf =
+    Arithmetic<Word, !Scene::template has<RoundDown>, Scene::template has<HighWord>, Scene::template has<RangeCheck>>;
+
+/// A scene's robot with its loads, and the formats of its joints' efforts, or of what stands for them.
+template <class Scene, class Parameters, class Word, class Role = role::Effort>
+constexpr auto loaded_mechanism() {
+  using Robot = typename Scene::Robot;
+  auto all = mechanism_of<Scene, Parameters>;
+  for (int i = 0; i < Robot::chain.size; ++i)
+    all.joints[i].effort_format = exponents_of<Scene, Word, Role>.of[i];
+  return all;
+}
+
+template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::NewtonEuler) {
+  return newton_euler_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
+}
+
+template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::CompositeBodies) {
+  return composite_body_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
+}
+template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::ArticulatedBodies) {
+  return articulated_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
+}
+template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::ArticulatedBodiesAtRest) {
+  return articulated_at_rest_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
+}
+
+template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::Kinematics) {
+  return kinematics_ranges(mechanism_of<Scene, Parameters>, rounding_in<Scene, S>());
+}
+
+template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::Separation) {
+  return separation_ranges_of(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
+}
+
+template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::Momenta) {
+  return momentum_ranges(loaded_mechanism<Scene, Parameters, typename S::Word, role::Momentum>(),
+                         rounding_in<Scene, S>());
+}
+
+/// Ranges of a scene's recursion in an arithmetic.
+template <class Scene, class Parameters, class S, class Recursion>
+inline constexpr auto ranges_of = analysed<Scene, Parameters, S>(Recursion{});
+
+template <class T>
+struct IsVec3 : std::false_type {};
+template <class X, class Y, class Z>
+struct IsVec3<Vec3<X, Y, Z>> : std::true_type {};
+
+// The sum of terms; terms of one format are not added at once, for their sum may fit only the format of the result.
+template <class X>
+AXIAL_INLINE constexpr const X& lazy_sum(const X& x) {
+  return x;
+}
+template <class X, class Y, class... Rest>
+AXIAL_INLINE constexpr auto lazy_sum(const X& x, const Y& y, const Rest&... rest) {
+  if constexpr (FixedKind<X>::value && FixedKind<Y>::value)
+    return lazy_sum(Sum<X, Y>{x, y}, rest...);
+  else
+    return lazy_sum(x + y, rest...);
+}
+
+/// Rounding of link I, in its own formats: see Plain for what kernels say to it. `Table` holds the ranges.
+template <class S, class Table, int I>
+struct FormatRounding {
+  static constexpr bool ranged = true;
+  static constexpr const LinkFormat& format = Table::value.format[I];
+  template <class Quantity, class... Terms>
+  AXIAL_INLINE static constexpr auto sum(Quantity quantity, const Terms&... terms) {
+    if constexpr ((IsVec3<Terms>::value || ...))
+      return Vec3{sum(quantity, terms.x...), sum(quantity, terms.y...), sum(quantity, terms.z...)};
+    else
+      return rounded<Table::value.format[I].of(Quantity{})>(lazy_sum(terms...));
+  }
+  template <class Quantity, class Inverse, class X>
+  AXIAL_INLINE static constexpr auto quotient(Quantity quantity, const Inverse& inverse, const X& x) {
+    if constexpr (IsVec3<X>::value)
+      return Vec3{quotient(quantity, inverse, x.x), quotient(quantity, inverse, x.y), quotient(quantity, inverse, x.z)};
+    else if constexpr (is_zero_v<X>)
+      return Zero{};
+    else if constexpr (is_structural_v<X>)
+      return quotient(quantity, inverse, Literal<bits_of(static_cast<double>(X::value)), S>{});
+    else
+      return axial::quotient<Table::value.format[I].of(Quantity{})>(inverse, x);
+  }
+  /// A sum held within its format; `lost` says that it would not have fitted.
+  template <class Quantity, class... Terms>
+  AXIAL_INLINE static constexpr auto limited(Quantity, bool& lost, const Terms&... terms) {
+    constexpr int exponent = Table::value.format[I].of(Quantity{});
+    return saturated<exponent>(lost, lazy_sum(terms...));
+  }
+  /// Drive u of a joint, 0 where its share u^2 / D of qdd^T M qdd is beyond what the formats are made for.
+  /// `magnified` says how often u is doubled.
+  template <int E, int F, class M>
+  AXIAL_INLINE static constexpr Fx<F, S> admitted(bool& lost, const Fx<E, S>& d, const Fx<F, S>& u, M magnified) {
+    std::int32_t v = u.raw;
+    if constexpr (!is_zero_v<M>) v = v >> magnified;
+    const bool beyond = S::bits == 32 ? is_less(by_upper_words(d.raw, share<E, F, 2>()), by_upper_words(v, v) >> 2)
+                                      : is_less(std::int64_t{d.raw} * share<E, F, 0>(), std::int64_t{v} * v);
+    lost = lost | beyond;
+    return select(beyond, Fx<F, S>{}, u);
+  }
+  template <class M, class H, class J, class M2, class H2, class J2>
+  AXIAL_INLINE static constexpr auto together(const RigidInertia<M, H, J>& a, const RigidInertia<M2, H2, J2>& b) {
+    const quantity::RotationalInertia q;
+    const auto& i = a.inertia;
+    const auto& j = b.inertia;
+    return RigidInertia{sum(quantity::Mass{}, a.mass, b.mass),
+                        sum(quantity::FirstMoment{}, a.first_moment, b.first_moment),
+                        Sym3{sum(q, i.xx, j.xx), sum(q, i.yy, j.yy), sum(q, i.zz, j.zz), sum(q, i.xy, j.xy),
+                             sum(q, i.xz, j.xz), sum(q, i.yz, j.yz)}};
+  }
+  template <class N, class F, class N2, class F2>
+  AXIAL_INLINE static constexpr auto without(const ForceVector<N, F>& force, const ForceVector<N2, F2>& other) {
+    return ForceVector{sum(quantity::Moment{}, force.moment, -other.moment),
+                       sum(quantity::Force{}, force.force, -other.force)};
+  }
+  /// The mass stays what it is: a literal, or with a payload a number; a link's and the payload's together are rounded.
+  template <class M, class H, class J>
+  AXIAL_INLINE static constexpr auto formatted(const RigidInertia<M, H, J>& body) {
+    return RigidInertia{whole_mass(body.mass), sum(quantity::FirstMoment{}, body.first_moment),
+                        symmetric(quantity::RotationalInertia{}, body.inertia)};
+  }
+  template <class A, class C, class L>
+  AXIAL_INLINE static constexpr auto formatted(const ArticulatedInertia<A, C, L>& body) {
+    const quantity::FirstMoment coupling;
+    return ArticulatedInertia{
+        symmetric(quantity::RotationalInertia{}, body.angular),
+        Mat3{sum(coupling, body.coupling.x), sum(coupling, body.coupling.y), sum(coupling, body.coupling.z)},
+        symmetric(quantity::Mass{}, body.linear)};
+  }
+  /// Rounding in the formats of the link that carries this one.
+  AXIAL_INLINE static constexpr auto outer() {
+    constexpr int parent = Table::parent(I);
+    return FormatRounding<S, Table, (parent < 0 ? I : parent)>{};
+  }
+
+ private:
+  template <class M>
+  AXIAL_INLINE static constexpr auto whole_mass(const M& mass) {
+    if constexpr (is_structural_v<M> || IsFx<M>::value || is_literal_v<M>)
+      return mass;
+    else
+      return sum(quantity::Mass{}, mass);
+  }
+  // u^2 <= D share: the share at the exponent that u^2 has beyond D's, less some bits.
+  template <int E, int F, int less>
+  AXIAL_INLINE static constexpr std::int32_t share() {
+    constexpr double raw = Table::value.range[I].share * power_of_two(2 * F - E - less) * 0.999;
+    constexpr double most = 2147483647.0;
+    return static_cast<std::int32_t>(raw < most ? raw : most);
+  }
+  AXIAL_INLINE static constexpr std::int64_t by_upper_words(std::int32_t a, std::int32_t b) {
+    return integer::multiply_high(a, b);
+  }
+  template <class Quantity, class M>
+  AXIAL_INLINE static constexpr auto symmetric(Quantity q, const M& m) {
+    return Sym3{sum(q, m.xx), sum(q, m.yy), sum(q, m.zz), sum(q, m.xy), sum(q, m.xz), sum(q, m.yz)};
+  }
+  template <int E, class X>
+  AXIAL_INLINE static constexpr auto rounded(const X& x) {
+    if constexpr (is_zero_v<X>)
+      return Zero{};
+    else if constexpr (is_structural_v<X>)
+      return NumberTraits<Fx<E, S>>::constant(static_cast<double>(X::value));
+    else
+      return round_to<E>(x);
+  }
+};
+
+/// How the links of a scene round: a template for StaticLinks.
+template <class Scene, class Parameters, class S, class Recursion>
+struct Formats {
+  struct Table {
+    static constexpr const auto& value = ranges_of<Scene, Parameters, S, Recursion>;
+    static constexpr int parent(int i) { return Scene::Robot::chain.parent(i); }
+  };
+  template <int I>
+  using Of = FormatRounding<S, Table, I>;
+  /// Whether forward dynamics solves twice.
+  static constexpr bool second_solve() {
+    return second_solve_pays(mechanism_of<Scene, Parameters>, rounding_of<S>(), Table::value);
+  }
+  /// What drives joint i at most without halvings, as a raw value.
+  static constexpr std::int64_t drive_limit(int i, int exponent) {
+    return static_cast<std::int64_t>(Table::value.range[i].drive * power_of_two(exponent));
+  }
+};
+
+/// Joint values as kernels read them: with their formats, or angles.
+template <class Robot, class S, class Values, class Role>
+struct FixedView {
+  const Values& values;
+  template <int I>
+  AXIAL_INLINE constexpr auto operator[](Index<I>) const {
+    return Fx<Values::exponent(I), S>{values.values[I].raw};
+  }
+};
+template <class Robot, class S, class Values>
+struct FixedView<Robot, S, Values, role::Position> {
+  const Values& values;
+  template <int I>
+  AXIAL_INLINE constexpr auto operator[](Index<I>) const {
+    if constexpr (Robot::chain.links[I].type == JointType::revolute)
+      return Bam<S>{values.values[I].raw};
+    else
+      return position<Values::exponent(I)>(values.values[I].raw);
+  }
+
+ private:
+  template <int E>
+  AXIAL_INLINE static constexpr auto position(std::int32_t raw) {
+    constexpr int dropped = 32 - S::bits;  // a position has 32 bits in any word
+    return Fx<E - dropped, S>{static_cast<typename S::Word>(raw >> dropped)};
+  }
+};
+
+}  // namespace detail
+}  // namespace axial

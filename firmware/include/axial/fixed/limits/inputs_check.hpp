@@ -1,0 +1,97 @@
+// Run-time inputs in fixed point against what the robot declares: the formats hold that much and no more. No branch.
+#pragma once
+
+#include <axial/fixed/formats/input_formats.hpp>
+#include <axial/fixed/limits/fixed_limits.hpp>
+#include <axial/scene/status.hpp>
+
+namespace axial {
+namespace detail {
+
+constexpr std::uint64_t square(std::int32_t x) { return integer::detail::as_unsigned(integer::multiply(x, x)); }
+
+// Whether a vector is no longer than declared: to a unit, for its components were rounded.
+template <class Word>
+constexpr bool within_length(const Vec3<Stored<Word>>& v, double most, int exponent) {
+  const auto longest = static_cast<std::uint64_t>(raw_limit<Word>(most, exponent)) + 1;
+  return square(v.x.raw) + square(v.y.raw) + square(v.z.raw) <= longest * longest;
+}
+
+template <class Word>
+constexpr bool within_magnitude(Stored<Word> x, double most, int exponent) {
+  return RawMost<Word>{raw_limit<Word>(most, exponent)}.allows(x);
+}
+
+// A sine and a cosine of one angle, to 2^-10; pairs that nobody gave are none.
+template <class Word>
+constexpr bool is_turn(const SinCos<Stored<Word>>& turn, int exponent) {
+  const std::uint64_t one = std::uint64_t{1} << (2 * exponent), slack = one >> 9;
+  const std::uint64_t past = square(turn.sin.raw) + square(turn.cos.raw) - (one - slack);  // what is below is beyond
+  return past <= 2 * slack;
+}
+
+// Whether x a + y b + z c >= 0, where |x| .. |z| < 2^30, |a| .. |c| < 2^62: by 31 bits of a .. c at a time.
+constexpr bool is_sum_positive(const std::int32_t (&x)[3], const std::int64_t (&a)[3]) {
+  std::int64_t high = 0, low = 0;
+  for (int i = 0; i < 3; ++i) {
+    high = integer::accumulate(high, x[i], static_cast<std::int32_t>(a[i] >> 31));
+    low = integer::accumulate(low, x[i], static_cast<std::int32_t>(a[i] & std::numeric_limits<std::int32_t>::max()));
+  }
+  return high + (low >> 31) >= 0;
+}
+
+// Whether an inertia is one that a body can have, none of whose principal values is negative: one that is would make
+// M(q) indefinite, and no format of forward dynamics holds then. By Sylvester's minors of the words' upper 30 bits and
+// of two units more on the diagonal, for entries are rounded.
+template <class Word>
+constexpr bool is_not_negative(const Sym3<Stored<Word>>& j) {
+  constexpr int dropped = sizeof(Word) == 4 ? 2 : 0, half = dropped == 0 ? 0 : 1 << (dropped - 1);
+  const auto word = [](const Stored<Word>& x, int more) {
+    return static_cast<std::int32_t>((std::int64_t{x.raw} + half) >> dropped) + more;
+  };
+  const std::int32_t xx = word(j.xx, 2), yy = word(j.yy, 2), zz = word(j.zz, 2);
+  const std::int32_t xy = word(j.xy, 0), xz = word(j.xz, 0), yz = word(j.yz, 0);
+  const auto minor = [](std::int32_t a, std::int32_t d, std::int32_t b, std::int32_t c) {
+    return integer::deduct(integer::multiply(a, d), b, c);
+  };
+  const std::int64_t along_z = minor(xx, yy, xy, xy);
+  return (xx > 0) & (along_z > 0) &
+         is_sum_positive({xz, yz, zz}, {minor(xy, yz, xz, yy), minor(xy, xz, yz, xx), along_z});
+}
+
+/// A payload in fixed point against the declared one.
+template <class S, class Word>
+constexpr bool payload_within(const PayloadBody<Stored<Word>>& load) {
+  using F = InputFormats<robot_of<S>, Stored<Word>>;
+  const auto& j = load.inertia_com;
+  bool within = (load.mass.raw >= 0) & within_magnitude(load.mass, F::load.mass, F::payload_mass) &
+                within_length(load.com, F::load.com_reach, F::payload_com);
+  const Stored<Word> entries[] = {j.xx, j.yy, j.zz, j.xy, j.xz, j.yz};
+  for (const auto& entry : entries)
+    within = within & within_magnitude(entry, F::load.inertia, F::payload_inertia);
+  for (int i = 0; i < 3; ++i)
+    within = within & (entries[i].raw >= 0);
+  return within & is_not_negative(j);
+}
+
+/// The other run-time inputs: what is beyond its format would be another number there.
+template <class S, class Word>
+constexpr Status check_fixed_inputs(const Inputs<S, Stored<Word>>& in) {
+  using Scene = scene_of<S>;
+  using F = InputFormats<robot_of<S>, Stored<Word>>;
+  bool within = true;
+  if constexpr (Scene::template has<TipWrench>)
+    within = within_length(in.tip_wrench.force, F::wrench.force, F::tip_force) &
+             within_length(in.tip_wrench.moment, F::wrench.moment, F::tip_moment);
+  if constexpr (Scene::template has<RuntimeGravity>) {
+    constexpr auto g = robot_of<S>::chain.gravity;
+    within = within & within_length(in.gravity, length_of(g.x, g.y, g.z), F::gravity);
+  }
+  if constexpr (Scene::template has<SineCosines>)
+    for (int i = 0; i < joint_count<S>; ++i)
+      within = within & (!turns_of<robot_of<S>>.of[i] | is_turn(in.turns[i], F::sine_cosine));
+  return {within ? Status::Code::ok : Status::Code::input_limit, -1};
+}
+
+}  // namespace detail
+}  // namespace axial

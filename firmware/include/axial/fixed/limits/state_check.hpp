@@ -1,0 +1,105 @@
+// The state that forward dynamics starts from against the declared limits, in fixed point: beyond them formats wrap.
+#pragma once
+
+#include <axial/fixed/limits/inputs_check.hpp>
+
+namespace axial {
+namespace detail {
+
+/// Joints that are looked at together: two bits each in a word.
+inline constexpr int joints_a_word = 15;
+
+/// What is outside the declared limits.
+struct Outside {
+  int first = -1;          ///< twice the first joint, 1 more where it is its speed; negative for none
+  std::int32_t wraps = 0;  ///< not 0 where a format may wrap: every angle has one, so only speeds and slides can
+};
+
+/// Two bits of joint I behind those of the joints before: its position, its speed. Where pairs of sines and cosines are
+/// given, a turning joint's position is not read and not looked at.
+template <class S, class Word, int I, class Q, class V>
+AXIAL_INLINE constexpr std::uint32_t with_joint(std::uint32_t found, const Q& q, const V& qd) {
+  constexpr const auto& limits = fixed_limits_of<S, Word>.joints[I];
+  constexpr bool any_angle = limits.span == std::numeric_limits<std::uint32_t>::max();
+  constexpr bool unread = scene_of<S>::template has<SineCosines> && turns_of<robot_of<S>>.of[I];
+  found = found + found;
+  if constexpr (!any_angle && !unread) found -= static_cast<std::uint32_t>(limits.outside(q.values[I]));
+  return found + found - static_cast<std::uint32_t>(limits.speed.outside(qd.values[I]));
+}
+
+template <class S, class Word, int First, class Q, class V, int... I>
+AXIAL_INLINE constexpr Outside outside_limits(const Q& q, const V& qd, std::integer_sequence<int, I...>) {
+  constexpr int size = static_cast<int>(sizeof...(I)), all = 2 * size;
+  constexpr std::uint32_t wrapping =
+      (0U | ... | ((turns_of<robot_of<S>>.of[First + I] ? 1U : 3U) << (all - 2 - 2 * I)));
+  std::uint32_t found = 0;
+  ((found = with_joint<S, Word, First + I>(found, q, qd)), ...);
+  // A 1 behind the last bit, so that zeros end there.
+  const int ahead = integer::detail::leading_zeros(found + found + 1U) - (31 - all);
+  const Outside here{(2 * First + ahead) | ~((ahead - all) >> 31), static_cast<std::int32_t>(found & wrapping)};
+  if constexpr (First + size < joint_count<S>) {
+    constexpr int left = joint_count<S> - First - size;
+    const Outside there =
+        outside_limits<S, Word, First + size>(q, qd, std::make_integer_sequence<int, smaller(left, joints_a_word)>{});
+    return {first_found(here.first, true, there.first), here.wraps | there.wraps};
+  } else {
+    return here;
+  }
+}
+
+/// Whether the run-time inputs are within what is declared; `ok` where the scene has none.
+template <class S, class Word>
+AXIAL_INLINE constexpr Status::Code inputs_outside(const Inputs<S, Stored<Word>>& in) {
+  const int inputs = static_cast<int>(check_fixed_inputs<S>(in).code);
+  if constexpr (scene_of<S>::template has<Payload>)
+    return static_cast<Status::Code>(
+        select(payload_within<S>(in.payload), inputs, static_cast<int>(Status::Code::payload_limit)));
+  else
+    return static_cast<Status::Code>(inputs);
+}
+
+/// The state and the inputs of a solve, looked at before it. Floating point has no formats that wrap: there is nothing
+/// to look at.
+template <class S, class T>
+struct StateCheck {
+  template <class... X>
+  AXIAL_INLINE constexpr explicit StateCheck(const X&...) {}
+  template <class Result>
+  AXIAL_INLINE constexpr void judge(Result&) const {}
+};
+/// Fixed point: about 10 instructions a joint on a Cortex-M3, whatever the words are.
+template <class S, class Word>
+struct StateCheck<S, Stored<Word>> {
+  using T = Stored<Word>;
+  Outside joints;
+  Status::Code inputs;
+
+  AXIAL_INLINE constexpr StateCheck(const Inputs<S, T>& in, const Positions<robot_of<S>, T>& q,
+                                    const Velocities<robot_of<S>, T>& qd)
+      : joints(outside_limits<S, Word, 0>(q, qd,
+                                          std::make_integer_sequence<int, smaller(joint_count<S>, joints_a_word)>{})),
+        inputs(inputs_outside<S>(in)) {}
+
+  /// Names in the result what the state or the inputs are beyond, inputs first, then the first joint from the base, and
+  /// sets its accelerations to 0 where a format may have wrapped.
+  template <class Result>
+  AXIAL_INLINE constexpr void judge(Result& result) const {
+    const bool bad = inputs != Status::Code::ok;
+    const std::int32_t kept = (joints.wraps - 1) >> 31 & (static_cast<std::int32_t>(bad) - 1);
+    for (int i = 0; i < joint_count<S>; ++i)
+      result.values[i].raw &= static_cast<Word>(kept);
+    name(result.status);
+  }
+  /// Puts what is beyond into the status alone.
+  AXIAL_INLINE constexpr void name(Status& status) const {
+    const bool bad = inputs != Status::Code::ok;
+    const int named = ~(joints.first >> 31),
+              limit = static_cast<int>(Status::Code::position_limit) + (joints.first & 1);
+    const int code = (limit & named) | (static_cast<int>(status.code) & ~named);
+    const int joint = (joints.first >> 1 & named) | (status.joint & ~named);
+    status = {static_cast<Status::Code>(select(bad, static_cast<int>(inputs), code)), select(bad, -1, joint)};
+  }
+};
+
+}  // namespace detail
+}  // namespace axial

@@ -1,0 +1,232 @@
+// Ranges: what bounds the quantities of every link, and in which formats they are kept. doc/ranges.md is the proof.
+#pragma once
+
+#include <axial/fixed/ranges/ball.hpp>
+#include <axial/links/link_view.hpp>
+
+namespace axial {
+
+/// What limits a robot's joint: as its author declared it. Travel is the largest |d + q| of a slide.
+struct JointRange {
+  /// rad/s or m/s, rad/s^2 or m/s^2, m, N m or N; at most
+  double speed = 0.0, acceleration = 0.0, travel = 0.0, effort = 0.0;
+  int effort_format = unknown;           ///< exponent of its effort where that is given (fixed_joints.hpp)
+  static constexpr int unknown = -1000;  ///< no exponent is given
+};
+
+/// What a scene puts on a robot besides its links.
+struct LoadRange {
+  double gravity_across = 0.0, gravity_along = 0.0;  ///< m/s^2, across and along z of frame 0
+  /// kg, kg m, kg m^2; about the origin of the last link's frame
+  double payload_mass = 0.0, payload_moment = 0.0, payload_inertia = 0.0;
+  double tip_force = 0.0, tip_moment = 0.0;     ///< N, N m
+  double base_offset = 0.0, tool_offset = 0.0;  ///< m, of frame 0 in the world and of the tool on the last link
+  bool rotors = false, friction = false, springs = false;  ///< whether the scene names them
+};
+
+/// Bounds of the quantities of one link: how large they can be and how exact they are.
+struct LinkRange {
+  /// Bound of a quantity of the link (of a vector its norm), SI.
+  ///@{
+  Ball angular_velocity{}, angular_acceleration{}, linear_acceleration{};
+  Ball moment{}, force{};
+  Ball rotational_inertia{}, first_moment{}, mass{};
+  Ball joint_inertia{}, angular_gain{}, linear_gain{}, joint_effort{}, joint_acceleration{}, length{}, rotation{};
+  ///@}
+  bool turns_across = false;  ///< whether the link turns about more than its joint's axis
+  double drive = 0.0;         ///< effort that drives a joint besides the bias, at most
+  double share = 0.0;         ///< of a joint in qdd^T M qdd, at most
+};
+
+/// Exponents of the quantities of one link.
+struct LinkFormat {
+  /// Exponent of a quantity of the link: value = raw 2^-exponent.
+  ///@{
+  int angular_velocity = 0, angular_acceleration = 0, linear_acceleration = 0;
+  int moment = 0, force = 0;
+  int rotational_inertia = 0, first_moment = 0, mass = 0;
+  int joint_inertia = 0, angular_gain = 0, linear_gain = 0, joint_effort = 0, joint_acceleration = 0, length = 0,
+      gravity = 0;
+  ///@}
+
+  /// The exponent of a quantity.
+  ///@{
+  constexpr int of(quantity::AngularVelocity) const { return angular_velocity; }
+  constexpr int of(quantity::AngularAcceleration) const { return angular_acceleration; }
+  constexpr int of(quantity::LinearAcceleration) const { return linear_acceleration; }
+  constexpr int of(quantity::Moment) const { return moment; }
+  constexpr int of(quantity::Force) const { return force; }
+  constexpr int of(quantity::RotationalInertia) const { return rotational_inertia; }
+  constexpr int of(quantity::FirstMoment) const { return first_moment; }
+  constexpr int of(quantity::Mass) const { return mass; }
+  constexpr int of(quantity::JointInertia) const { return joint_inertia; }
+  constexpr int of(quantity::AngularGain) const { return angular_gain; }
+  constexpr int of(quantity::LinearGain) const { return linear_gain; }
+  constexpr int of(quantity::JointEffort) const { return joint_effort; }
+  constexpr int of(quantity::JointAcceleration) const { return joint_acceleration; }
+  constexpr int of(quantity::Length) const { return length; }
+  constexpr int of(quantity::GravityAcceleration) const { return gravity; }
+  ///@}
+};
+
+/// All exponents of a link, in the order of their declaration.
+inline constexpr int LinkFormat::*all_formats[] = {&LinkFormat::angular_velocity,
+                                                   &LinkFormat::angular_acceleration,
+                                                   &LinkFormat::linear_acceleration,
+                                                   &LinkFormat::moment,
+                                                   &LinkFormat::force,
+                                                   &LinkFormat::rotational_inertia,
+                                                   &LinkFormat::first_moment,
+                                                   &LinkFormat::mass,
+                                                   &LinkFormat::joint_inertia,
+                                                   &LinkFormat::angular_gain,
+                                                   &LinkFormat::linear_gain,
+                                                   &LinkFormat::joint_effort,
+                                                   &LinkFormat::joint_acceleration,
+                                                   &LinkFormat::length,
+                                                   &LinkFormat::gravity};
+
+/// One of each a link.
+template <int N>
+struct Ranges {
+  LinkRange range[N] = {};    ///< of the quantities of each link
+  LinkFormat format[N] = {};  ///< of the same quantities
+};
+
+/// What one step for all links makes of a robot: one format a quantity, constants in columns of one exponent each.
+struct SharedSteps {
+  bool shared = false;                  ///< whether one format serves all links
+  LinkFormat format{};                  ///< of all links
+  TreeLinkConstants<double> columns{};  ///< the largest number that a column's exponent can hold; 0 where it is 0
+  /// largest of all joints: N m s/rad or N s/m, rad/s or m/s, rad/s^2 or m/s^2
+  double viscous = 0.0, speed = 0.0, acceleration = 0.0;
+};
+
+/// Everything that an analysis looks at.
+template <int N>
+struct Mechanism {
+  TreeLinkConstants<double> links[N];  ///< constants of each link
+  JointRange joints[N];                ///< declared limits of each joint
+  DriveConstants<double> drives[N];    ///< friction and spring of each joint
+  LoadRange loads;                     ///< what the scene puts on the robot
+  SharedSteps steps{};                 ///< in the looped form
+
+  /// Index of the link that carries joint i, negative for the base.
+  constexpr int parent(int i) const { return links[i].parent; }
+  /// Distance of a link's origin from its parent's: a and d are at right angles, whatever the joint's angle.
+  constexpr double reach(int i) const {
+    const auto& c = links[i];
+    const double d = joints[i].travel;
+    return magnitude(c.branch.b) + square_root(c.a * c.a + d * d);
+  }
+
+  /// Constants of a link as its products round them.
+  constexpr const TreeLinkConstants<double>& factors(int i) const { return steps.shared ? steps.columns : links[i]; }
+  /// Viscous friction as its product with a speed rounds it.
+  constexpr double viscous_factor(int i) const { return steps.shared ? steps.viscous : drives[i].viscous; }
+  /// The exponent of a quantity that reaches `size` on one link, or of all links.
+  constexpr int format(const Rounding& r, int LinkFormat::*quantity, double size) const {
+    return steps.shared ? steps.format.*quantity : r.exponent(size);
+  }
+  /// Exponents of the base's motion.
+  constexpr LinkFormat base_format() const { return steps.shared ? steps.format : LinkFormat{}; }
+  /// Speed that a joint's format has room for, rad/s or m/s.
+  constexpr double speed_reach(int i) const { return steps.shared ? steps.speed : joints[i].speed; }
+  /// Acceleration that a joint's format has room for, rad/s^2 or m/s^2.
+  constexpr double acceleration_reach(int i) const {
+    return steps.shared ? steps.acceleration : joints[i].acceleration;
+  }
+  /// Joint values move to an exponent of all joints where they are read.
+  constexpr Ball speed(const Rounding& r, int i) const { return read(r, joints[i].speed, speed_reach(i)); }
+  /// An acceleration as it is read, likewise.
+  constexpr Ball acceleration(const Rounding& r, int i) const {
+    return read(r, joints[i].acceleration, acceleration_reach(i));
+  }
+
+ private:
+  constexpr Ball read(const Rounding& r, double size, double reach) const {
+    return {size, steps.shared ? r.store(r.exponent(reach)) : 0.0};
+  }
+};
+
+namespace detail {
+
+/// A bound of the spectral norm of a symmetric 3x3 matrix: its largest row sum.
+constexpr double norm_of(const TreeLinkConstants<double>& c) {
+  const double x = magnitude(c.jxx) + magnitude(c.jxy) + magnitude(c.jxz);
+  const double y = magnitude(c.jyy) + magnitude(c.jxy) + magnitude(c.jyz);
+  const double z = magnitude(c.jzz) + magnitude(c.jxz) + magnitude(c.jyz);
+  return x > y ? (x > z ? x : z) : (y > z ? y : z);
+}
+constexpr double length_of(double x, double y, double z) { return square_root(x * x + y * y + z * z); }
+
+constexpr JointRange joint_range(const LinkParameters& p) {
+  JointRange r{p.speed_limit, p.acceleration_limit, magnitude(p.d), p.effort_limit};
+  if (p.type == JointType::prismatic) {
+    const double low = magnitude(p.d + p.position_min), high = magnitude(p.d + p.position_max);
+    r.travel = low > high ? low : high;
+  }
+  return r;
+}
+
+template <class Scene>
+constexpr LoadRange load_range() {
+  using Robot = typename Scene::Robot;
+  const auto& g = Robot::chain.gravity;
+  LoadRange loads;
+  if (Scene::template has<Gravity>)
+    loads.gravity_across = length_of(g.x, g.y, 0.0), loads.gravity_along = magnitude(g.z);
+  if (Scene::template has<RuntimeGravity>) loads.gravity_across = loads.gravity_along = length_of(g.x, g.y, g.z);
+  loads.rotors = Scene::template has<RotorInertia>;
+  loads.friction = Scene::template has<Friction>;
+  const auto &base = Robot::chain.base.pose.position, &tool = Robot::chain.tool.pose.position;
+  loads.base_offset = length_of(base[0], base[1], base[2]), loads.tool_offset = length_of(tool[0], tool[1], tool[2]);
+  loads.springs = Scene::template has<JointSprings>;
+  if constexpr (Scene::template has<Payload>) {
+    constexpr PayloadLimit most = Robot::chain.payload_limit;
+    loads.payload_mass = most.mass, loads.payload_moment = most.mass * most.com_reach;
+    loads.payload_inertia = 3.0 * most.inertia + most.mass * most.com_reach * most.com_reach;
+  }
+  if constexpr (Scene::template has<TipWrench>)
+    loads.tip_force = Robot::chain.tip_wrench_limit.force, loads.tip_moment = Robot::chain.tip_wrench_limit.moment;
+  return loads;
+}
+
+template <class Scene, class Parameters, int... I>
+constexpr auto mechanism(std::integer_sequence<int, I...>) {
+  using Robot = typename Scene::Robot;
+  return Mechanism<sizeof...(I)>{{robot_constants<Robot, Parameters>.links[I]...},
+                                 {joint_range(Robot::chain.links[I])...},
+                                 {drive_constants(Robot::chain.links[I])...},
+                                 load_range<Scene>()};
+}
+
+// Whether a pair from the caller, the sine and cosine of q alone, is turned by a joint's theta and rounded.
+template <class Scene>
+constexpr bool turns_given_pairs() {
+  bool any = false;
+  if constexpr (Scene::template has<SineCosines>)
+    for (const auto& link : Scene::Robot::chain.links) {
+      const bool quarter = link.theta.sin == 0.0 || (link.theta.cos == 0.0 && !Scene::template has<Looped>);
+      any = any || (link.type == JointType::revolute && !quarter);
+    }
+  return any;
+}
+
+}  // namespace detail
+
+/// Rounding of a scene's kernels over the arithmetic S. Turning a pair keeps the length of its error and rounds twice.
+template <class Scene, class S>
+constexpr Rounding rounding_in() {
+  Rounding r = rounding_of<S>(Scene::template has<Looped>);
+  const int unit = r.bits - 2;
+  if (detail::turns_given_pairs<Scene>()) r.turn_error += r.products(2, unit, unit, unit) + r.ulp(unit);
+  return r;
+}
+
+/// A robot as an analysis sees it.
+template <class Scene, class Parameters>
+inline constexpr auto mechanism_of =
+    detail::mechanism<Scene, Parameters>(std::make_integer_sequence<int, Scene::Robot::chain.size>{});
+
+}  // namespace axial

@@ -1,0 +1,140 @@
+// What fixed point computes with: stored words, how products and sums are held, which exponent a value takes.
+#pragma once
+
+#include <axial/scalar/inline.hpp>
+
+#include <cstdint>
+#include <type_traits>
+
+namespace axial {
+
+/// A stored fixed-point number: the bits alone. Its exponent is known from where it stands (Positions, Efforts, ...).
+/// As the T of an algorithm it chooses the word of the arithmetic.
+template <class WordType>
+struct Stored {
+  using Word = WordType;  ///< integer that holds it
+  Word raw{};             ///< value 2^exponent
+  /// Equality of the bits: of values only where both have one exponent.
+  ///@{
+  friend constexpr bool operator==(Stored a, Stored b) { return a.raw == b.raw; }
+  friend constexpr bool operator!=(Stored a, Stored b) { return a.raw != b.raw; }
+  ///@}
+};
+using Fixed32 = Stored<std::int32_t>;  ///< fixed point in 32 bits
+using Fixed16 = Stored<std::int16_t>;  ///< fixed point in 16 bits
+
+/// True for a stored fixed-point number.
+template <class T>
+inline constexpr bool is_stored_v = false;
+/// True for a stored fixed-point number.
+template <class Word>
+inline constexpr bool is_stored_v<Stored<Word>> = true;
+
+/// Fixed point is always a number.
+template <class Word>
+[[nodiscard]] constexpr bool is_finite(const Stored<Word>&) {
+  return true;
+}
+
+namespace detail {
+// Double words for sums of products, and words for sums of their upper words; wider where nothing may wrap unseen.
+template <class Word, bool checked>
+struct Widened;
+template <>
+struct Widened<std::int32_t, false> {
+  using type = std::int64_t;
+  using bits = std::uint64_t;
+  using upper = std::uint32_t;
+};
+template <>
+struct Widened<std::int16_t, false> {
+  using type = std::int32_t;
+  using bits = std::uint32_t;
+  using upper = std::uint16_t;
+};
+#ifdef __SIZEOF_INT128__
+template <>
+struct Widened<std::int32_t, true> {
+  __extension__ using type = __int128;
+  __extension__ using bits = unsigned __int128;
+  using upper = std::uint64_t;
+};
+#endif
+template <>
+struct Widened<std::int16_t, true> {
+  using type = std::int64_t;
+  using bits = std::uint64_t;
+  using upper = std::uint64_t;
+};
+}  // namespace detail
+
+/// Results that did not fit their format, counted by arithmetics that check. For tests on a host.
+inline std::uint64_t range_overflows = 0;
+
+/// How fixed point computes: the word; results rounded to nearest or down; products exact in a double word, or only
+/// their upper word; with `is_checked` sums that do not wrap, and a count of results that do not fit.
+template <class WordType, bool to_nearest, bool upper_word, bool is_checked = false>
+struct Arithmetic {
+  using Word = WordType;  ///< of results
+  /// of products: twice the word, wider where sums are checked
+  using Wide = typename detail::Widened<Word, is_checked>::type;
+  using Bits = typename detail::Widened<Word, is_checked>::bits;    ///< sums wrap: only what is stored has to fit
+  using Upper = typename detail::Widened<Word, is_checked>::upper;  ///< of sums of upper words
+  /// as the template's arguments say: rounding, products, counted overflows
+  static constexpr bool nearest = to_nearest, high_word = upper_word, checked = is_checked;
+  static constexpr int bits = 8 * static_cast<int>(sizeof(Word));  ///< of the word
+  static constexpr int unit = bits - 2;                            ///< exponent of sines and cosines
+  static constexpr double capacity = static_cast<double>((Wide{1} << (bits - 1)) - 1);  ///< largest raw value of a word
+};
+
+namespace detail {
+
+constexpr int smaller(int a, int b) { return a < b ? a : b; }
+
+/// What a number of a kernel is stored as.
+template <class Scalar>
+struct StoredAs {
+  using type = Scalar;
+};
+template <class Word, bool nearest, bool high, bool checked>
+struct StoredAs<Arithmetic<Word, nearest, high, checked>> {
+  using type = Stored<Word>;
+};
+
+/// 2^e.
+constexpr double power_of_two(int e) {
+  double p = 1.0;
+  for (; e > 0; --e)
+    p *= 2.0;
+  for (; e < 0; ++e)
+    p *= 0.5;
+  return p;
+}
+/// The word of a result that fits by proof.
+template <class S, class X>
+AXIAL_INLINE constexpr typename S::Word narrowed(X bits) {
+  if constexpr (S::checked) {
+    using Signed = std::conditional_t<(sizeof(X) > 8), typename S::Wide, std::int64_t>;
+    const auto value = static_cast<Signed>(bits);
+    if (value != static_cast<Signed>(static_cast<typename S::Word>(value))) ++range_overflows;
+  }
+  return static_cast<typename S::Word>(bits);
+}
+constexpr std::int64_t nearest_integer(double x) { return static_cast<std::int64_t>(x < 0.0 ? x - 0.5 : x + 0.5); }
+
+/// The largest exponent at which |value| still fits a word of `capacity`; for 0 a large one.
+constexpr int fitting_exponent(double value, double capacity) {
+  const double size = value < 0.0 ? -value : value;
+  if (!(size > 0.0)) return 200;
+  int e = 0;
+  double scaled = size;
+  while (scaled * 2.0 + 0.5 <= capacity && e < 200)
+    scaled *= 2.0, ++e;
+  while (scaled + 0.5 > capacity)
+    scaled *= 0.5, --e;
+  return e;
+}
+
+}  // namespace detail
+
+}  // namespace axial

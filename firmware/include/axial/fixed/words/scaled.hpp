@@ -1,0 +1,122 @@
+// Numbers with an exponent each, in integers: for the few steps in which no declared limit bounds what comes out.
+#pragma once
+
+#include <axial/fixed/words/divide.hpp>
+#include <axial/fixed/words/wide_sum.hpp>
+#include <axial/scalar/rounding.hpp>
+
+namespace axial {
+
+/// mantissa 2^exponent, 2^30 <= |mantissa| < 2^31, or 0 at exponent -4096. Results are cut, not rounded: an operation
+/// errs by 2^-29 of its result, a sum by 2^-29 of its larger term. No branch, no table but of leading zeros, the same
+/// bits everywhere. Exponents add up: stay below 2^20 of magnitude and nothing wraps.
+struct Scaled {
+  std::int32_t mantissa = 0;  ///< with the sign
+  int exponent = -4096;       ///< of 2
+
+  constexpr Scaled() = default;
+  constexpr Scaled(std::int32_t m, int e) : mantissa(m), exponent(e) {}  ///< in normal form already
+  constexpr explicit Scaled(Zero) {}                                     ///< 0
+  constexpr explicit Scaled(One) : mantissa(1 << 30), exponent(-30) {}   ///< 1
+
+  /// x 2^e in normal form.
+  static constexpr Scaled normal(std::int64_t x, int e) {
+    const auto sign = static_cast<std::uint64_t>(x >> 63), size = (static_cast<std::uint64_t>(x) ^ sign) - sign;
+    const auto high = static_cast<std::uint32_t>(size >> 32), low = static_cast<std::uint32_t>(size);
+    const std::uint32_t far = 0U - static_cast<std::uint32_t>(high != 0U);
+    const std::uint32_t first = (high & far) | (low & ~far), second = low & far, none = first == 0U ? 1U : 0U;
+    const auto zeros = static_cast<unsigned>(integer::detail::leading_zeros(first | none));
+    const std::uint32_t top = (first << zeros) | ((second >> 1) >> (31U - zeros));
+    const auto m = static_cast<std::int32_t>(top >> 1), s = static_cast<std::int32_t>(x >> 63);
+    const int own = e + static_cast<int>(far & 32U) + 1 - static_cast<int>(zeros);
+    return {(m ^ s) - s, select(none != 0U, -4096, own)};
+  }
+  /// sum 2^e.
+  static constexpr Scaled of(const integer::WideSum& sum, int e) {
+    const std::int32_t word = static_cast<std::int32_t>(sum.high);
+    const bool fits = sum.high == std::int64_t{word};
+    const auto mask = std::uint64_t{0} - static_cast<std::uint64_t>(fits);
+    const std::uint64_t near = (static_cast<std::uint64_t>(sum.high) << 32) | sum.low;
+    const std::uint64_t chosen = (near & mask) | (static_cast<std::uint64_t>(sum.high) & ~mask);
+    return normal(static_cast<std::int64_t>(chosen), e + select(fits, 0, 32));
+  }
+  /// The word at an exponent, rounded down; what does not fit is held at the largest, and `lost` set.
+  constexpr std::int32_t word(int at, bool& lost) const {
+    const int shift = -(exponent + at);
+    const bool beyond = is_negative(shift) & (mantissa != 0);
+    const int down = select(is_negative(shift), 0, shift), kept = select(is_negative(31 - down), 31, down);
+    const std::int32_t sign = mantissa >> 31;
+    lost = lost | beyond;
+    return select(beyond, (std::numeric_limits<std::int32_t>::max() ^ sign) - sign, mantissa >> kept);
+  }
+
+  /// The opposite number.
+  friend constexpr Scaled operator-(const Scaled& a) { return {-a.mantissa, a.exponent}; }
+  /// Product.
+  friend constexpr Scaled operator*(const Scaled& a, const Scaled& b) {
+    return normal(integer::multiply(a.mantissa, b.mantissa), a.exponent + b.exponent);
+  }
+  /// Sum, at the larger exponent.
+  friend constexpr Scaled operator+(const Scaled& a, const Scaled& b) {
+    const bool swap = is_negative(a.exponent - b.exponent);
+    const int e = select(swap, b.exponent, a.exponent);
+    return normal(std::int64_t{lowered(a.mantissa, e - a.exponent)} + lowered(b.mantissa, e - b.exponent), e);
+  }
+  /// Difference.
+  friend constexpr Scaled operator-(const Scaled& a, const Scaled& b) { return a + -b; }
+  /// The same in place.
+  ///@{
+  constexpr Scaled& operator+=(const Scaled& b) { return *this = *this + b; }
+  constexpr Scaled& operator-=(const Scaled& b) { return *this = *this - b; }
+  constexpr Scaled& operator*=(const Scaled& b) { return *this = *this * b; }
+  ///@}
+  /// Comparison, by the sign of the difference.
+  ///@{
+  friend constexpr bool operator<(const Scaled& a, const Scaled& b) { return is_negative((a - b).mantissa); }
+  friend constexpr bool operator>(const Scaled& a, const Scaled& b) { return b < a; }
+  friend constexpr bool operator<=(const Scaled& a, const Scaled& b) { return !(b < a); }
+  ///@}
+
+ private:
+  static constexpr std::int32_t lowered(std::int32_t m, int by) { return m >> select(is_negative(31 - by), 31, by); }
+};
+
+/// By masks.
+AXIAL_INLINE constexpr Scaled select(bool condition, const Scaled& yes, const Scaled& no) {
+  return {static_cast<std::int32_t>(select(condition, static_cast<int>(yes.mantissa), static_cast<int>(no.mantissa))),
+          select(condition, yes.exponent, no.exponent)};
+}
+/// 1 / x of x that is not 0; of 0 a large number.
+AXIAL_INLINE constexpr Scaled reciprocal(const Scaled& x) {
+  const std::int32_t sign = x.mantissa >> 31, size = (x.mantissa ^ sign) - sign;
+  const auto r = integer::reciprocal(size | static_cast<std::int32_t>(size == 0));
+  const auto m = static_cast<std::int32_t>(r.mantissa);
+  return {(m ^ sign) - sign, -r.exponent - x.exponent};
+}
+
+/// Scaled as a number of kernels.
+template <>
+struct NumberTraits<Scaled> {
+  static constexpr bool is_number = true;  ///< it is one
+  /// Within 2^-31 of the value.
+  static constexpr Scaled constant(double value) {
+    double size = value < 0.0 ? -value : value;
+    if (!(size > 0.0)) return {};
+    int e = 0;
+    for (; size >= 2147483647.0; ++e)
+      size *= 0.5;
+    for (; size < 1073741824.0; --e)
+      size *= 2.0;
+    const auto m = static_cast<std::int32_t>(size);
+    return {value < 0.0 ? -m : m, e};
+  }
+  static constexpr Scaled epsilon() { return {1 << 30, -59}; }  ///< 2^-29
+};
+
+/// x as floating point, for a host.
+template <class T>
+[[nodiscard]] constexpr T to_real(const Scaled& x) {
+  return static_cast<T>(x.mantissa) * static_cast<T>(detail::power_of_two(x.mantissa == 0 ? 0 : x.exponent));
+}
+
+}  // namespace axial

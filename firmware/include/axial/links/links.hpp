@@ -1,0 +1,199 @@
+// The links of a robot as the algorithms walk over them, unrolled or looped.
+#pragma once
+
+#include <axial/links/constant_pose.hpp>
+#include <axial/links/joint_access.hpp>
+#include <axial/links/table_link.hpp>
+#include <axial/spatial/pose.hpp>
+
+namespace axial {
+
+/// How links round in floating point.
+struct Unformatted {
+  /// of every link
+  template <int>
+  using Of = Plain;
+};
+
+/// All links of a scene's robot, each with its own type. `Scalar` is the number, or the arithmetic of fixed point.
+template <class SceneType, class ScalarType, class ParametersType, class FormatsType = Unformatted>
+struct StaticLinks {
+  using Scene = SceneType;                ///< what the links belong to
+  using Scalar = ScalarType;              ///< the number, or arithmetic of fixed point
+  using Parameters = ParametersType;      ///< fullParameters, or base parameters with or without rotors
+  static constexpr bool unrolled = true;  ///< every link has its own type
+  static constexpr int capacity = Scene::Robot::chain.size;   ///< number of links
+  using Indices = std::make_integer_sequence<int, capacity>;  ///< of all links
+
+  AXIAL_INLINE static constexpr int size() { return capacity; }  ///< number of links
+  /// Link I as algorithms see it.
+  template <int I>
+  AXIAL_INLINE static constexpr auto link(Index<I>) {
+    return StaticLink<Scene, I, Scalar, Parameters, typename FormatsType::template Of<I>>{};
+  }
+  /// index of the link that carries joint I, negative for the base
+  template <int I>
+  static constexpr int parent_of = Scene::Robot::chain.parent(I);
+  /// index of the link that carries joint i, negative for the base
+  AXIAL_INLINE static constexpr int parent_index(int i) { return Scene::Robot::chain.parent(i); }
+  /// Fixed point: whether forward dynamics solves twice, see split_form.hpp.
+  static constexpr bool second_solve() { return FormatsType::second_solve(); }
+  /// Fixed point: what drives joint I at most without halvings, as a raw value at an exponent.
+  template <int I>
+  static constexpr std::int64_t drive_limit(int exponent) {
+    return FormatsType::drive_limit(I, exponent);
+  }
+  /// Acceleration of the base that stands for gravity, -g in frame 0.
+  AXIAL_INLINE static constexpr auto base_acceleration() {
+    if constexpr (Scene::template has<Gravity>) {
+      return Vec3{literal<Scalar>([] { return -Scene::Robot::chain.gravity.x; }),
+                  literal<Scalar>([] { return -Scene::Robot::chain.gravity.y; }),
+                  literal<Scalar>([] { return -Scene::Robot::chain.gravity.z; })};
+    } else {
+      return ZeroVec3{};
+    }
+  }
+  /// Pose of frame 0 in the world, and of the tool in the last link's frame.
+  AXIAL_INLINE static constexpr auto base_pose() {
+    return detail::constant_pose<Scalar>([] { return Scene::Robot::chain.base.pose; });
+  }
+  /// Pose of the tool in the last link's frame.
+  AXIAL_INLINE static constexpr auto tool_pose() {
+    return detail::constant_pose<Scalar>([] { return Scene::Robot::chain.tool.pose; });
+  }
+  AXIAL_INLINE static constexpr auto last() { return Index<capacity - 1>{}; }  ///< index of the last link
+};
+
+/// What a table of links stands on and carries: gravity, base and tool, as written by the robot's author.
+struct Mounting {
+  GravityVector gravity{};  ///< m/s^2, axes of frame 0
+  FixedPose base{};         ///< of frame 0 in the world
+  FixedPose tool{};         ///< in the last link's frame
+};
+
+/// A constant pose as plain numbers.
+template <class T>
+AXIAL_INLINE constexpr Pose<Mat3<Vec3<T>>, Vec3<T>> pose_of(const FixedPose& p) {
+  using N = NumberTraits<T>;
+  const auto& r = p.rotation;
+  return {{{N::constant(r[0]), N::constant(r[1]), N::constant(r[2])},
+           {N::constant(r[3]), N::constant(r[4]), N::constant(r[5])},
+           {N::constant(r[6]), N::constant(r[7]), N::constant(r[8])}},
+          {N::constant(p.position[0]), N::constant(p.position[1]), N::constant(p.position[2])}};
+}
+
+/// A table of links with one type for all; the table may be constexpr, or filled at run time.
+template <class SceneType, class ScalarType, class Source, int Capacity,
+          class Columns = detail::UnknownColumns<!SceneType::template has<Unbranched>>>
+class TableLinks {
+ public:
+  using Scene = SceneType;                                   ///< what the links belong to
+  using Scalar = ScalarType;                                 ///< the number that kernels compute with
+  using Dense = Scalar;                                      ///< what kernels keep
+  static constexpr bool unrolled = false;                    ///< a loop walks over them
+  static constexpr int capacity = Capacity;                  ///< number of links, at most
+  using SharedColumns = Columns;                             ///< what all links have in common
+  using Constants = typename Columns::template Row<Source>;  ///< row of the table
+
+  /// `drives` may be null where the scene names neither Friction nor JointSprings.
+  AXIAL_INLINE constexpr TableLinks(const Constants* table, const DriveConstants<Source>* drives, int size,
+                                    const Mounting& mounting)
+      : table_(table), drives_(drives), size_(size), mounting_(mounting) {}
+
+  AXIAL_INLINE constexpr int size() const { return size_; }  ///< number of links
+  /// Link i as algorithms see it.
+  AXIAL_INLINE constexpr auto link(int i) const {
+    return TableLink<Scene, Scalar, Source, Columns>(table_[i], drives_ == nullptr ? nullptr : drives_ + i,
+                                                     i + 1 == size_);
+  }
+  /// index of the link that carries joint i, negative for the base
+  AXIAL_INLINE constexpr int parent_index(int i) const { return table_[i].parent; }
+  /// Acceleration of the base that stands for gravity, -g in frame 0.
+  AXIAL_INLINE constexpr Vec3<Scalar> base_acceleration() const {
+    using N = NumberTraits<Scalar>;
+    const auto& g = mounting_.gravity;
+    if constexpr (Scene::template has<Gravity>)
+      return {N::constant(-g.x), N::constant(-g.y), N::constant(-g.z)};
+    else
+      return ZeroVec3{};
+  }
+  /// of frame 0 in the world
+  AXIAL_INLINE constexpr auto base_pose() const { return pose_of<Scalar>(mounting_.base); }
+  /// in the last link's frame
+  AXIAL_INLINE constexpr auto tool_pose() const { return pose_of<Scalar>(mounting_.tool); }
+  AXIAL_INLINE constexpr int last() const { return size_ - 1; }  ///< index of the last link
+
+ private:
+  const Constants* table_;
+  const DriveConstants<Source>* drives_;
+  int size_;
+  const Mounting& mounting_;
+};
+
+namespace detail {
+
+template <class Robot, class Parameters>
+using ColumnsOf = KnownColumns<RobotConstants<Robot, Parameters>>;
+template <class Robot, class T, class Parameters, int... I>
+AXIAL_INLINE constexpr auto converted_table(std::integer_sequence<int, I...>) {
+  using Row = typename ColumnsOf<Robot, Parameters>::template Row<T>;
+  struct Table {
+    Row links[sizeof...(I)];
+  };
+  return Table{{converted_row<Row>(robot_constants<Robot, Parameters>.links[I])...}};
+}
+template <class Robot, class T, class Parameters>
+inline constexpr auto robot_table =
+    converted_table<Robot, T, Parameters>(std::make_integer_sequence<int, Robot::chain.size>{});
+template <class Scene, class T>
+AXIAL_INLINE constexpr const DriveConstants<T>* drives_of() {
+  if constexpr (Scene::template has<Friction> || Scene::template has<JointSprings>)
+    return robot_drives<typename Scene::Robot, T>.links;
+  else
+    return nullptr;
+}
+template <class Robot>
+inline constexpr Mounting robot_mounting{Robot::chain.gravity, Robot::chain.base.pose, Robot::chain.tool.pose};
+
+}  // namespace detail
+
+/// The parameters that an algorithm computes with: its default, unless the scene names FullParameters or
+/// BaseParameters.
+template <class Scene, class Default>
+using parameters_of =
+    std::conditional_t<Scene::template has<FullParameters>, FullParameters,
+                       std::conditional_t<Scene::template has<BaseParameters>, BaseParameters, Default>>;
+
+namespace detail {
+template <class Scene, class Parameters>
+using with_rotors =
+    std::conditional_t<std::is_same_v<Parameters, BaseParameters> && Scene::template has<RotorInertia> &&
+                           !Scene::template has<BaseMotion> && !Scene::template has<FloatingBase>,
+                       BaseParametersAndRotors, Parameters>;
+}
+
+/// The links of a scene (or of a bare robot) over numbers T, in the form that the scene asks for; `Recursion` is what
+/// fixed point takes its formats from.
+template <class S, class T, class DefaultParameters = FullParameters, class Recursion = recursion::NewtonEuler>
+AXIAL_INLINE constexpr auto links_of() {
+  using Scene = scene_of<S>;
+  using Robot = typename Scene::Robot;
+  using Parameters = detail::with_rotors<Scene, parameters_of<Scene, DefaultParameters>>;
+  if constexpr (is_stored_v<T>) {
+    static_assert((detail::check_fixed_scene<Scene>(), detail::check_fixed_form<Scene, Recursion>(), true));
+    using S1 = detail::ArithmeticOf<Scene, typename T::Word>;
+    if constexpr (Scene::template has<Looped>)
+      return FixedTableLinks<Scene, S1, Parameters, detail::SharedFormats<Scene, Parameters, S1, Recursion>>{};
+    else
+      return StaticLinks<Scene, S1, Parameters, detail::Formats<Scene, Parameters, S1, Recursion>>{};
+  } else if constexpr (Scene::template has<Looped>) {
+    using Columns = detail::ColumnsOf<Robot, Parameters>;
+    return TableLinks<Scene, T, T, Robot::chain.size, Columns>(detail::robot_table<Robot, T, Parameters>.links,
+                                                               detail::drives_of<Scene, T>(), Robot::chain.size,
+                                                               detail::robot_mounting<Robot>);
+  } else {
+    return StaticLinks<Scene, T, Parameters>{};
+  }
+}
+
+}  // namespace axial

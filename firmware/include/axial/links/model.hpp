@@ -1,0 +1,109 @@
+// A robot that is described at run time: for tests, reports, import and plants on the host.
+#pragma once
+
+#include <axial/links/links.hpp>
+
+namespace axial {
+
+/// The links of a run-time model: a table, and the body that is fixed to frame 0.
+template <class SceneType, class ScalarType, int N>
+class ModelLinks : public TableLinks<SceneType, ScalarType, double, N> {
+  using Table = TableLinks<SceneType, ScalarType, double, N>;
+
+ public:
+  /// `waters`: of the links, and of the base body last.
+  AXIAL_INLINE constexpr ModelLinks(const Table& table, const TreeLinkConstants<double>& base,
+                                    const WaterConstants<double>* waters)
+      : Table(table), base_(base), waters_(waters) {}
+
+  /// The base body as a link without a joint.
+  AXIAL_INLINE constexpr auto base_link() const {
+    return TableLink<SceneType, ScalarType, double, typename Table::SharedColumns>(base_, nullptr, false);
+  }
+  AXIAL_INLINE constexpr const WaterConstants<double>& water(int i) const { return waters_[i]; }  ///< about link i
+  /// about the base body
+  AXIAL_INLINE constexpr const WaterConstants<double>& base_water() const { return waters_[N]; }
+
+ private:
+  const TreeLinkConstants<double>& base_;
+  const WaterConstants<double>* waters_;
+};
+
+/// Up to N links, filled at run time; the algorithms run over it in their looped form. Stands where a robot or scene
+/// stands: `inverse_dynamics(model, q, qd, qdd)` with `Joints<Model<N>, T>`. Features as for Scene; without any,
+/// gravity and rotor inertia. No allocation; add() says false where a link is refused (full, or its parent is not
+/// before it, or it has a branch and the features name Unbranched).
+template <int N, class... Features>
+class Model {
+ public:
+  using Robot = Model;  ///< where a robot's type stands
+  /// What is known of its chain at compile time.
+  struct Size {
+    int size = N;  ///< number of links, at most
+  };
+  static constexpr Size chain{};  ///< stands where a robot's chain stands
+  /// the model with its features
+  using Scene = std::conditional_t<sizeof...(Features) == 0, axial::Scene<Model, Gravity, RotorInertia>,
+                                   axial::Scene<Model, Features...>>;
+
+  /// Adds a link whose parent is before it; false where it is refused.
+  [[nodiscard]] constexpr bool add(const LinkParameters& link) {
+    const int parent = link.parent == LinkParameters::previous ? size_ - 1 : link.parent;
+    if (Scene::template has<Unbranched> && link_constants(link, parent).branches()) return false;
+    if (size_ >= N || parent >= size_ || parent < LinkParameters::base) return false;
+    waters_[size_] = water_constants(link.water);
+    drives_[size_] = drive_constants(link);
+    table_[size_++] = link_constants(link, parent);
+    return true;
+  }
+  [[nodiscard]] constexpr bool add(const Link& link) {
+    return add(link.parameters());
+  }  ///< as revolute() or prismatic() describe it
+  /// Acceleration of free fall in frame 0, m/s^2.
+  constexpr void set_gravity(double x, double y, double z) { mounting_.gravity = {x, y, z}; }
+  /// Pose of frame 0 in the world, and of the tool in the last link's frame: only kinematics sees them.
+  constexpr void set_base(const FixedPose& pose) { mounting_.base = pose; }
+  /// pose of the tool in the last link's frame
+  constexpr void set_tool(const FixedPose& pose) { mounting_.tool = pose; }
+  /// The body that is fixed to frame 0, for the feature FloatingBase.
+  constexpr void set_base_body(const LinkParameters& body) {
+    base_body_ = link_constants(body, LinkParameters::base);
+    waters_[N] = water_constants(body.water);
+  }
+  /// as base_body() describes it
+  constexpr void set_base_body(const BaseBody& body) { set_base_body(body.parameters()); }
+  constexpr int size() const { return size_; }  ///< number of links added so far
+  constexpr const TreeLinkConstants<double>& constants(int i) const { return table_[i]; }  ///< of link i
+
+  /// The links over numbers T, as algorithms walk over them; they refer to the model.
+  template <class T>
+  constexpr auto links() const {
+    return ModelLinks<Scene, T, N>(TableLinks<Scene, T, double, N>(table_, drives_, size_, mounting_), base_body_,
+                                   waters_);
+  }
+
+ private:
+  TreeLinkConstants<double> table_[N] = {};
+  DriveConstants<double> drives_[N] = {};
+  TreeLinkConstants<double> base_body_{};
+  WaterConstants<double> waters_[N + 1] = {};
+  Mounting mounting_{};
+  int size_ = 0;
+};
+
+/// Whether a type is a run-time Model.
+///@{
+template <class T>
+struct IsModel : std::false_type {};
+template <int N, class... Features>
+struct IsModel<Model<N, Features...>> : std::true_type {};
+///@}
+
+namespace detail {
+template <int N, class... Features>
+struct SceneOf<Model<N, Features...>, false> {
+  using type = typename Model<N, Features...>::Scene;
+};
+}  // namespace detail
+
+}  // namespace axial

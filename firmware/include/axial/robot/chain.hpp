@@ -1,0 +1,211 @@
+// A robot's chain: gravity, links, base and tool, checked while it compiles.
+#pragma once
+
+#include <axial/robot/malformed.hpp>  // first: few lines of includes before what the compiler quotes of it
+
+#include <axial/robot/base_body.hpp>
+#include <axial/robot/description_checks.hpp>
+
+#include <utility>
+
+namespace axial {
+
+/// Acceleration of free fall in m/s^2, in axes of frame 0 (the fixed frame that the first link's MDH row starts from).
+struct GravityVector {
+  double x = 0.0, y = 0.0, z = -9.81;  ///< m/s^2 along an axis of frame 0
+};
+constexpr GravityVector gravity(double x, double y, double z) { return {x, y, z}; }  ///< m/s^2, axes of frame 0
+
+/// A constant pose: rotation (row major, columns are the child's axes in the parent) and position in m.
+struct FixedPose {
+  double rotation[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< row major
+  double position[3] = {0, 0, 0};                    ///< m
+};
+
+/// Pose of frame 0 in the user's world frame. Only poses and Jacobians see it.
+struct Base {
+  FixedPose pose;  ///< of frame 0, in the world
+};
+/// Pose of the tool in the last link's frame. Only poses and Jacobians see it.
+struct Tool {
+  FixedPose pose;  ///< in the last link's frame
+};
+
+/// The largest run-time payload: mass in kg, distance of its centre of mass from the origin of the last link's frame in
+/// m, and inertia about that centre in kg m^2, which no entry of the tensor exceeds.
+struct PayloadLimit {
+  double mass = 0.0, com_reach = 0.0, inertia = 0.0;  ///< kg, m, kg m^2
+  bool declared = false;                              ///< whether the robot declares one
+};
+/// Of a robot: kg, m, kg m^2.
+constexpr PayloadLimit payload_limit(double mass, double com_reach, double inertia) {
+  return {mass, com_reach, inertia, true};
+}
+
+/// The largest force (N) and moment (N m) that the environment exerts at the tip, about the origin of the last link's
+/// frame: what fixed point leaves room for in scenes that name TipWrench.
+struct TipWrenchLimit {
+  double force = 0.0, moment = 0.0;  ///< N, N m
+  bool declared = false;             ///< whether the robot declares one
+};
+constexpr TipWrenchLimit tip_wrench_limit(double force, double moment) { return {force, moment, true}; }  ///< N, N m
+
+/// m, in the world; axes as the world's
+constexpr Base base(double x, double y, double z) { return {{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}}}; }
+constexpr Base base(const FixedPose& pose) { return {pose}; }  ///< in the world
+/// m, in the last link's frame; axes as its
+constexpr Tool tool(double x, double y, double z) { return {{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}}}; }
+constexpr Tool tool(const FixedPose& pose) { return {pose}; }  ///< in the last link's frame
+
+/// N links, from the base outwards: a link's parent has a smaller index.
+template <int N>
+struct Chain {
+  static constexpr int size = N;      ///< number of links and of joints
+  LinkParameters links[N] = {};       ///< from the base outwards
+  GravityVector gravity{};            ///< m/s^2, axes of frame 0
+  Base base{};                        ///< pose of frame 0 in the world
+  Tool tool{};                        ///< pose of the tool in the last link's frame
+  PayloadLimit payload_limit{};       ///< of a run-time payload
+  TipWrenchLimit tip_wrench_limit{};  ///< of a run-time wrench at the tip
+  LinkParameters base_body{};         ///< inertia of the body that is fixed to frame 0; only a FloatingBase sees it
+  bool has_base_body = false;         ///< whether the robot declares one
+
+  /// Index of the link that carries joint i, or LinkParameters::base.
+  constexpr int parent(int i) const { return links[i].parent == LinkParameters::previous ? i - 1 : links[i].parent; }
+};
+
+/// Part of a chain: axial::accept(axial::as_published) keeps numbers of all its links that no robot should have, as
+/// their source gives them (doc/conventions.md, "What does not compile").
+struct Acceptance {};
+constexpr Acceptance accept(AsPublished) { return {}; }  ///< as_published
+
+namespace detail {
+
+/// What of a description breaks which rule.
+struct Broken {
+  static constexpr int robot = -1, base_body = -2;  // else the index of a link
+
+  int where = robot;
+  Problem problem = Problem::none;
+};
+
+template <class Indices>
+struct StopTable;
+template <int... I>
+struct StopTable<std::integer_sequence<int, I...>> {
+  /// The function that stops the compiler, or none.
+  static constexpr malformed::Stop of(const Broken& broken) {
+    if (broken.problem == Problem::none) return nullptr;
+    const auto row = static_cast<int>(broken.problem);
+    if (broken.where == Broken::robot) return malformed::stops<malformed::robot>[row];
+    if (broken.where == Broken::base_body) return malformed::stops<malformed::base_body>[row];
+    const malformed::Stop* const links[] = {malformed::stops<malformed::link_index<I>>...};
+    return links[broken.where][row];
+  }
+};
+template <int N>
+using Stops = StopTable<std::make_integer_sequence<int, N>>;
+
+constexpr Problem pose_problem(const FixedPose& pose) {
+  if (!finite(pose.rotation, 9) || !finite(pose.position, 3)) return Problem::base_or_tool_is_not_finite;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) {
+      double dot = i == j ? -1.0 : 0.0;
+      for (int k = 0; k < 3; ++k)
+        dot += pose.rotation[3 * i + k] * pose.rotation[3 * j + k];
+      if (dot > 1e-6 || dot < -1e-6) return Problem::base_or_tool_is_no_rotation;
+    }
+  return Problem::none;
+}
+
+template <class T>
+inline constexpr bool is_link = std::is_same_v<T, Link>;
+template <class T>
+inline constexpr bool is_foreign_link = std::is_base_of_v<LinkBuilder<T>, T> && !is_link<T>;
+template <class... Parts>
+inline constexpr bool accepts = (false || ... || std::is_same_v<Parts, Acceptance>);
+
+/// Takes the parts of a chain one by one and remembers the first rule that is broken.
+template <int N>
+struct ChainBuilder {
+  bool accepted = false;  ///< the whole robot, as published
+  Chain<N> chain{};
+  int next = 0;
+  Broken broken{};
+  unsigned once = 0;  ///< a bit for each kind of part, in the order of Problem's "twice"
+
+  constexpr void note(int where, Problem problem) {
+    if (broken.problem == Problem::none && problem != Problem::none) broken = {where, problem};
+  }
+  /// Of a part that no link is: what cannot be accepted first.
+  constexpr void note_part(Problem structural, Problem twice, Problem doubtful = Problem::none) {
+    const unsigned bit = 1U << (static_cast<unsigned>(twice) - static_cast<unsigned>(Problem::gravity_is_given_twice));
+    note(Broken::robot, structural);
+    if (!accepted && (once & bit) != 0) note(Broken::robot, twice);
+    if (!accepted) note(Broken::robot, doubtful);
+    once |= bit;
+  }
+
+  constexpr void add(const Acceptance&) {}
+  constexpr void add(const Link& link) {
+    note(next, link_problem(link.parameters(), link.given(), next, accepted));
+    chain.links[next++] = link.parameters();
+  }
+  constexpr void add(const GravityVector& g) {
+    const bool sound = finite(g.x) && finite(g.y) && finite(g.z);
+    note_part(sound ? Problem::none : Problem::gravity_is_not_finite, Problem::gravity_is_given_twice);
+    chain.gravity = g;
+  }
+  constexpr void add(const Base& base) {
+    note_part(pose_problem(base.pose), Problem::base_is_given_twice,
+              is_far(base.pose.position) ? Problem::base_is_beyond_100_m : Problem::none);
+    chain.base = base;
+  }
+  constexpr void add(const Tool& tool) {
+    note_part(pose_problem(tool.pose), Problem::tool_is_given_twice,
+              is_far(tool.pose.position) ? Problem::tool_is_beyond_100_m : Problem::none);
+    chain.tool = tool;
+  }
+  constexpr void add(const PayloadLimit& limit) {
+    const double values[] = {limit.mass, limit.com_reach, limit.inertia};
+    note_part(not_negative(values, 3) ? Problem::none : Problem::payload_limit_is_negative_or_not_finite,
+              Problem::payload_limit_is_given_twice,
+              is_far(limit.com_reach) ? Problem::payload_limit_reach_is_beyond_100_m : Problem::none);
+    chain.payload_limit = limit;
+  }
+  constexpr void add(const TipWrenchLimit& limit) {
+    const double values[] = {limit.force, limit.moment};
+    note_part(not_negative(values, 2) ? Problem::none : Problem::tip_wrench_limit_is_negative_or_not_finite,
+              Problem::tip_wrench_limit_is_given_twice);
+    chain.tip_wrench_limit = limit;
+  }
+  constexpr void add(const BaseBody& body) {
+    note_part(Problem::none, Problem::base_body_is_given_twice);
+    note(Broken::base_body, link_problem(body.parameters(), body.given(), 0, accepted));
+    chain.base_body = body.parameters();
+    chain.has_base_body = true;
+  }
+};
+
+}  // namespace detail
+
+/// Builds a robot from links (from the base outwards) and, in any order, gravity(), base(), base_body(),
+/// tool(), payload_limit(), tip_wrench_limit() and accept(as_published).
+/// A description that cannot be right (not finite, negative mass, limits upside down, no link, an inertia that no body
+/// has, degrees for radians, millimetres for metres, a quantity given twice, ...) does not compile: the message names
+/// link, quantity and remedy. doc/conventions.md has the rules.
+template <class... Parts>
+constexpr auto chain(const Parts&... parts) {
+  constexpr int count = (0 + ... + static_cast<int>(detail::is_link<Parts>));
+  static_assert(!(false || ... || detail::is_foreign_link<Parts>),
+                "axial: a link of chain() is revolute() or prismatic(), in MDH frames; classical links make a "
+                "classical_chain()");
+  static_assert(count > 0, "axial: a chain needs at least one link; add axial::revolute() or axial::prismatic()");
+  detail::ChainBuilder<(count > 0 ? count : 1)> builder{detail::accepts<Parts...>};
+  (builder.add(parts), ...);
+  const auto stop = detail::Stops<count>::of(builder.broken);
+  if (stop != nullptr) stop();  // here, not further down: no trace of calls stands before the compiler's message
+  return builder.chain;
+}
+
+}  // namespace axial

@@ -1,0 +1,52 @@
+// What a link of a robot is: geometry (MDH), inertia, drive, friction, limits.
+#pragma once
+
+#include <axial/robot/angle.hpp>
+#include <axial/robot/water.hpp>
+
+namespace axial {
+
+/// How a joint moves its link: about or along its z axis.
+enum class JointType : unsigned char { revolute, prismatic };
+
+/// What a link is, in SI units and radians. Frame i is fixed to link i, its z axis is joint i's axis; the transform
+/// from frame i-1 to frame i is Rx(alpha) Tx(a) Rz(theta) Tz(d) (modified Denavit-Hartenberg); in a tree it starts from
+/// the parent's frame, and Rz(gamma) Tz(b) may come before it. All fields are inputs as written by the author of the
+/// robot; the algorithms use LinkConstants, derived from them.
+struct LinkParameters {
+  static constexpr double unlimited = std::numeric_limits<double>::infinity();  ///< no limit
+  static constexpr int previous = -2;                                           ///< parent: the link before this one
+  static constexpr int base = -1;                                               ///< parent: the fixed base
+
+  JointType type = JointType::revolute;  ///< of the joint that moves this link
+  int parent = previous;                 ///< index of the link that carries this joint, or base
+  double b = 0.0;                        ///< m, along z of the parent's frame, before all else
+  Angle gamma;                           ///< rad, about z of the parent's frame
+  double a = 0.0;                        ///< m, along x of frame i-1
+  Angle alpha;                           ///< rad, about x of frame i-1
+  double d = 0.0;                        ///< m, along z of frame i; a prismatic joint's offset
+  Angle theta;                           ///< rad, about z of frame i; a revolute joint's offset
+  double mass = 0.0;                     ///< kg
+  double com[3] = {0.0, 0.0, 0.0};       ///< m, centre of mass in frame i
+  double inertia_com[6] = {
+      0.0, 0.0, 0.0, 0.0, 0.0, 0.0};      ///< kg m^2: xx yy zz xy xz yz about the centre of mass,
+                                          ///< tensor entries (products with their sign), axes of frame i
+  double rotor_inertia = 0.0;             ///< kg m^2, on the motor side
+  double gear = 1.0;                      ///< motor turns per joint turn
+  double viscous = 0.0;                   ///< N m s/rad or N s/m, on the joint side
+  double coulomb_forward = 0.0;           ///< N m or N, friction while moving forward (>= 0)
+  double coulomb_backward = 0.0;          ///< N m or N, friction while moving backward (<= 0)
+  double static_friction = 0.0;           ///< N m or N, breakaway effort in either direction; 0: no Stribeck effect
+  double stribeck_speed = 0.0;            ///< rad/s or m/s, where half of the breakaway beyond Coulomb is left
+  double smooth_speed = 0.0;              ///< rad/s or m/s, below which dry friction goes through 0 smoothly; 0: a step
+  double spring_stiffness = 0.0;          ///< N m/rad or N/m, of a spring across the joint
+  double spring_rest = 0.0;               ///< rad or m, where the spring exerts nothing
+  double position_min = -unlimited;       ///< rad or m
+  double position_max = unlimited;        ///< rad or m
+  double speed_limit = unlimited;         ///< rad/s or m/s
+  double acceleration_limit = unlimited;  ///< rad/s^2 or m/s^2
+  double effort_limit = unlimited;        ///< N m or N
+  WaterParameters water{};                ///< only scenes that name Underwater see it
+};
+
+}  // namespace axial

@@ -1,0 +1,73 @@
+// One value a joint.
+#pragma once
+
+#include <axial/scene/scene.hpp>
+
+namespace axial {
+
+/// N values, one a joint, from the base outwards. A plain aggregate: `Joints<Robot, float> q{0.1F, 0.2F}`.
+/// `Role` is void where the numbers carry their own scale; fixed point has one type a role (fixed/formats/joint_formats.hpp).
+template <class S, class T, class Role>
+struct Joints {
+  static constexpr int size = joint_count<S>;  ///< number of joints
+  T values[size];                              ///< from the base outwards
+
+  constexpr T& operator[](int i) { return values[i]; }              ///< value of joint i; the index is not checked
+  constexpr const T& operator[](int i) const { return values[i]; }  ///< value of joint i; the index is not checked
+};
+
+/// What the values of joints can be.
+namespace role {
+struct Position {};          ///< rad or m
+struct Velocity {};          ///< rad/s or m/s
+struct Acceleration {};      ///< rad/s^2 or m/s^2
+struct Effort {};            ///< N m or N
+struct FreeAcceleration {};  ///< what forward dynamics answers: bounded by efforts, not by a request's limits
+struct Momentum {};          ///< N m s or N s
+struct MomentumRate {};      ///< N m or N
+}  // namespace role
+
+namespace detail {
+template <class T, class Role>
+struct RoleOf {
+  using type = void;
+};
+}  // namespace detail
+
+/// Roles: rad or m; rad/s or m/s; rad/s^2 or m/s^2; N m or N. One type in floating point.
+template <class S, class T>
+using Positions = Joints<S, T, typename detail::RoleOf<T, role::Position>::type>;
+/// Joint values of that role.
+///@{
+template <class S, class T>
+using Velocities = Joints<S, T, typename detail::RoleOf<T, role::Velocity>::type>;
+template <class S, class T>
+using Accelerations = Joints<S, T, typename detail::RoleOf<T, role::Acceleration>::type>;
+template <class S, class T>
+using Efforts = Joints<S, T, typename detail::RoleOf<T, role::Effort>::type>;
+///@}
+/// Of a scene: in fixed point their formats follow from what the scene puts on the robot.
+template <class S, class T>
+using EffortsOf =
+    Efforts<std::conditional_t<std::is_void_v<typename detail::RoleOf<T, role::Effort>::type>, robot_of<S>, S>, T>;
+/// What forward dynamics answers: rad/s^2 or m/s^2.
+template <class S, class T>
+using FreeAccelerations = Joints<S, T, typename detail::RoleOf<T, role::FreeAcceleration>::type>;
+
+/// Momenta of the joints, M(q) qd: N m s or N s; what changes them: N m or N.
+template <class S, class T>
+using MomentaOf =
+    Joints<std::conditional_t<std::is_void_v<typename detail::RoleOf<T, role::Momentum>::type>, robot_of<S>, S>, T,
+           typename detail::RoleOf<T, role::Momentum>::type>;
+/// What changes momenta, likewise of a scene: N m or N.
+template <class S, class T>
+using MomentumRatesOf =
+    Joints<std::conditional_t<std::is_void_v<typename detail::RoleOf<T, role::MomentumRate>::type>, robot_of<S>, S>, T,
+           typename detail::RoleOf<T, role::MomentumRate>::type>;
+
+/// Joint values that are zero by type: a query that leaves them out does not pay for them.
+struct NoMotion {
+  constexpr Zero operator[](int) const { return {}; }  ///< zero, for every joint
+};
+
+}  // namespace axial

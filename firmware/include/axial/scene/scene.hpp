@@ -1,0 +1,100 @@
+// A scene: a robot and the features that its user needs.
+#pragma once
+
+#include <axial/robot/chain.hpp>
+#include <axial/scene/absent_inputs.hpp>
+#include <axial/scene/features.hpp>
+
+namespace axial {
+
+/// Robot with exactly the named features (features.hpp; doc/scenes.md is the table of them).
+template <class RobotType, class... Features>
+struct Scene {
+  using Robot = RobotType;  ///< the robot alone
+  /// How often the features have a tag.
+  template <class Tag>
+  static constexpr int times_named = (0 + ... + static_cast<int>(std::is_same_v<Tag, Features>));
+  /// Whether the scene names a feature.
+  template <class Tag>
+  static constexpr bool has = times_named<Tag> > 0;
+
+  static_assert((true && ... && std::is_base_of_v<Feature<Features>, Features>),
+                "axial: a Scene lists its robot first and then features only (axial::Gravity, axial::Friction, ...; "
+                "scene/features.hpp has them all); take out the type that is none");
+  static_assert((true && ... && (times_named<Features> == 1)),
+                "axial: a Scene names a feature twice; name each feature once");
+  static_assert(
+      !(has<Gravity> && has<RuntimeGravity>),
+      "axial: a Scene names both Gravity and RuntimeGravity; keep Gravity for the robot's declared vector, or "
+      "RuntimeGravity for the input in.gravity");
+  static_assert(!(has<FullParameters> && has<BaseParameters>),
+                "axial: a Scene names both FullParameters and BaseParameters; keep one, or none for each algorithm's "
+                "default");
+  static_assert(!(has<FloatingBase> && has<BaseMotion>),
+                "axial: a Scene names both FloatingBase and BaseMotion; keep FloatingBase for a base that is free, or "
+                "BaseMotion for one that moves as it is told");
+  static_assert(!(has<FloatingBase> && has<Gravity>),
+                "axial: a Scene names Gravity for a floating base, in whose frame gravity turns; name RuntimeGravity "
+                "and give in.gravity in axes of frame 0, or neither in free space");
+  static_assert(!has<BaseWrench> || has<FloatingBase>,
+                "axial: a Scene names BaseWrench for a base that is not free; add FloatingBase or take BaseWrench out");
+  static_assert(!has<VelocityThroughWater> || has<Underwater>,
+                "axial: a Scene names VelocityThroughWater but no water; add Underwater");
+  static_assert(!(has<Underwater> && (has<FloatingBase> || has<BaseMotion>)) || has<VelocityThroughWater>,
+                "axial: an underwater base that moves goes through the water; add VelocityThroughWater and give "
+                "in.velocity_through_water in axes of frame 0");
+  static_assert(!(has<FloatingBase> && (has<SplitArticulatedBody> || has<CompositeBody>)),
+                "axial: forward dynamics of a floating base is that of ArticulatedBody; take SplitArticulatedBody or "
+                "CompositeBody out");
+  static_assert(times_named<ArticulatedBody> + times_named<SplitArticulatedBody> + times_named<CompositeBody> <= 1,
+                "axial: a Scene names more than one form of forward dynamics; keep one of ArticulatedBody, "
+                "SplitArticulatedBody and CompositeBody, or none to let the compiler choose");
+};
+
+/// Whether a type is a Scene.
+///@{
+template <class T>
+struct IsScene : std::false_type {};
+template <class Robot, class... Features>
+struct IsScene<Scene<Robot, Features...>> : std::true_type {};
+///@}
+
+namespace detail {
+template <class S, bool scene = IsScene<S>::value>
+struct SceneOf {
+  using type = Scene<S, Gravity, RotorInertia>;
+};
+template <class S>
+struct SceneOf<S, true> {
+  using type = S;
+};
+}  // namespace detail
+
+/// A bare robot stands for its scene with gravity and the rotor inertia that it declares, without friction.
+template <class S>
+using scene_of = typename detail::SceneOf<S>::type;
+/// The robot of a scene, or the robot itself.
+template <class S>
+using robot_of = typename scene_of<S>::Robot;
+
+/// Number of joints of a robot or a scene; for a run-time Model<N>, its capacity.
+template <class S>
+inline constexpr int joint_count = robot_of<S>::chain.size;
+
+namespace detail {
+template <class S, class T>
+struct InputsOf;
+template <class Robot, class... Features, class T>
+struct InputsOf<Scene<Robot, Features...>, T> : Features::template Input<Robot, T>... {};
+/// What a number system has to say against a scene, before anything of it is computed: see fixed/formats/input_formats.hpp.
+template <class Scene, class T>
+struct Offered {};
+}  // namespace detail
+
+/// Run-time inputs of a scene: one member for each named feature that has one (`payload`, `tip_wrench`, ...), none for
+/// the rest: touching the input of a feature that the scene does not name does not compile, and the message says which
+/// to add.
+template <class S, class T>
+struct Inputs : detail::Offered<scene_of<S>, T>, detail::InputsOf<scene_of<S>, T>, AbsentInputs<scene_of<S>> {};
+
+}  // namespace axial

@@ -1,0 +1,38 @@
+// Every code has a text of its own, in constant expressions too, and so does a number that is no code.
+#include <axial/scene/status.hpp>
+
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using axial::Status;
+using axial::status_text;
+using Code = Status::Code;
+
+constexpr int codes = 14;  // of the enumeration; the compiler asks status_text() for each that is added (-Wswitch)
+
+TEST(StatusText, EveryCodeHasATextOfItsOwn) {
+  std::set<std::string> texts;
+  for (int code = 0; code < codes; ++code)
+    texts.insert(status_text(static_cast<Code>(code)));
+  EXPECT_EQ(texts.size(), std::size_t{codes});
+  EXPECT_EQ(texts.count(""), 0u);
+}
+
+TEST(StatusText, UnknownNumbersHaveOneToo) {
+  const std::string unknown = status_text(static_cast<Code>(codes));
+  EXPECT_EQ(unknown, "unknown status code");
+  EXPECT_EQ(status_text(static_cast<Code>(255)), unknown);
+}
+
+TEST(StatusText, OfAStatusIsThatOfItsCode) {
+  constexpr Status status{Code::speed_limit, 3};
+  constexpr const char* text = status_text(status);
+  EXPECT_STREQ(text, status_text(Code::speed_limit));
+  EXPECT_STREQ(status_text(Status{}), "ok");
+}
+
+}  // namespace
