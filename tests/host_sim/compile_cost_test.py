@@ -1,0 +1,52 @@
+"""./axial compile-cost in its shortest form, what it refuses, and that doc/compile_cost.md shows the data beside it.
+
+usage: compile_cost_test.py [unittest arguments]
+"""
+
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = ROOT / "host_sim/compile_cost/compile_cost.py"
+
+
+def run(*arguments):
+    return subprocess.run([sys.executable, "-E", "-B", PROGRAM, *arguments], capture_output=True, text=True)
+
+
+class CompileCost(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def test_a_kernel_costs_more_than_its_headers(self):
+        done = run("--build", "host-gcc-O2", "--robot", "puma560", "--number", "float,fixed32", "--kernel", "headers,forward_kinematics",
+                   "--runs", "1", "--output", self.folder, "--json", self.folder / "rows.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        headers, *kernels = rows = json.loads((self.folder / "rows.json").read_text(encoding="utf-8"))
+        self.assertEqual([(row["kernel"], row["number"]) for row in rows],
+                         [("headers", "float"), ("forward_kinematics", "float"), ("forward_kinematics", "fixed32")])
+        for figure in ("seconds", "memory_MiB"):
+            self.assertLess(0, headers[figure])
+            for kernel in kernels:
+                self.assertLess(headers[figure], kernel[figure])
+        self.assertEqual(rows, json.loads((self.folder / "compile_cost.json").read_text(encoding="utf-8")))
+
+    def test_unknown_names_are_refused_with_those_that_there_are(self):
+        done = run("--robot", "scara9", "--output", self.folder)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("unknown robot 'scara9'; there are: puma560, panda", done.stderr)
+
+    def test_the_page_shows_the_data(self):
+        page = self.folder / "page.md"
+        shutil.copy(ROOT / "doc/compile_cost.md", page)
+        subprocess.run([sys.executable, "-E", "-B", ROOT / "host_sim/plot/compile_cost_tables.py", ROOT / "doc/data", page], check=True)
+        self.assertEqual(page.read_text(encoding="utf-8"), (ROOT / "doc/compile_cost.md").read_text(encoding="utf-8"))
+
+
+if __name__ == "__main__":
+    unittest.main()
