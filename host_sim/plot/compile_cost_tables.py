@@ -32,9 +32,10 @@ def of_build(build):
 def provenance(data):
     made = data.provenance
     lines = [f"- `{build}`: {entry['compiler']}; `{entry['flags']}`\n" for build, entry in made["builds"].items()]
-    runs = unique(row["runs"] for row in data.rows)
-    return (f"Measured at commit `{made['commit']}` on {made['processors']} x {made['processor']}, the least of {', '.join(map(str, runs))} "
-            f"runs; the machine's mean load over the last quarter of an hour was {made['load']} at the end:\n\n" + "".join(lines))
+    runs = min(row["runs"] for row in data.rows)
+    least = f"the least of {runs} runs" if runs > 1 else "one run of each"
+    return (f"Measured at commit `{made['commit']}` on {made['processors']} x {made['processor']}, {least}; "
+            f"the machine's mean load over the last quarter of an hour was {made['load']} at the end:\n\n" + "".join(lines))
 
 
 TABLES = {f"compile_cost_{build.replace('-', '_')}": of_build(build)
