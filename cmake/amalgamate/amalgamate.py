@@ -12,7 +12,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDERS = {"axial": ROOT / "firmware" / "include", "robots": ROOT}
-ALWAYS = ["axial/axial.hpp", "axial/c_interface/export.hpp"]
+ALWAYS = ["axial/axial.hpp", "axial/fixed.hpp", "axial/c_interface/export.hpp", "axial/fixed/c_interface/fixed_calls.hpp"]
 INCLUDE = re.compile(r"^\s*#\s*include\s*<([^>]+)>\s*(?://.*)?$")
 OPENS = re.compile(r"^\s*#\s*if")
 CLOSES = re.compile(r"^\s*#\s*endif")

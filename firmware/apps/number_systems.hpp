@@ -2,6 +2,7 @@
 /// Number systems by name, and joint values in each of them: for probes, and for the host that judges their errors.
 
 #include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 
 #include <cstdint>
 #include <limits>

@@ -1,5 +1,5 @@
 #include <axial/control/collision.hpp>
-#include <axial/fixed/control/border.hpp>
+#include <axial/fixed.hpp>
 #include <host_sim/collide/arm.hpp>
 #include <host_sim/collide/collide.hpp>
 #include <host_sim/collide/robot.hpp>

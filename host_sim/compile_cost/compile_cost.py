@@ -39,7 +39,7 @@ KERNELS = {
     "momenta": "axial::momentum_terms<Robot>(q, qd)",
 }
 CHOICES = {"build": BUILDS, "robot": ROBOTS, "number": NUMBERS, "kernel": KERNELS}
-HEADERS = """#include <axial/axial.hpp>
+HEADERS = """#include <axial/{umbrella}.hpp>
 #include <axial/dynamics/momentum.hpp>
 #include <robots/{robot}.hpp>
 """
@@ -61,7 +61,7 @@ class Case(NamedTuple):
 
     @property
     def source(self):
-        headers = HEADERS.format(robot=self.robot)
+        headers = HEADERS.format(umbrella="fixed" if self.number == "fixed32" else "axial", robot=self.robot)
         call = KERNELS[self.kernel]
         return headers if call is None else headers + CALL.format(type=ROBOTS[self.robot], number=NUMBERS[self.number], call=call)
 

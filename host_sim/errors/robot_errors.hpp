@@ -1,7 +1,7 @@
 // The errors of one robot in one number system: the kernels' own source against quadruple precision.
 #pragma once
 
-#include <axial/fixed/error_bound.hpp>
+#include <axial/fixed.hpp>
 #include <host_sim/analysis/error_statistics.hpp>
 #include <host_sim/errors/errors.hpp>
 #include <host_sim/errors/given.hpp>

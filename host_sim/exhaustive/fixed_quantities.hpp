@@ -31,9 +31,9 @@ std::array<Norms, R::chain.size> norms_at(const FixedState<R, axial::Fixed32>& f
   const auto links = links_of<R, double, BaseParameters>();
   const Inputs<R, double> in{};
   std::array<Norms, R::chain.size> all{};
-  const auto at = axial::read(links, s.q);
+  const auto at = links.read(s.q);
   const auto screws = joint_screws(links, in, at);
-  const auto qd = axial::read(links, s.qd), qdd = axial::read(links, s.qdd);
+  const auto qd = links.read(s.qd), qdd = links.read(s.qdd);
   const auto motions = rnea::link_motions(links, in, screws, qd, qdd);
   const auto water = immersions(links, in, screws, qd);
   const auto own = [&](auto i) { return rnea::own_force(links, in, motions, water, i); };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 
 #include <cstdint>
 #include <limits>

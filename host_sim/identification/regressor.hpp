@@ -5,6 +5,7 @@
 #include <host_sim/identification/parameters.hpp>
 
 #include <axial/dynamics/inverse_dynamics.hpp>
+#include <axial/links/model.hpp>
 
 #include <vector>
 

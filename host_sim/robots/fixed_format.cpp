@@ -2,7 +2,7 @@
 
 #include <host_sim/robots/robot.hpp>
 
-#include <axial/fixed/error_bound.hpp>
+#include <axial/fixed.hpp>
 #include <robots/robots.hpp>
 
 #include <cmath>

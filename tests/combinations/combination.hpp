@@ -3,7 +3,7 @@
 
 #include <axial/axial.hpp>
 #include <axial/control/payload_estimator.hpp>
-#include <axial/fixed/error_bound.hpp>
+#include <axial/fixed.hpp>
 #include <axial/simulation/step_limit.hpp>
 
 #include <cmath>

@@ -1,6 +1,7 @@
 // expect: ignoring return value of
 // within: 5 lines
 #include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 #include <robots/scara.hpp>
 
 int main() {

@@ -1,5 +1,6 @@
 // expect: take Looped out
 #include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 
 struct Robot {
   static constexpr auto chain =

@@ -1,5 +1,6 @@
 // expect: give every link an inertia about its joint's axis
 #include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 
 #ifdef MENDED
 constexpr double inertia = 0.01;

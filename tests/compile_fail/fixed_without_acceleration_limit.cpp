@@ -1,5 +1,6 @@
 // expect: give every link an acceleration_limit()
 #include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 
 struct Robot {
 #ifdef MENDED

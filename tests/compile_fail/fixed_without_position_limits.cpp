@@ -1,5 +1,6 @@
 // expect: give every prismatic link position_limits()
 #include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 
 struct Robot {
 #ifdef MENDED

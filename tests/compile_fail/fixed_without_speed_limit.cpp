@@ -1,5 +1,6 @@
 // expect: give every link a speed_limit()
 #include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 
 struct Robot {
 #ifdef MENDED

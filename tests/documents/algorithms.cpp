@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
 #include <axial/cost.hpp>
-#include <axial/fixed/error_bound.hpp>
+#include <axial/fixed.hpp>
 #include <axial/simulation/integrators.hpp>
 #include <axial/simulation/step_limit.hpp>
 #include <cmath>

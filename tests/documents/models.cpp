@@ -2,7 +2,7 @@
 // write them.
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
-#include <axial/fixed/error_bound.hpp>
+#include <axial/fixed.hpp>
 #include <axial/robot/classical.hpp>
 #include <cmath>
 #include <robots/puma560.hpp>

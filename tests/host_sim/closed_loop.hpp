@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 #include <host_sim/trajectory/set_point.hpp>
 #include <robots/scara.hpp>
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <axial/axial.hpp>
-#include <axial/fixed/error_bound.hpp>
+#include <axial/fixed.hpp>
 #include <host_sim/ranges/rows.hpp>
 #include <robots/puma560.hpp>
 

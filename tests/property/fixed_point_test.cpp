@@ -1,7 +1,7 @@
 // Fixed point against double precision, on states inside the declared limits: what fits its format, and how exact it
 // is. Inverse dynamics and the closed form have a test of their own (ranges_test.cpp).
 #include <gtest/gtest.h>
-#include <axial/fixed/error_bound.hpp>
+#include <axial/fixed.hpp>
 #include <cmath>
 #include <random>
 #include <robots/robots.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/axial.hpp>
-#include <axial/fixed/error_bound.hpp>
+#include <axial/fixed.hpp>
 
 #include "hostile.hpp"
 

@@ -1,8 +1,7 @@
 // Any words given to the kernels of fixed point that have no status, and to what control makes of them: nothing is
 // undefined, and what is inside the limits, or answered with ok, is right.
 #include <axial/closed_form/scara.hpp>
-#include <axial/fixed/control/border.hpp>
-#include <axial/fixed/control/payload_words.hpp>
+#include <axial/fixed.hpp>
 
 #include "fixed_robots.hpp"
 #include "hostile_fixed.hpp"

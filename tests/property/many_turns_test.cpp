@@ -1,6 +1,6 @@
 // Angles of many turns: constant angles of joints cost none of their digits, in any form and with pairs from the
 // caller.
-#include <axial/fixed/error_bound.hpp>
+#include <axial/fixed.hpp>
 #include <cases/to_axial.hpp>
 #include <robots/two_arm.hpp>
 

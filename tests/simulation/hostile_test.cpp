@@ -1,6 +1,8 @@
 // Bad numbers in steps and step limits: a status, and the state stays the last good one.
 #include <gtest/gtest.h>
 #include <axial/dynamics/check_finite.hpp>
+#include <axial/links/model.hpp>
+#include <axial/robot/chain.hpp>
 #include <axial/simulation/step_limit.hpp>
 
 #include <cmath>

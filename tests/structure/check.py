@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Checks the structure of the tree: includes point one way, the library stays freestanding, answers
-are [[nodiscard]], folders explain themselves.
+"""Checks the structure of the tree: includes point one way and never in a circle, kernels know no number system, the
+library stays freestanding, answers are [[nodiscard]], folders explain themselves.
 
 usage: check.py ROOT
 Prints each violation and exits 1 if there is one.
@@ -12,19 +12,25 @@ import sys
 
 LIBRARY = "firmware/include/axial"
 # A layer may include itself and what is listed.
+BELOW_DYNAMICS = {"scalar", "spatial", "robot", "scene", "links"}
 LAYERS = {
     "scalar": set(),
     "spatial": {"scalar"},
     "robot": {"scalar", "spatial"},
     "scene": {"scalar", "spatial", "robot"},
-    "links": {"scalar", "spatial", "robot", "scene", "fixed"},
-    "dynamics": {"scalar", "spatial", "robot", "scene", "links", "fixed"},
-    "closed_form": {"scalar", "spatial", "robot", "scene", "links", "fixed"},
-    "control": {"scalar", "spatial", "robot", "scene", "links", "dynamics", "fixed"},
-    "simulation": {"scalar", "spatial", "robot", "scene", "links", "dynamics"},
-    "fixed": {"scalar", "spatial", "robot", "scene", "links", "dynamics", "closed_form", "control", "c_interface", "algorithm.hpp"},
-    "c_interface": {"scalar", "spatial", "robot", "scene", "links", "dynamics", "control", "fixed"},
+    "links": BELOW_DYNAMICS - {"links"},
+    "dynamics": BELOW_DYNAMICS,
+    "closed_form": BELOW_DYNAMICS,
+    "control": BELOW_DYNAMICS | {"dynamics"},
+    "simulation": BELOW_DYNAMICS | {"dynamics"},
+    "c_interface": BELOW_DYNAMICS | {"dynamics", "control"},
+    "fixed": BELOW_DYNAMICS | {"dynamics", "closed_form", "control", "c_interface", "algorithm.hpp", "fixed.hpp"},
 }
+PLUG_IN = "fixed"
+NUMBERLESS = {"spatial", "links", "dynamics", "simulation"}
+FIXED_WORDS = {"Stored", "Fixed32", "Fixed16"}
+DECLARED = re.compile(r"^(?:struct|class|using) (\w+)|^inline constexpr [\w:<>]+ (\w+)\b", re.MULTILINE)
+INTRODUCED = re.compile(r"\b(?:struct|class|using)(?:\.\.\.)? (\w+)")  # template parameters and local names, too
 C_HEADER = "axial/axial.h"  # what a C source sees; the C interface alone includes it
 OPTIONAL = {"eigen.hpp": {"Eigen/Core"}}  # headers that no other header includes: what else they may include
 FREESTANDING = {"cstddef", "cstdint", "limits", "type_traits", "utility"}
@@ -63,6 +69,49 @@ def check_library(root):
     for path in sorted((root / LIBRARY).rglob("*.hpp")):
         parts = path.relative_to(root / LIBRARY).parts
         yield from check_library_header(path, parts[0] if len(parts) > 1 else None)
+    yield from check_folder(root, f"{LIBRARY}/fixed/closed_form", r"axial/(fixed/)?(dynamics|limits|control)/", "closed forms never see dynamics")
+    for path in sorted((root / LIBRARY).glob("*.hpp")):
+        if path.stem != PLUG_IN and any(name.startswith(f"axial/{PLUG_IN}") for name in includes(path)):
+            yield f"{path}: only {PLUG_IN}.hpp includes the plug-in"
+
+
+def code_of(path):
+    """A header without comments and without what it says to people."""
+    return re.sub(r'//[^\n]*|"(?:[^"\\\n]|\\.)*"', "", path.read_text())
+
+
+def declared_in(paths):
+    return {name for path in paths for names in DECLARED.findall(code_of(path)) for name in names if name}
+
+
+def check_number_systems(root):
+    """Kernels know no number system: nothing in dynamics/ has a name that the plug-in alone declares, nor that of its words."""
+    headers = list((root / LIBRARY).rglob("*.hpp"))
+    folder = {path: path.relative_to(root / LIBRARY).parts[0] for path in headers}
+    plugged_in = declared_in(path for path in headers if folder[path] == PLUG_IN)
+    own = plugged_in - declared_in(path for path in headers if folder[path] != PLUG_IN) | FIXED_WORDS
+    for path in sorted(path for path in headers if folder[path] in NUMBERLESS):
+        code = code_of(path)
+        for name in sorted(own & set(re.findall(r"\w+", code)) - set(INTRODUCED.findall(code))):
+            yield f"{path}: {name} belongs to {PLUG_IN}/; kernels know no number system"
+
+
+def check_cycles(root):
+    """No folder of the library includes, by however many others, itself; a header at the top counts as a folder."""
+    above = {}
+    for path in (root / LIBRARY).rglob("*.hpp"):
+        name = path.relative_to(root / LIBRARY)
+        own = str(name.parent) if len(name.parts) > 1 else str(name)
+        others = {(i.rpartition("/")[0] if "/" in i else i) for i in (n[6:] for n in includes(path) if n.startswith("axial/"))}
+        above.setdefault(own, set()).update(others - {own})
+    for folder in sorted(above):
+        seen, rest = set(), [folder]
+        while rest:
+            found = above.get(rest.pop(), set()) - seen
+            seen |= found
+            rest += found
+        if folder in seen:
+            yield f"{root / LIBRARY / folder}: includes itself through {sorted(o for o in seen if folder in above.get(o, ()))}"
 
 
 def namespace_at(text, position):
@@ -108,6 +157,8 @@ def check_readmes(root):
 
 def violations(root):
     yield from check_library(root)
+    yield from check_number_systems(root)
+    yield from check_cycles(root)
     yield from check_folder(root, "hal", r"axial/|robots/", "hal never sees dynamics")
     yield from check_folder(root, "robots", r"axial/(?!robot/)", "robots see robot only")
     yield from check_folder(root, "tests/oracle", r"axial/(?!robot/chain\.hpp)", "an oracle shares no code with what it checks")

@@ -20,6 +20,14 @@ BROKEN = {
     "firmware/include/axial/n.hpp": "namespace axial {\nauto typeless(int) { return 0; }\n}  // namespace axial\n",
     "firmware/include/axial/closed_form/o.hpp": (
         "namespace axial {\nnamespace closed_form {\nconstexpr Long\nbroken(int) { return {}; }\n}  // namespace closed_form\n}  // namespace axial\n"),
+    "firmware/include/axial/fixed/p.hpp": "struct Word {};\n",
+    "firmware/include/axial/dynamics/q.hpp": "constexpr int width(Word) { return 0; }  // Word is the plug-in's\n",
+    "firmware/include/axial/scene/r.hpp": "#include <axial/links/s.hpp>\n",
+    "firmware/include/axial/fixed/one/t.hpp": "#include <axial/fixed/two/u.hpp>\n",
+    "firmware/include/axial/fixed/two/u.hpp": "#include <axial/fixed/three/v.hpp>\n",
+    "firmware/include/axial/fixed/three/v.hpp": "#include <axial/fixed/one/t.hpp>\n",
+    "firmware/include/axial/x.hpp": "#include <axial/fixed/p.hpp>\n",
+    "firmware/include/axial/fixed/closed_form/y.hpp": "#include <axial/dynamics/d.hpp>\n",
     "orphan/h.hpp": "\n",
 }
 
@@ -58,7 +66,9 @@ def main():
     readmes = {str(folder / "README.md"): "\n" for folder in folders}
     broken = run_on({**BROKEN, **{name: text for name, text in readmes.items() if not name.startswith("orphan")}})
     mended = run_on({**{name: SOUND if name.startswith("firmware") else "\n" for name in BROKEN}, **readmes})
-    missed = [name for name in BROKEN if str(pathlib.PurePath(name).parent if name.startswith("orphan") else name) not in broken.stderr]
+    # Of an orphan and of a circle the folder is named; the declaration that q.hpp uses is no violation.
+    shown = {name: str(pathlib.PurePath(name).parent) if "orphan" in name or "/fixed/t" in name or "/fixed/o" in name else name for name in BROKEN}
+    missed = [name for name in BROKEN if shown[name] not in broken.stderr and not name.endswith("fixed/p.hpp")]
     if broken.returncode != 1 or missed:
         print("not found:", missed, file=sys.stderr)
         return 1

@@ -3,6 +3,7 @@
 #include "arm.h"
 
 #include <axial/c_interface/export.hpp>
+#include <axial/fixed/c_interface/fixed_calls.hpp>
 #include <robots/scara.hpp>
 
 AXIAL_C_EXPORT(arm, robots::Scara, float)

@@ -1,7 +1,7 @@
 /// The answers of the C++ interface, to be compared with those that C got.
 
 #include <axial/control/feedforward.hpp>
-#include <axial/fixed/control/border.hpp>
+#include <axial/fixed.hpp>
 #include <robots/scara.hpp>
 
 #include "board.h"

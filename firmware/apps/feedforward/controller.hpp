@@ -2,6 +2,7 @@
 /// Joins the link's messages to the control layer: the only file of this app that knows both.
 
 #include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 
 #include <hal/link/messages.hpp>
 

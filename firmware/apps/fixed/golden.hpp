@@ -2,6 +2,7 @@
 /// Fixed point over a fixed sequence of states, hashed: the same number on every board, host and compiler.
 
 #include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 
 #include <cstdint>
 

@@ -3,7 +3,7 @@
 /// numbers on every board and host.
 
 #include <axial/axial.hpp>
-#include <axial/fixed/control/payload_words.hpp>
+#include <axial/fixed.hpp>
 #include <firmware/apps/fixed/golden.hpp>
 
 namespace axial::apps::observer {
@@ -26,7 +26,7 @@ class Samples {
 
   void next() {
     for (int i = 0; i < joint_count<S>; ++i) {
-      const auto& limits = detail::limits_for<S, T>().joints[i];
+      const auto& limits = detail::LimitsFor<S, T>::joint(i);
       if constexpr (is_stored_v<T>) {
         const std::uint64_t share = static_cast<std::uint32_t>(random_.next());
         q[i].raw = static_cast<std::int32_t>(static_cast<std::uint32_t>(limits.min) +

@@ -1,10 +1,12 @@
-// axial: rigid-body dynamics for microcontrollers. The umbrella header.
+// axial: rigid-body dynamics for microcontrollers. The umbrella header of float and double; fixed.hpp has fixed point.
 #pragma once
 
 // First and one by one, so that few lines of includes stand before what the compiler says of a description or a scene.
 #include <axial/robot/chain.hpp>
 #include <axial/robot/classical.hpp>
 #include <axial/scene/scene.hpp>
+
+#include <axial/scene/joints.hpp>
 
 #include <axial/closed_form/scara.hpp>
 #include <axial/control/collision.hpp>
@@ -21,7 +23,5 @@
 #include <axial/dynamics/plain_arrays.hpp>
 #include <axial/dynamics/separated_torque.hpp>
 #include <axial/dynamics/separation.hpp>
-#include <axial/fixed/control/border.hpp>
-#include <axial/fixed/control/encoder.hpp>
 #include <axial/links/model.hpp>
 #include <axial/scene/consistency.hpp>

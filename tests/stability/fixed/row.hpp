@@ -3,6 +3,7 @@
 #pragma once
 
 #include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 #include <firmware/apps/number_systems.hpp>
 #include <oracle/compare.hpp>
 #include <oracle/from_axial.hpp>

@@ -1,5 +1,6 @@
 // C gets the bits that C++ gets, and a status for what C++ would not compile.
 #include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 
 #include <cmath>
 #include <cstring>

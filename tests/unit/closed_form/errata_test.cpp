@@ -3,6 +3,7 @@
 // it.
 #include <gtest/gtest.h>
 #include <axial/closed_form/scara.hpp>
+#include <axial/robot/chain.hpp>
 
 #include <cmath>
 

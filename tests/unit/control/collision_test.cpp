@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <axial/control/collision.hpp>
+#include <axial/robot/chain.hpp>
 #include <cmath>
 
 using namespace axial;

@@ -1,6 +1,7 @@
 // Torques of the fall-back, in float, double and fixed point: what is exerted in each phase, and in what steps.
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 #include <cmath>
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>

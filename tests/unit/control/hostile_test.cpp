@@ -5,7 +5,7 @@
 #include <axial/control/payload_estimator.hpp>
 #include <axial/dynamics/check_finite.hpp>
 #include <axial/dynamics/separation.hpp>
-#include <axial/fixed/control/border.hpp>
+#include <axial/fixed.hpp>
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <axial/control/limits.hpp>
+#include <axial/robot/chain.hpp>
 #include <cmath>
 #include <limits>
 #include <vector>

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <axial/control/collision.hpp>
 #include <axial/cost.hpp>
-#include <axial/fixed/control/border.hpp>
+#include <axial/fixed.hpp>
 #include <axial/links/model.hpp>
 #include <cases/to_axial.hpp>
 #include <oracle/compare.hpp>

@@ -1,6 +1,7 @@
 // What an estimate makes of its normal equations, apart from any motion.
 #include <gtest/gtest.h>
 #include <axial/control/payload_estimator.hpp>
+#include <axial/robot/chain.hpp>
 #include <cmath>
 
 using namespace axial;

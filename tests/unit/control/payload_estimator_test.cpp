@@ -1,7 +1,6 @@
 // Payloads weighed: what is exact in double, fixed point against double, and that nothing wraps.
 #include <gtest/gtest.h>
-#include <axial/fixed/control/border.hpp>
-#include <axial/fixed/control/payload_words.hpp>
+#include <axial/fixed.hpp>
 #include <oracle/random_chain.hpp>
 #include <robots/panda.hpp>
 #include <robots/puma560.hpp>

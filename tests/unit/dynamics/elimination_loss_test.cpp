@@ -1,6 +1,7 @@
 // What the default route is judged by.
 #include <gtest/gtest.h>
 #include <axial/dynamics/route.hpp>
+#include <axial/robot/chain.hpp>
 #include <cmath>
 
 using namespace axial;

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <axial/dynamics/composite_body.hpp>
 #include <axial/dynamics/resistance.hpp>
+#include <axial/links/model.hpp>
+#include <axial/robot/chain.hpp>
 #include <limits>
 
 using namespace axial;

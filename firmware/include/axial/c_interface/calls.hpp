@@ -7,7 +7,6 @@
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
-#include <axial/fixed/control/border.hpp>
 
 namespace axial::c_interface {
 
@@ -16,25 +15,22 @@ using as_float = float;
 using as_double = double;    ///< AXIAL_C_DECLARE(..., double)
 using as_fixed32 = Fixed32;  ///< AXIAL_C_DECLARE(..., fixed32)
 
-/// What C holds a number T in.
+/// Numbers T in C.
 template <class T>
-constexpr auto c_number() {
-  if constexpr (is_stored_v<T>)
-    return typename T::Word{};
-  else
-    return T{};
-}
+struct InC {
+  static_assert(std::is_same_v<typename axial::detail::Substitute<T>::type, T>,
+                "axial: fixed point is a plug-in: add #include <axial/fixed/c_interface/fixed_calls.hpp>");
+  using type = T;                                        ///< what C holds one in
+  static constexpr type value(const T& x) { return x; }  ///< one as C holds it
+};
 /// What C holds a number T in: of fixed point the word.
 template <class T>
-using CNumber = decltype(c_number<T>());
+using CNumber = typename InC<T>::type;
 
 /// A number as C holds it.
 template <class T>
 constexpr CNumber<T> to_c(const T& x) {
-  if constexpr (is_stored_v<T>)
-    return x.raw;
-  else
-    return x;
+  return InC<T>::value(x);
 }
 /// Joint values of a C array.
 template <class Values, class CValues>
@@ -60,6 +56,16 @@ constexpr bool any_null(const Pointers*... pointers) {
 }
 inline constexpr axial_status ok{AXIAL_OK, -1}, null_argument{AXIAL_NULL_ARGUMENT, -1};  ///< a status without a joint
 
+/// What a call looks at first: floating point may be asked beyond the declared limits.
+template <class S, class T>
+struct CallCheck {
+  /// the first value that is not finite
+  template <class Q, class V, class A>
+  static constexpr Status of(const Q& q, const V& qd, const A& qdd) {
+    return check_finite(q, qd, qdd);
+  }
+};
+
 /// The functions of one scene over numbers T. Pointers are not null.
 template <class S, class T>
 struct Calls {
@@ -70,13 +76,9 @@ struct Calls {
   using Tau = EffortsOf<S, T>;                 ///< N m or N
   static constexpr int size = joint_count<S>;  ///< number of joints
 
-  // Floating point may be asked beyond the limits; formats of fixed point end there.
   /// First value that is not finite; in fixed point also the first outside the declared limits.
   static constexpr Status check(const Q& q, const V& qd = {}, const A& qdd = {}) {
-    if constexpr (is_stored_v<T>)
-      return check_request<S>(q, qd, qdd);
-    else
-      return check_finite(q, qd, qdd);
+    return CallCheck<S, T>::of(q, qd, qdd);
   }
 
   /// axial::feedforward(): its state in `state`, efforts in `tau` whatever the status.
@@ -157,5 +159,9 @@ struct Calls {
     row[2] = to_c(v.z);
   }
 };
+
+/// All calls of one scene over numbers T: a number system may have more.
+template <class S, class T>
+struct ExportedCalls : Calls<S, T> {};
 
 }  // namespace axial::c_interface

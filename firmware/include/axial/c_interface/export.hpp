@@ -1,7 +1,7 @@
 // Defines, in one C++ source, the C functions that AXIAL_C_DECLARE (axial/axial.h) declares.
 #pragma once
 
-#include <axial/fixed/c_interface/fixed_calls.hpp>
+#include <axial/c_interface/calls.hpp>
 
 namespace axial::c_interface {
 
@@ -75,7 +75,7 @@ static_assert(AXIAL_OK == static_cast<int>(Status::Code::ok) &&
 /// has commas). In one source of a program, in the global namespace, without a semicolon.
 #define AXIAL_C_EXPORT(prefix, scene, number)                                                                  \
   static_assert(axial::c_interface::check_export<prefix##_joints, scene, axial::c_interface::as_##number>());  \
-  using prefix##_calls = axial::c_interface::FixedCalls<scene, axial::c_interface::as_##number>;               \
+  using prefix##_calls = axial::c_interface::ExportedCalls<scene, axial::c_interface::as_##number>;            \
   AXIAL_C_EXPORT_MORE_##number(prefix) AXIAL_C_FUNCTION axial_status prefix##_feedforward(                     \
       prefix##_state* state, const prefix##_joints* q, const prefix##_joints* qd, const prefix##_joints* qdd,  \
       prefix##_joints* tau) {                                                                                  \

@@ -1,12 +1,20 @@
 // The closed form of SCARA dynamics, terms separated. An oracle for the recursions, and the cheapest SCARA torque.
 #pragma once
 
-#include <axial/closed_form/scara_formats.hpp>
-#include <axial/fixed/formats/separated_format.hpp>
+#include <axial/closed_form/scara_constants.hpp>
+#include <axial/links/link_view.hpp>
+#include <axial/links/plain_values.hpp>
+#include <axial/links/separated_terms.hpp>
 
 namespace axial {
 namespace closed_form {
 namespace detail {
+
+/// How the closed form rounds, and reads and writes joint values: as they are.
+template <class S, class T>
+struct ScaraRounding : Plain, PlainValues<scene_of<S>, T> {
+  using Scalar = T;
+};
 
 /// The constants as numbers T (in fixed point as literals), and the one sine-cosine pair that they meet.
 template <class S, class T>
@@ -51,14 +59,13 @@ struct ScaraTerms : ScaraRounding<S, T> {
 template <class S, class T>
 [[nodiscard]] constexpr auto scara(const Positions<robot_of<S>, T>& q) {
   const detail::ScaraTerms<S, T> k;
-  auto swing = k.swing_at(read(k, q)[Index<1>{}]);
+  auto swing = k.swing_at(k.read(q)[Index<1>{}]);
   constexpr Index<0> shoulder;
   constexpr Index<1> elbow;
   constexpr Index<2> slide;
-  using All = Separated<std::conditional_t<is_stored_v<T>, S, robot_of<S>>, T>;
+  using All = Separated<subject_of<S, T>, T>;
   All s{};
-  const Collected<std::conditional_t<is_stored_v<T>, S, robot_of<S>>, T, typename detail::ScaraTerms<S, T>::Scalar, All>
-      terms{s};
+  const Collected<subject_of<S, T>, T, typename detail::ScaraTerms<S, T>::Scalar, All> terms{s};
   terms.inertia(shoulder, shoulder, k.a11(swing.cos));
   terms.inertia(shoulder, elbow, k.a12(swing.cos));
   terms.inertia(elbow, elbow, k.elbow_alone);
@@ -83,18 +90,18 @@ template <class S, class T>
   constexpr Index<1> elbow;
   constexpr Index<2> slide;
   const detail::ScaraTerms<S, T> k;
-  auto v = read(k, qd);
-  auto a = read(k, qdd);
-  auto swing = k.swing_at(read(k, q)[elbow]);
+  auto v = k.read(qd);
+  auto a = k.read(qdd);
+  auto swing = k.swing_at(k.read(q)[elbow]);
   auto a11 = k.a11(swing.cos);
   auto a12 = k.a12(swing.cos);
   auto twice = k.sum(AngularVelocity{}, v[shoulder], v[shoulder], k.sense * v[elbow]);
   auto cross = k.sum(AngularAcceleration{}, v[elbow] * twice);
   auto square = k.sum(AngularAcceleration{}, v[shoulder] * v[shoulder]);
   EffortsOf<S, T> tau{};
-  write(k, tau, shoulder, a11 * a[shoulder] + a12 * a[elbow] - swing.sin * cross);
-  write(k, tau, elbow, a12 * a[shoulder] + k.elbow_alone * a[elbow] + swing.sin * square);
-  write(k, tau, slide, k.lift * a[slide] + k.weight);
+  k.write(tau, shoulder, a11 * a[shoulder] + a12 * a[elbow] - swing.sin * cross);
+  k.write(tau, elbow, a12 * a[shoulder] + k.elbow_alone * a[elbow] + swing.sin * square);
+  k.write(tau, slide, k.lift * a[slide] + k.weight);
   return tau;
 }
 

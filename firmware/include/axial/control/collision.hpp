@@ -34,6 +34,15 @@ struct Collision {
 
 namespace detail {
 
+/// Residuals as values: what they are compared with, and how.
+template <class S, class T, class Tuning>
+struct ResidualValue {
+  /// `x` N m or N at joint i
+  static constexpr T of(double x, int) { return NumberTraits<T>::constant(x); }
+  /// Whether |x| > most; x is finite. Neither comparison depends on the other's answer, here and below: no branch.
+  AXIAL_INLINE static constexpr bool beyond(const T& x, const T& most) { return !((x <= most) & (-x <= most)); }
+};
+
 template <class S, class T, class Tuning>
 constexpr CollisionThresholds<S, T, Tuning> collision_thresholds() {
   static_assert(Tuning::fraction >= 0.0 && Tuning::uncertainty >= 0.0 && Tuning::release > 0.0 &&
@@ -44,27 +53,10 @@ constexpr CollisionThresholds<S, T, Tuning> collision_thresholds() {
   for (int i = 0; i < joint_count<S>; ++i) {
     const double most = robot_of<S>::chain.links[i].effort_limit;
     const double enter = (is_bounded(most) ? Tuning::fraction * most : 0.0) + Tuning::uncertainty;
-    if constexpr (is_stored_v<T>) {
-      const int exponent = Residuals<S, T, Tuning>::exponent(i);
-      all.enter[i].raw = raw_limit<typename T::Word>(enter, exponent);
-      all.leave[i].raw = raw_limit<typename T::Word>(Tuning::release * enter, exponent);
-    } else {
-      all.enter[i] = NumberTraits<T>::constant(enter),
-      all.leave[i] = NumberTraits<T>::constant(Tuning::release * enter);
-    }
+    all.enter[i] = ResidualValue<S, T, Tuning>::of(enter, i);
+    all.leave[i] = ResidualValue<S, T, Tuning>::of(Tuning::release * enter, i);
   }
   return all;
-}
-
-// Whether |x| > most; x is finite. Neither comparison depends on the other's answer, here and below: no branch.
-template <class T>
-AXIAL_INLINE constexpr bool beyond(const T& x, const T& most) {
-  return !((x <= most) & (-x <= most));
-}
-template <class Word>
-AXIAL_INLINE constexpr bool beyond(const Stored<Word>& x, const Stored<Word>& most) {
-  const Word sign = static_cast<Word>(x.raw >> (8 * static_cast<int>(sizeof(Word)) - 1));
-  return is_less(most.raw, std::int64_t{x.raw ^ sign} - sign);
 }
 
 // Samples in a row, held at most so that nothing wraps.
@@ -85,15 +77,16 @@ inline constexpr auto collision_thresholds_of = detail::collision_thresholds<S, 
 /// leaves none) counts as neither: the memory stays, `detected` is what it was, and the status says not_finite.
 template <class S, class T, class Tuning>
 [[nodiscard]] constexpr Collision detect(CollisionState& state, const Residuals<S, T, Tuning>& residual) {
+  using Value = detail::ResidualValue<S, T, Tuning>;
   constexpr const auto& threshold = collision_thresholds_of<S, T, Tuning>;
   bool any = false, loud = false;
   int joint = -1;
   Soundness<T> all;
   for (int i = 0; i < joint_count<S>; ++i) {
-    const bool over = detail::beyond(residual[i], threshold.enter[i]);
-    any = any | over, loud = loud | detail::beyond(residual[i], threshold.leave[i]);
+    const bool over = Value::beyond(residual[i], threshold.enter[i]);
+    any = any | over, loud = loud | Value::beyond(residual[i], threshold.leave[i]);
     joint = select(over, i, joint);
-    if constexpr (!is_stored_v<T>) all.number(residual[i]);
+    all.number(residual[i]);
   }
   const Status status = all.status();
   const bool sound = status.ok();

@@ -8,17 +8,14 @@ namespace axial {
 
 namespace detail {
 
-// `to`, and the share (in 2^-16) of what leads from it to `from`.
+/// How two efforts are blended.
 template <class T>
-constexpr T blend(const T& to, const T& from, std::uint32_t share) {
-  const auto part = static_cast<std::int32_t>(share);
-  if constexpr (is_stored_v<T>) {
-    const std::int64_t apart = std::int64_t{from.raw} - std::int64_t{to.raw};
-    return {static_cast<typename T::Word>(to.raw + ((apart * part) >> 16))};
-  } else {
-    return to + (from - to) * (static_cast<T>(part) * T(1.0 / 65536.0));
+struct Blend {
+  /// `to`, and the share (in 2^-16) of what leads from it to `from`.
+  static constexpr T of(const T& to, const T& from, std::uint32_t share) {
+    return to + (from - to) * (static_cast<T>(static_cast<std::int32_t>(share)) * T(1.0 / 65536.0));
   }
-}
+};
 
 }  // namespace detail
 
@@ -75,7 +72,7 @@ class FallBack {
     const std::uint32_t share = phases_.share(times_);
     Tau tau{};
     for (int i = 0; i < joint_count<S>; ++i)
-      tau[i] = detail::blend(hold_[i], last_[i], share);
+      tau[i] = detail::Blend<T>::of(hold_[i], last_[i], share);
     return tau;
   }
 

@@ -26,10 +26,10 @@ template <class S, class T>
 constexpr Status clamp_efforts(EffortsOf<S, T>& tau) {
   int joint = -1;
   for (int i = joint_count<S>; i-- > 0;) {
-    const auto& most = limits_for<S, T>().joints[i].effort;
-    const int outside = outside_mask(tau[i], most);
+    const auto& most = LimitsFor<S, T>::joint(i).effort;
+    const int outside = LimitsFor<S, T>::outside_mask(most, tau[i]);
     joint = (joint & ~outside) | (i & outside);
-    tau[i] = nearest_inside(tau[i], most);
+    tau[i] = LimitsFor<S, T>::nearest(most, tau[i]);
   }
   constexpr int limited = static_cast<int>(Status::Code::effort_limit);
   return {static_cast<Status::Code>(limited & ~(joint >> 31)), joint};
@@ -48,8 +48,7 @@ constexpr Status check_all(const Positions<robot_of<S>, T>& q, const Velocities<
                            const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in) {
   if constexpr (scene_of<S>::template has<Payload>)
     if (const Status payload = check_payload<S>(in.payload); !payload.ok()) return payload;
-  if constexpr (is_stored_v<T>)
-    if (const Status inputs = check_fixed_inputs<S>(in); !inputs.ok()) return inputs;
+  if (const Status inputs = LimitsFor<S, T>::check_inputs(in); !inputs.ok()) return inputs;
   return check_request<S>(q, qd, qdd);
 }
 
@@ -73,8 +72,8 @@ constexpr void hand_out(FeedforwardResult<S, T>& result, FeedforwardState<S, T>&
 /// must declare: axial::payload_limit), and run-time inputs that make the result not finite, give the last safe output
 /// and a status that names the joint or the payload; an effort beyond its limit is clamped and reported. A request that
 /// is to be followed as far as the limits go passes through clamped_request() first.
-/// Fixed point: the same, on raw words (Positions<Robot, Fixed32> ...); border.hpp brings real numbers there and back,
-/// and says what was wrong with them.
+/// Fixed point: the same, on raw words (Positions<Robot, Fixed32> ...); fixed/control/border.hpp brings real numbers
+/// there and back, and says what was wrong with them.
 template <class S, class T>
 [[nodiscard]] constexpr FeedforwardResult<S, T> feedforward(FeedforwardState<S, T>& state,
                                                             const Positions<robot_of<S>, T>& q,

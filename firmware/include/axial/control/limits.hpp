@@ -1,10 +1,9 @@
 // Checks of run-time requests against what a robot declares.
 #pragma once
 
-#include <axial/fixed/limits/fixed_limits.hpp>
-#include <axial/fixed/limits/inputs_check.hpp>
 #include <axial/links/soundness.hpp>
 #include <axial/scalar/finite.hpp>
+#include <axial/scene/joints.hpp>
 
 namespace axial {
 
@@ -56,78 +55,51 @@ inline constexpr Limits<Robot, T> limits_of = declared_limits<Robot, T>();
 
 namespace detail {
 
-/// What a request and an effort are held against: of the robot, or in fixed point of the scene, which gives efforts
-/// their formats.
-template <class S, class T>
-constexpr const auto& limits_for() {
-  if constexpr (is_stored_v<T>)
-    return fixed_limits_of<S, typename T::Word>;
-  else
-    return limits_of<robot_of<S>, T>;
-}
-
 // NaN is not inside; unlimited joints have the largest number as limit, so infinity is not inside either.
 template <class T>
 constexpr bool inside(const T& x, const T& low, const T& high) {
   return x >= low && x <= high;
 }
 
-template <class L, class T>
-constexpr bool position_inside(const L& l, const T& q) {
-  if constexpr (is_stored_v<T>)
-    return l.reaches(q);
-  else
-    return inside(q, l.exact_min, l.exact_max);
-}
-// A speed, an acceleration or an effort, and what it may be in either direction.
-template <class T, class Most>
-constexpr bool magnitude_inside(const T& x, const Most& most) {
-  if constexpr (is_stored_v<T>)
-    return most.allows(x);
-  else
-    return inside(x, -most, most);
-}
+/// What requests and efforts are held against, and how: real numbers of a robot. A number system with formats holds its
+/// words against those of the scene.
+template <class S, class T>
+struct LimitsFor {
+  using Joint = typename Limits<robot_of<S>, T>::Joint;
+  /// of joint i
+  static constexpr const Joint& joint(int i) { return limits_of<robot_of<S>, T>.joints[i]; }
 
-// -1 where it is not, else 0.
-template <class T, class Most>
-constexpr int outside_mask(const T& x, const Most& most) {
-  if constexpr (is_stored_v<T>)
-    return static_cast<int>(most.outside(x));
-  else
-    return -static_cast<int>(!inside(x, -most, most));
-}
-// The nearest number within limits.
-template <class T, class Most>
-constexpr T nearest_inside(const T& x, const Most& most) {
-  if constexpr (is_stored_v<T>)
-    return most.nearest(x);
-  else
-    return x > most ? most : x < -most ? -most : x;
-}
-template <class T, class L>
-constexpr T nearest_reached(const T& q, const L& l) {
-  if constexpr (is_stored_v<T>)
-    return l.nearest(q);
-  else
+  /// Whether a position is one that the joint reaches.
+  static constexpr bool reaches(const Joint& l, const T& q) { return inside(q, l.exact_min, l.exact_max); }
+  /// The nearest position that the joint reaches.
+  static constexpr T nearest_position(const Joint& l, const T& q) {
     return q > l.position_max ? l.position_max : q < l.position_min ? l.position_min : q;
-}
-
-// An angle of so many turns may yet be inside the declared limits.
-template <class L, class T>
-constexpr Status::Code position_complaint(const L& l, const T& q) {
-  if constexpr (is_stored_v<T>)
-    return Status::Code::position_limit;
-  else
+  }
+  /// What is wrong with a position that is not reached: an angle of so many turns may yet be inside the limits.
+  static constexpr Status::Code position_complaint(const Joint& l, const T& q) {
     return inside(q, l.position_min, l.position_max) ? Status::Code::angle_range : Status::Code::position_limit;
-}
+  }
+  /// Whether a speed, an acceleration or an effort is within what it may be in either direction.
+  static constexpr bool allows(const T& most, const T& x) { return inside(x, -most, most); }
+  /// -1 where it is not, else 0.
+  static constexpr int outside_mask(const T& most, const T& x) { return -static_cast<int>(!inside(x, -most, most)); }
+  /// The nearest one that is.
+  static constexpr T nearest(const T& most, const T& x) { return x > most ? most : x < -most ? -most : x; }
+  /// What is wrong with run-time inputs other than a payload: here the answer tells.
+  static constexpr Status check_inputs(const Inputs<S, T>&) { return {}; }
+  /// What is wrong with a state where nothing else would tell: here everything else does.
+  static constexpr Status check_state(const Positions<robot_of<S>, T>&, const Velocities<robot_of<S>, T>&) {
+    return {};
+  }
+};
 
 // What is wrong with a joint of which something is.
-template <class L, class Q, class T>
+template <class For, class L, class Q, class T>
 constexpr Status::Code complaint(const L& l, const Q& q, const T& qd, const T& qdd) {
   using Code = Status::Code;
   if (!(is_finite(q) && is_finite(qd) && is_finite(qdd))) return Code::not_finite;
-  if (!position_inside(l, q)) return position_complaint(l, q);
-  return magnitude_inside(qd, l.speed) ? Code::acceleration_limit : Code::speed_limit;
+  if (!For::reaches(l, q)) return For::position_complaint(l, q);
+  return For::allows(l.speed, qd) ? Code::acceleration_limit : Code::speed_limit;
 }
 
 }  // namespace detail
@@ -137,11 +109,11 @@ constexpr Status::Code complaint(const L& l, const Q& q, const T& qd, const T& q
 template <class S, class T>
 [[nodiscard]] constexpr Status check_request(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                              const Accelerations<robot_of<S>, T>& qdd) {
+  using For = detail::LimitsFor<S, T>;
   for (int i = 0; i < joint_count<S>; ++i) {
-    const auto& l = detail::limits_for<S, T>().joints[i];
-    if (!(detail::position_inside(l, q[i]) && detail::magnitude_inside(qd[i], l.speed) &&
-          detail::magnitude_inside(qdd[i], l.acceleration)))
-      return {detail::complaint(l, q[i], qd[i], qdd[i]), i};
+    const auto& l = For::joint(i);
+    if (!(For::reaches(l, q[i]) && For::allows(l.speed, qd[i]) && For::allows(l.acceleration, qdd[i])))
+      return {detail::complaint<For>(l, q[i], qd[i], qdd[i]), i};
   }
   return {};
 }
@@ -162,12 +134,13 @@ template <class S, class T>
 [[nodiscard]] constexpr Request<S, T> clamped_request(const Positions<robot_of<S>, T>& q,
                                                       const Velocities<robot_of<S>, T>& qd,
                                                       const Accelerations<robot_of<S>, T>& qdd) {
+  using For = detail::LimitsFor<S, T>;
   Request<S, T> near{q, qd, qdd, check_request<S>(q, qd, qdd)};
   for (int i = 0; i < joint_count<S>; ++i) {
-    const auto& l = detail::limits_for<S, T>().joints[i];
-    near.q[i] = detail::nearest_reached(q[i], l);
-    near.qd[i] = detail::nearest_inside(qd[i], l.speed);
-    near.qdd[i] = detail::nearest_inside(qdd[i], l.acceleration);
+    const auto& l = For::joint(i);
+    near.q[i] = For::nearest_position(l, q[i]);
+    near.qd[i] = For::nearest(l.speed, qd[i]);
+    near.qdd[i] = For::nearest(l.acceleration, qdd[i]);
   }
   return near;
 }
@@ -189,12 +162,6 @@ template <class S, class T>
   within = within && detail::inside(j.xy, -inertia, inertia) && detail::inside(j.xz, -inertia, inertia) &&
            detail::inside(j.yz, -inertia, inertia);
   return {within ? Status::Code::ok : Status::Code::payload_limit, -1};
-}
-
-/// The same in fixed point, on raw words in the formats of InputFormats.
-template <class S, class Word>
-[[nodiscard]] constexpr Status check_payload(const PayloadBody<Stored<Word>>& load) {
-  return {detail::payload_within<S>(load) ? Status::Code::ok : Status::Code::payload_limit, -1};
 }
 
 }  // namespace axial

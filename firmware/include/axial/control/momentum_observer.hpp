@@ -22,58 +22,12 @@ constexpr double residual_share() {
   return Tuning::gain * Tuning::period / (1.0 + Tuning::gain * Tuning::period);
 }
 
-/// Exponents of residuals, and the factors in 2^-31 that bring momenta, efforts and drifts there. Sums of the largest
-/// words that those formats hold fit, so no input overflows.
-template <class S, class Word, class Tuning>
-struct ResidualFormats {
-  static constexpr int size = joint_count<S>;
-  int exponent[size] = {};
-  std::int32_t momentum[size] = {}, effort[size] = {}, half_drift[size] = {};
-
-  static constexpr ResidualFormats chosen() {
-    static_assert(sizeof(Word) == 4, "axial: the momentum observer takes Fixed32, float or double");
-    using T = Stored<Word>;
-    constexpr Rounding rounding{32, true, false, 0.0};
-    ResidualFormats all;
-    for (int i = 0; i < size; ++i) {
-      const int p = MomentaOf<S, T>::exponent(i), e = EffortsOf<S, T>::exponent(i);
-      const int d = MomentumRatesOf<S, T>::exponent(i);
-      const int own =
-          rounding.exponent(power_of_two(32 - p) / Tuning::period + power_of_two(31 - e) + power_of_two(31 - d));
-      all.exponent[i] = own;
-      all.momentum[i] = factor(power_of_two(own - p) / Tuning::period);
-      all.effort[i] = factor(power_of_two(own - e));
-      all.half_drift[i] = factor(0.5 * power_of_two(own - d));
-    }
-    return all;
-  }
-
- private:
-  static constexpr std::int32_t factor(double x) {
-    return static_cast<std::int32_t>(nearest_integer(x * power_of_two(31)));
-  }
-};
-template <class S, class Word, class Tuning>
-inline constexpr auto residual_formats = ResidualFormats<S, Word, Tuning>::chosen();
-
 }  // namespace detail
 
 /// External efforts as the observer sees them, N m or N, one a joint: positive where the environment pushes the joint
 /// forwards. A plain number, in fixed point a word with its `exponent(i)`, which follows from the tuning too.
 template <class S, class T, class Tuning>
 struct Residuals : Joints<robot_of<S>, T> {};
-/// In fixed point: value = raw 2^-exponent(i).
-template <class S, class Word, class Tuning>
-struct Residuals<S, Stored<Word>, Tuning> {
-  static constexpr int size = joint_count<S>;  ///< number of joints
-  Stored<Word> values[size];                   ///< from the base outwards
-  /// of joint i's residual
-  [[nodiscard]] static constexpr int exponent(int i) { return detail::residual_formats<S, Word, Tuning>.exponent[i]; }
-  constexpr Stored<Word>& operator[](int i) { return values[i]; }  ///< residual of joint i; the index is not checked
-  /// Residual of joint i; the index is not checked.
-  constexpr const Stored<Word>& operator[](int i) const { return values[i]; }
-};
-
 /// Memory of an observer, owned by the caller; start with `{}`. After a gap in the samples set `ready` to false, as
 /// observe() does after a bad one: the next call starts anew and keeps the residual.
 template <class S, class T, class Tuning>
@@ -90,7 +44,7 @@ constexpr Status check_sample(const Positions<robot_of<S>, T>& q, const Velociti
                               const EffortsOf<S, T>& tau, const Inputs<S, T>& in) {
   if (const Status status = check_all<S, T>(q, qd, {}, in); !status.ok()) return status;
   for (int i = 0; i < joint_count<S>; ++i)
-    if (!magnitude_inside(tau[i], limits_for<S, T>().joints[i].effort))
+    if (!LimitsFor<S, T>::allows(LimitsFor<S, T>::joint(i).effort, tau[i]))
       return {is_finite(tau[i]) ? Status::Code::effort_limit : Status::Code::not_finite, i};
   return {};
 }
@@ -103,45 +57,27 @@ AXIAL_INLINE constexpr T next_residual(const T& r, const T& p, const T& p_last, 
   const T e = N::constant(1.0 / Tuning::period) * (p - p_last) - tau - N::constant(0.5) * (drift + drift_last);
   return r + N::constant(residual_share<Tuning>()) * (e - r);
 }
-template <class Formats>
-AXIAL_INLINE constexpr std::int32_t next_residual(const Formats& f, int i, std::int32_t share, std::int32_t r,
-                                                  std::int32_t p, std::int32_t p_last, std::int32_t tau,
-                                                  std::int32_t drift, std::int32_t drift_last) {
-  using integer::multiply;
-  const std::int64_t known =
-      multiply(tau, f.effort[i]) + multiply(drift, f.half_drift[i]) + multiply(drift_last, f.half_drift[i]);
-  const std::int64_t change = multiply(p, f.momentum[i]) - multiply(p_last, f.momentum[i]);
-  const auto e = static_cast<std::int32_t>((change - known + (std::int64_t{1} << 30)) >> 31);
-  constexpr std::int32_t whole = 1 << 30;
-  return static_cast<std::int32_t>((multiply(e, share) + multiply(r, whole - share) + (whole >> 1)) >> 30);
-}
+/// How a joint's residual moves on by one sample.
+template <class S, class T, class Tuning>
+struct ResidualStep {
+  using Terms = MomentumTerms<S, T>;
+  /// `r` of joint i. Looked at even where the observer starts: what is kept of this sample must not spoil the next.
+  static constexpr void take(Soundness<T>& all, T& r, int i, bool ready, const Terms& now, const Terms& last,
+                             const EffortsOf<S, T>& tau) {
+    const T next = next_residual<Tuning>(r, now.momentum[i], last.momentum[i], tau[i], now.drift[i], last.drift[i]);
+    all.number(next);
+    r = select(ready, next, r);
+  }
+};
 
 // Commits a sample, unless a residual would not be finite: then the next sample starts anew.
 template <class S, class T, class Tuning>
 constexpr Status update(ObserverState<S, T, Tuning>& state, const MomentumTerms<S, T>& now,
                         const EffortsOf<S, T>& tau) {
-  const auto& p = now.momentum;
-  const auto& p_last = state.last.momentum;
-  const auto& d = now.drift;
-  const auto& d_last = state.last.drift;
   Residuals<S, T, Tuning> residual = state.residual;
   Soundness<T> all;
-  for (int i = 0; i < joint_count<S>; ++i) {
-    auto& r = residual[i];
-    if constexpr (is_stored_v<T>) {
-      constexpr const auto& f = residual_formats<S, typename T::Word, Tuning>;
-      constexpr auto share = static_cast<std::int32_t>(nearest_integer(residual_share<Tuning>() * power_of_two(30)));
-      const std::int32_t next =
-          next_residual(f, i, share, r.raw, p[i].raw, p_last[i].raw, tau[i].raw, d[i].raw, d_last[i].raw);
-      const std::int32_t known = -static_cast<std::int32_t>(state.ready);
-      r.raw = (next & known) | (r.raw & ~known);
-    } else {
-      // Looked at even where the observer starts: what is kept of this sample must not spoil the next.
-      const T next = next_residual<Tuning>(r, p[i], p_last[i], tau[i], d[i], d_last[i]);
-      all.number(next);
-      r = select(state.ready, next, r);
-    }
-  }
+  for (int i = 0; i < joint_count<S>; ++i)
+    ResidualStep<S, T, Tuning>::take(all, residual[i], i, state.ready, now, state.last, tau);
   const Status status = all.status();
   state.ready = status.ok();
   if (!status.ok()) {

@@ -18,28 +18,10 @@ template <class T>
 struct PayloadSumOf {
   using type = T;
 };
-template <class Word>
-struct PayloadSumOf<Stored<Word>> {
-  using type = integer::WideSum;
-};
 template <class S, class T, class Tuning>
 struct ResidualInput {
   using type = Joints<robot_of<S>, T>;
 };
-template <class S, class Word, class Tuning>
-struct ResidualInput<S, Stored<Word>, Tuning> {
-  using type = Residuals<S, Stored<Word>, Tuning>;
-};
-
-template <class T>
-constexpr T chosen(bool first, const T& a, const T& b) {
-  return select(first, a, b);
-}
-template <class Word>
-constexpr Stored<Word> chosen(bool first, const Stored<Word>& a, const Stored<Word>& b) {
-  const auto mask = static_cast<Word>(-static_cast<int>(first));
-  return {static_cast<Word>((a.raw & mask) | (b.raw & ~mask))};
-}
 
 }  // namespace detail
 
@@ -73,10 +55,10 @@ constexpr Status lag_columns(const PayloadState<S, T>& state, const PayloadColum
     for (int k = 0; k < 4; ++k) {
       const T row = Sums::lagged(k, state.lagged[i].of[k], p[k], p_last[k], d[k], d_last[k]);
       squares.add(row);  // where it starts too: what is kept of this sample must not spoil the next
-      lagged[i].of[k] = chosen(state.ready, row, state.lagged[i].of[k]);
+      lagged[i].of[k] = Sums::chosen(state.ready, row, state.lagged[i].of[k]);
     }
     squares.add(residual[i]);
-    turns_of<robot_of<S>>.of[i] ? all.angle(q[i]) : all.number(q[i]);
+    robot_of<S>::chain.links[i].type == JointType::revolute ? all.angle(q[i]) : all.number(q[i]);
     all.number(qd[i]);
   }
   all.number(squares.scaled());
@@ -101,7 +83,7 @@ constexpr void learn(PayloadState<S, T>& state, const PayloadRow<T> (&lagged)[jo
 
 }  // namespace detail
 
-/// What is known of a payload. In fixed point T is Scaled; payload_words.hpp makes words of it.
+/// What is known of a payload. In fixed point T is Scaled; fixed/control/payload_words.hpp makes words of it.
 template <class T>
 struct PayloadEstimate {
   T mass{};                ///< kg
@@ -134,11 +116,10 @@ template <class S, class T, class Tuning>
                                      const Velocities<robot_of<S>, T>& qd,
                                      const typename detail::ResidualInput<S, T, Tuning>::type& residual) {
   static_assert(Tuning::deviation > 0.0 && Tuning::memory > 0.0, "axial: deviation and memory are positive");
-  if constexpr (is_stored_v<T>)
-    if (const Status outside = check_request<S>(q, qd, Accelerations<robot_of<S>, T>{}); !outside.ok()) {
-      state.ready = false;
-      return outside;
-    }
+  if (const Status outside = detail::LimitsFor<S, T>::check_state(q, qd); !outside.ok()) {
+    state.ready = false;
+    return outside;
+  }
   const auto now = detail::payload_columns<S, T>(q, qd);
   detail::PayloadRow<T> lagged[joint_count<S>];
   const Status status = detail::lag_columns<S, T, Tuning>(state, now, q, qd, residual, lagged);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <axial/dynamics/kinematics.hpp>
-#include <axial/fixed/formats/input_formats.hpp>
 
 namespace axial::detail {
 
@@ -45,80 +44,6 @@ struct ColumnRounding {
   };
   static constexpr Same turning{}, moving{}, slope{}, momentum_along{}, momentum_across{}, drift_along{},
       drift_across{}, store{};
-};
-
-// In fixed point. Declared speeds add up to W; a column (a, b) of the Jacobian has |a| <= 1, |b| <= L, L >= 1 m being
-// what the format of lengths holds. Hence |w| <= W, |v| <= L W, a column's rate (da, db) has |da| <= W, |db| <= 2 L W
-// (db = wi x b + vi x a), and with momentum b.v and b x w + v x a, drift db.v + b.g and db x w + v x da + g x a:
-//   momentum |along| <= L^2 W, |across| <= 2 L W, drift |along| <= 2 L^2 W^2 + L g, |across| <= 3 L W^2 + g.
-// Each vector has one exponent for all joints, from its bound and a 1000th more: words are rounded to 2^-28 of their
-// bounds or better, and less than 2^10 of them add up. Sums on the way are exact modulo 2^64, results fit.
-template <class S, class Word>
-struct ColumnRounding<S, Stored<Word>> {
-  static_assert(sizeof(Word) == 4, "axial: the payload estimator takes Fixed32, float or double");
-  using A = ArithmeticOf<scene_of<S>, Word>;
-  using Speeds = Velocities<robot_of<S>, Stored<Word>>;
-  static constexpr Rounding rounding{32, true, false, 0.0};
-  static constexpr int fitting(double most) { return rounding.exponent(1.001 * most); }
-  static constexpr double all_speeds() {
-    double sum = 0.0;
-    for (const LinkParameters& link : robot_of<S>::chain.links)
-      sum += link.speed_limit;
-    return sum;
-  }
-  static constexpr int slowest() {
-    int least = Speeds::exponent(0);
-    for (int i = 1; i < Speeds::size; ++i)
-      least = smaller(least, Speeds::exponent(i));
-    return least;
-  }
-  static constexpr int length = length_exponent<S, Stored<Word>>, speed_exponent = slowest();
-  static constexpr double L = power_of_two(31 - length), W = all_speeds();
-  static constexpr Vec3<double> g = world_gravity<S>();
-  static constexpr double weight = length_of(g.x, g.y, g.z);
-  static constexpr int gravity_exponent = fitting(weight), turning_exponent = fitting(W),
-                       moving_exponent = fitting(L * W), slope_exponent = fitting(2.0 * L * W);
-  /// Of the columns: along, then across.
-  static constexpr int momentum[2] = {fitting(L * L * W), fitting(2.0 * L * W)},
-                       drift[2] = {fitting(2.0 * L * L * W * W + L * weight), fitting(3.0 * L * W * W + weight)};
-  static_assert(L >= 1.0);
-
-  static constexpr auto direction(const Vec3<Stored<Word>>& x) { return in_format<A::unit, A>(x); }
-  static constexpr auto way(const Vec3<Stored<Word>>& x) { return in_format<length, A>(x); }
-  static constexpr Fx<speed_exponent, A> speed(const Speeds& qd, int i) {
-    return {static_cast<Word>(qd[i].raw >> (Speeds::exponent(i) - speed_exponent))};
-  }
-  static constexpr Vec3<Fx<gravity_exponent, A>> gravity() {
-    using N = NumberTraits<Fx<gravity_exponent, A>>;
-    constexpr Vec3<Fx<gravity_exponent, A>> words{N::constant(g.x), N::constant(g.y), N::constant(g.z)};
-    return words;
-  }
-  template <int E>
-  struct To {
-    template <class X>
-    constexpr auto operator()(const X& x) const {
-      if constexpr (IsVec3<X>::value)
-        return Vec3{round_to<E>(x.x), round_to<E>(x.y), round_to<E>(x.z)};
-      else
-        return round_to<E>(x);
-    }
-  };
-  struct Store {
-    template <int E>
-    constexpr Stored<Word> operator()(const Fx<E, A>& x) const {
-      return {x.raw};
-    }
-  };
-  using Turning = Vec3<Fx<turning_exponent, A>>;
-  using Moving = Vec3<Fx<moving_exponent, A>>;
-  static constexpr To<turning_exponent> turning{};
-  static constexpr To<moving_exponent> moving{};
-  static constexpr To<slope_exponent> slope{};
-  static constexpr To<momentum[0]> momentum_along{};
-  static constexpr To<momentum[1]> momentum_across{};
-  static constexpr To<drift[0]> drift_along{};
-  static constexpr To<drift[1]> drift_across{};
-  static constexpr Store store{};
 };
 
 }  // namespace axial::detail

@@ -23,8 +23,7 @@ template <class S, class T>
                                        const Inputs<S, T>& in = {}) {
   if (const Status status = detail::check_all<S, T>(q, {}, {}, in); !status.ok()) return status;
   const auto terms = separate<S>(q, in);
-  if constexpr (!is_stored_v<T>)  // in fixed point nothing is left to say
-    if (!terms.status.ok()) return terms.status;
+  if (!terms.status.ok()) return terms.status;
   state.terms = terms, state.q = q, state.ready = true;
   return {};
 }

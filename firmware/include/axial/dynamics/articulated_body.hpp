@@ -239,7 +239,7 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
     bool lost = left.singular;
     auto answer = link.on_joint([&](auto joint) AXIAL_INLINE {
       auto own = joint_acceleration(link, left.free, left.gain, moved, left.left, lost);
-      write_limited(links, qdd, i, own, lost);
+      links.write_limited(qdd, i, own, lost);
       return link.shape(with_joint(link, moved, along_axis(joint, own)));
     });
     singular = first_found(singular, lost, static_cast<int>(i));
@@ -252,12 +252,12 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
 template <class Links, class Input, class Q, class V, class Tau, class A>
 AXIAL_INLINE constexpr Status run(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
                                   A& qdd) {
-  auto at = read(links, q);
-  auto speed = read(links, qd);
+  auto at = links.read(q);
+  auto speed = links.read(qd);
   auto screws = joint_screws(links, in, at);
   auto water = immersions(links, in, screws, speed);
   using Situation = InMotion<Links, Input, decltype(at), decltype(speed), decltype(water)>;
-  return accelerations(links, in, screws, Situation{links, in, at, speed, water}, read(links, tau), qdd);
+  return accelerations(links, in, screws, Situation{links, in, at, speed, water}, links.read(tau), qdd);
 }
 
 }  // namespace aba

@@ -48,8 +48,7 @@ template <class S, class T>
   static_assert(!scene_of<S>::template has<BaseParameters>,
                 "axial: base_wrench needs every link's own parameters, which BaseParameters regroups; take "
                 "BaseParameters out of the scene");
-  static_assert(!is_stored_v<T>, "axial: base_wrench() has no formats in fixed point; compute it in float");
-  return rnea::force_on_base(links_of<S, T>(), in, q, qd, qdd);
+  return rnea::force_on_base(links_of<S, T, FullParameters, recursion::BaseForce>(), in, q, qd, qdd);
 }
 /// The same for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>

@@ -6,9 +6,7 @@
 
 namespace axial {
 
-namespace detail {
-
-// What belongs to the direction of a speed; at rest the speed itself, which is 0 (or NaN). Neither way is branched on.
+/// What belongs to the direction of a speed; at rest the speed itself, which is 0 (or NaN). Neither way is branched on.
 template <class V, class F, class B>
 AXIAL_INLINE constexpr auto by_direction(const V& qd, const F& forward, const B& backward) {
   if constexpr (is_zero_v<F> && is_zero_v<B>)
@@ -16,21 +14,13 @@ AXIAL_INLINE constexpr auto by_direction(const V& qd, const F& forward, const B&
   else
     return select(qd > V(Zero{}), V(forward), select(qd < V(Zero{}), V(backward), qd));
 }
-
-// In fixed point the efforts take the format of the link's effort.
+/// The same for an effort of a link; a number system with formats overloads it for its speeds.
 template <class Link, class V, class F, class B>
-AXIAL_INLINE constexpr auto by_direction(const Link& link, const V& qd, const F& forward, const B& backward) {
-  if constexpr (!Link::ranged) {
-    return by_direction(qd, forward, backward);
-  } else if constexpr (is_zero_v<F> && is_zero_v<B>) {
-    return Zero{};
-  } else {
-    const quantity::JointEffort effort;
-    using E = decltype(link.sum(effort, qd));
-    const V still{};
-    return select(qd > still, E(link.sum(effort, forward)), select(qd < still, E(link.sum(effort, backward)), E{}));
-  }
+AXIAL_INLINE constexpr auto effort_by_direction(const Link&, const V& qd, const F& forward, const B& backward) {
+  return by_direction(qd, forward, backward);
 }
+
+namespace detail {
 
 // x (3 - x^2) / 2, held at +-1 outside: the smooth sign.
 template <class V>
@@ -43,7 +33,6 @@ AXIAL_INLINE constexpr V smooth_sign(const V& x) {
 // The sign of a speed as the link smooths it; one table may hold links that do and links that do not.
 template <class Link, class V>
 AXIAL_INLINE constexpr V sign_of_speed(const Link& link, const V& qd) {
-  static_assert(!Link::ranged, "axial: fixed point has no smooth_speed(); compute this scene in float");
   const V smooth = smooth_sign(V(qd * link.inverse_smooth_speed()));
   if constexpr (Link::unrolled)
     return smooth;
@@ -56,10 +45,8 @@ template <class Link, class V, class CF, class CB, class SF, class SB>
 AXIAL_INLINE constexpr auto dry_friction(const Link& link, const V& qd, const CF& coulomb_forward,
                                          const CB& coulomb_backward, const SF& stribeck_forward,
                                          const SB& stribeck_backward) {
-  auto coulomb = by_direction(link, qd, coulomb_forward, coulomb_backward);
-  auto breakaway = by_direction(link, qd, stribeck_forward, stribeck_backward);
-  static_assert(!Link::ranged || is_zero_v<decltype(breakaway)>,
-                "axial: fixed point has viscous and Coulomb friction, not stribeck(); compute this scene in float");
+  auto coulomb = effort_by_direction(link, qd, coulomb_forward, coulomb_backward);
+  auto breakaway = effort_by_direction(link, qd, stribeck_forward, stribeck_backward);
   if constexpr (is_zero_v<decltype(breakaway)>)
     return coulomb;
   else

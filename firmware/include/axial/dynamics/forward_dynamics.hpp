@@ -6,7 +6,6 @@
 #include <axial/dynamics/forward_soundness.hpp>
 #include <axial/dynamics/route.hpp>
 #include <axial/dynamics/split_form.hpp>
-#include <axial/fixed/limits/state_check.hpp>
 
 namespace axial {
 
@@ -23,16 +22,13 @@ AXIAL_INLINE constexpr Status solve(const Input& in, const Q& q, const V& qd, co
     return aba::run(links_of<Scene, T, FullParameters, recursion::ArticulatedBodies>(), in, q, qd, tau, qdd);
 }
 
-/// Over numbers T: fixed point takes an articulated body, of which ranges are proved; the split one unless named.
+/// Over numbers T; a number system may have fewer.
 template <class S, class T>
-constexpr Route chosen_route_over() {
-  if constexpr (!is_stored_v<T>)
-    return forward_dynamics_route<S>;
-  else
-    return scene_of<S>::template has<ArticulatedBody> ? Route::articulated_body : Route::split_articulated_body;
-}
+struct RouteOver {
+  static constexpr Route value = forward_dynamics_route<S>;
+};
 template <class S, class T>
-inline constexpr Route route_over = chosen_route_over<S, T>();
+inline constexpr Route route_over = RouteOver<S, T>::value;
 
 /// A run-time model has full parameters and no compile-time choice: ABA unless its features name another form.
 template <class Scene>
@@ -62,11 +58,11 @@ AXIAL_INLINE constexpr Status solve_model(const Links& links, const Input& in, c
 /// its acceleration is 0 and the rest moves as if it were locked. On a floating base the result holds the base's
 /// acceleration too, and joint -1 stands for the base. A robot with a joint that no mass, inertia or rotor resists does
 /// not compile.
-/// In fixed point any words may be given. Efforts beyond the declared ones: see drive_scale.hpp. A position or a speed
-/// beyond its limit is named (position_limit, speed_limit: the first joint from the base), inputs beyond what is
-/// declared likewise (payload_limit, input_limit); accelerations are then 0, for formats hold no more, unless nothing
-/// but the angles of turning joints is beyond: those have no end, and are solved all the same. Who wants the nearest
-/// state inside takes clamped_request() first.
+/// In fixed point any words may be given. Efforts beyond the declared ones: see fixed/dynamics/drive_scale.hpp. A
+/// position or a speed beyond its limit is named (position_limit, speed_limit: the first joint from the base), inputs
+/// beyond what is declared likewise (payload_limit, input_limit); accelerations are then 0, for formats hold no more,
+/// unless nothing but the angles of turning joints is beyond: those have no end, and are solved all the same. Who wants
+/// the nearest state inside takes clamped_request() first.
 template <class S, class T>
 [[nodiscard]] constexpr ForwardDynamicsOf<S, T> forward_dynamics(const Positions<robot_of<S>, T>& q,
                                                                  const Velocities<robot_of<S>, T>& qd,
@@ -77,12 +73,9 @@ template <class S, class T>
       "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "
       "each joint a mass, an inertia about the joint axis, or rotor_inertia()");
   ForwardDynamicsOf<S, T> result{};
-  [[maybe_unused]] const detail::StateCheck<S, T> check(in, q, qd);
+  const detail::StateCheck<S, T> check(in, q, qd);
   result.status = detail::solve<detail::route_over<S, T>, scene_of<S>, T>(in, q, qd, tau, result);
-  if constexpr (is_stored_v<T>)
-    check.judge(result);
-  else
-    result.status = detail::sound_status(links_of<S, T>(), in, q, qd, result, result.status);
+  check.judge(in, q, qd, result);
   return result;
 }
 /// The same for a run-time model: ABA, unless its features name another form.

@@ -21,17 +21,15 @@ struct FloatingDynamics : ForwardDynamics<S, T> {
 /// What `forward_dynamics<S>` over numbers T answers.
 template <class S, class T>
 using ForwardDynamicsOf =
-    std::conditional_t<is_stored_v<T>, ForwardDynamics<S, T>,
-                       std::conditional_t<scene_of<S>::template has<FloatingBase>, FloatingDynamics<robot_of<S>, T>,
-                                          ForwardDynamics<robot_of<S>, T>>>;
+    std::conditional_t<scene_of<S>::template has<FloatingBase>, FloatingDynamics<subject_of<S, T>, T>,
+                       ForwardDynamics<subject_of<S, T>, T>>;
 
 namespace aba {
 
-/// What became of a solve whose joint `lost` (-1: none) is near singular; in proved ranges, beyond them.
+/// What became of a solve whose joint `lost` (-1: none) is near singular, or whatever these links call it.
 template <class Links>
 AXIAL_INLINE constexpr Status status_of(int lost, bool scaled) {
-  constexpr bool ranged = decltype(std::declval<const Links&>().link(Index<0>{}))::ranged;
-  const auto trouble = static_cast<int>(ranged ? Status::Code::saturated : Status::Code::near_singular);
+  constexpr auto trouble = static_cast<int>(Links::lost_code);
   const int otherwise = select(scaled, static_cast<int>(Status::Code::rescaled), static_cast<int>(Status::Code::ok));
   return {static_cast<Status::Code>(select(!is_negative(lost), trouble, otherwise)), lost};
 }

@@ -81,5 +81,21 @@ AXIAL_INLINE constexpr Status sound_status(const Links& links, const Input& in, 
   return {static_cast<Status::Code>(code), solved.joint | unsound};
 }
 
+/// The state and the inputs of a solve. Here nothing wraps, so that answers are looked at; a number system with formats
+/// looks before it solves.
+template <class S, class T>
+struct StateCheck {
+  template <class... X>
+  AXIAL_INLINE constexpr explicit StateCheck(const X&...) {}
+  /// Puts what is wrong with the state, the inputs or the answer into the answer's status.
+  template <class Result>
+  AXIAL_INLINE constexpr void judge(const Inputs<S, T>& in, const Positions<robot_of<S>, T>& q,
+                                    const Velocities<robot_of<S>, T>& qd, Result& result) const {
+    result.status = sound_status(links_of<S, T>(), in, q, qd, result, result.status);
+  }
+  /// Puts what is beyond the formats into a status: nothing.
+  AXIAL_INLINE constexpr void name(Status&) const {}
+};
+
 }  // namespace detail
 }  // namespace axial

@@ -8,7 +8,7 @@
 #include <axial/dynamics/loads.hpp>
 #include <axial/dynamics/moving_base.hpp>
 #include <axial/dynamics/water.hpp>
-#include <axial/links/model.hpp>
+#include <axial/links/run_time_model.hpp>
 
 namespace axial {
 namespace rnea {
@@ -168,7 +168,7 @@ AXIAL_INLINE constexpr void efforts(const Links& links, const Input& in, const Q
   auto water = immersions(links, in, screws, qd);
   auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, water, i); };
   auto joint = [&](auto i, const auto& force) AXIAL_INLINE {
-    write(links, tau, i, joint_effort(links, i, force, q, qd, qdd));
+    links.write(tau, i, joint_effort(links, i, force, q, qd, qdd));
     return Left{sent_force(links, screws, i, force)};
   };
   inward(links, own, joint);
@@ -176,8 +176,8 @@ AXIAL_INLINE constexpr void efforts(const Links& links, const Input& in, const Q
 /// The same from q itself, whatever the form in which joint values stand.
 template <class Links, class Input, class Q, class V, class A, class Tau>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Tau& tau) {
-  auto at = read(links, q);
-  efforts(links, in, at, joint_screws(links, in, at), read(links, qd), read(links, qdd), tau);
+  auto at = links.read(q);
+  efforts(links, in, at, joint_screws(links, in, at), links.read(qd), links.read(qdd), tau);
 }
 
 }  // namespace rnea

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/dynamics/passes.hpp>
-#include <axial/links/model.hpp>
+#include <axial/links/run_time_model.hpp>
 #include <axial/scalar/packed_sincos.hpp>
 
 namespace axial {
@@ -80,17 +80,13 @@ AXIAL_INLINE constexpr void fill_turns(const Links& links, const Q& q, Turns& tu
     });
   });
 }
-// Fixed point: the angles themselves, in words with the exponent InputFormats::sine_cosine.
-template <class S, class Word, class Q>
-AXIAL_INLINE constexpr void fill_words(const Q& q, Joints<robot_of<S>, SinCos<Stored<Word>>>& turns) {
-  check_fixed_scene<scene_of<S>>();
-  using A = ArithmeticOf<scene_of<S>, Word>;
-  for (int i = 0; i < joint_count<S>; ++i) {
-    const bool turns_it = robot_of<S>::chain.links[i].type == JointType::revolute;
-    const auto pair = sincos(Bam<A>{turns_it ? static_cast<std::int32_t>(q[i].raw) : 0});
-    turns[i] = {{pair.sin.raw}, {pair.cos.raw}};
+/// How sine_cosines() finds the pairs of a scene's joints; a number system may have its own way.
+template <class S, class T>
+struct PairsOf {
+  AXIAL_INLINE static constexpr void fill(const Positions<robot_of<S>, T>& q, Joints<robot_of<S>, SinCos<T>>& turns) {
+    fill_turns(links_of<S, T>(), q, turns);
   }
-}
+};
 }  // namespace detail
 
 /// Sine and cosine of every revolute joint's position (rad), for the input `turns` of scenes that name SineCosines:
@@ -98,10 +94,7 @@ AXIAL_INLINE constexpr void fill_words(const Q& q, Joints<robot_of<S>, SinCos<St
 template <class S, class T>
 [[nodiscard]] constexpr Joints<robot_of<S>, SinCos<T>> sine_cosines(const Positions<robot_of<S>, T>& q) {
   Joints<robot_of<S>, SinCos<T>> turns{};
-  if constexpr (is_stored_v<T>)
-    detail::fill_words<S>(q, turns);
-  else
-    detail::fill_turns(links_of<S, T>(), q, turns);
+  detail::PairsOf<S, T>::fill(q, turns);
   return turns;
 }
 /// The same for a run-time model.

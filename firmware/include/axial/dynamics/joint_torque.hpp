@@ -63,18 +63,14 @@ AXIAL_INLINE constexpr auto run_joint(const Links& links, const Input& in, I joi
 template <class S, int Joint>
 inline constexpr bool has_joint = Joint >= 0 && Joint < joint_count<S>;
 
-/// Effort of one joint of a scene as results hold it: in fixed point in the format of that joint's effort.
+/// Effort of one joint of a scene as results hold it.
 template <class S, int Joint, class T, class Q, class V, class A>
 constexpr T joint_effort_of(const Inputs<S, T>& in, const Q& q, const V& qd, const A& qdd) {
   constexpr Index<Joint> joint;
   const auto links = links_of<S, T, BaseParameters>();
-  if constexpr (is_stored_v<T>) {
-    EffortsOf<S, T> effort{};
-    write(links, effort, joint, run_joint(links, in, joint, read(links, q), read(links, qd), read(links, qdd)));
-    return effort[Joint];
-  } else {
-    return run_joint(links, in, joint, q, qd, qdd);
-  }
+  auto effort = links.no_efforts();
+  links.write(effort, joint, run_joint(links, in, joint, links.read(q), links.read(qd), links.read(qdd)));
+  return effort[Joint];
 }
 
 }  // namespace rnea

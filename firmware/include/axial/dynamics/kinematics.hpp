@@ -81,9 +81,9 @@ AXIAL_INLINE constexpr Status status_at(const Links& links, const Input& in, con
 /// Writes the poses of all frames and of the tool.
 template <class Links, class Input, class Q, class Result>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Result& result) {
-  auto poses = frames(links, in, read(links, q));
-  for_each_link(links, [&](auto i) AXIAL_INLINE { result.frames[i] = stored(links, poses[i]); });
-  result.tool = stored(links, poses[links.last()] * links.tool_pose());
+  auto poses = frames(links, in, links.read(q));
+  for_each_link(links, [&](auto i) AXIAL_INLINE { result.frames[i] = links.stored(poses[i]); });
+  result.tool = links.stored(poses[links.last()] * links.tool_pose());
   result.status = status_at(
       links, in, q, [&](auto i) { return result.frames[i].position; }, result.tool.position);
 }
@@ -106,7 +106,7 @@ AXIAL_INLINE constexpr void columns(const Links& links, const Poses& poses, K k,
     auto link = links.link(i);
     jacobian[i] = link.on_joint([&](auto joint) AXIAL_INLINE {
       auto arm = link.sum(quantity::Length{}, point, -poses[i].position);
-      return stored(links, column(joint, z_column(poses[i].rotation), arm));
+      return links.stored(column(joint, z_column(poses[i].rotation), arm));
     });
   };
   write(k);
@@ -115,7 +115,7 @@ AXIAL_INLINE constexpr void columns(const Links& links, const Poses& poses, K k,
 /// Columns for the tool's origin.
 template <class Links, class Input, class Q, class Result>
 AXIAL_INLINE constexpr void tool_columns(const Links& links, const Input& in, const Q& q, Result& jacobian) {
-  auto poses = frames(links, in, read(links, q));
+  auto poses = frames(links, in, links.read(q));
   auto tool = poses[links.last()] * links.tool_pose();
   columns(links, poses, links.last(), links.link(links.last()).sum(quantity::Length{}, tool.position), jacobian);
   jacobian.status = status_at(links, in, q, [&](auto i) { return jacobian[i]; });
@@ -123,20 +123,12 @@ AXIAL_INLINE constexpr void tool_columns(const Links& links, const Input& in, co
 /// Columns for the origin of link k's frame.
 template <class Links, class Input, class K, class Q, class Result>
 AXIAL_INLINE constexpr void link_columns(const Links& links, const Input& in, K k, const Q& q, Result& jacobian) {
-  auto poses = frames(links, in, read(links, q));
+  auto poses = frames(links, in, links.read(q));
   columns(links, poses, k, poses[k].position, jacobian);
   jacobian.status = status_at(links, in, q, [&](auto i) { return jacobian[i]; });
 }
 
 }  // namespace kinematics
-
-/// Exponents of what kinematics answers in fixed point T: of lengths (m), and of entries of rotations and directions.
-template <class S, class T>
-inline constexpr int length_exponent =
-    decltype(links_of<S, T, FullParameters, recursion::Kinematics>().link(Index<0>{}))::format.length;
-/// The same of entries of rotations and directions.
-template <class T>
-inline constexpr int direction_exponent = 8 * static_cast<int>(sizeof(typename T::Word)) - 2;
 
 /// Poses of all frames and of the tool in the world. In: q (rad or m). Source: Craig 2005, eq. (3.6), as two screws.
 /// The status, which costs nothing where nobody reads it: not_finite where a position is NaN or infinite or a slide so
@@ -148,7 +140,7 @@ template <class S, class T>
                                                                              const Inputs<S, T>& in = {}) {
   ForwardKinematics<robot_of<S>, T> result{};
   kinematics::run(links_of<S, T, FullParameters, recursion::Kinematics>(), in, q, result);
-  if constexpr (is_stored_v<T>) result.status = detail::position_status<S>(in, q);
+  detail::PositionCheck<S, T>::name(result.status, in, q);
   return result;
 }
 /// The same for a run-time model.
@@ -169,7 +161,7 @@ template <class S, class T>
                                                           const Inputs<S, T>& in = {}) {
   Jacobian<robot_of<S>, T> result{};
   kinematics::tool_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, q, result);
-  if constexpr (is_stored_v<T>) result.status = detail::position_status<S>(in, q);
+  detail::PositionCheck<S, T>::name(result.status, in, q);
   return result;
 }
 /// The same for the origin of one link's frame, such as the other hand of a tree: jacobian<Robot, 3>(q).
@@ -183,7 +175,7 @@ template <class S, int Link, class T>
     kinematics::link_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, Link, q, result);
   else
     kinematics::link_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, Index<Link>{}, q, result);
-  if constexpr (is_stored_v<T>) result.status = detail::position_status<S>(in, q);
+  detail::PositionCheck<S, T>::name(result.status, in, q);
   return result;
 }
 /// The same for a run-time model.

@@ -27,79 +27,9 @@ struct MassMatrix {
   AXIAL_INLINE static constexpr int at(int i, int j) { return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i; }
 };
 
-namespace detail {
-/// Exponents of the entries: |M_ij| <= sqrt(M_ii M_jj), whatever the configuration.
-template <class S, class Word>
-struct MassMatrixFormat {
-  static constexpr int size = joint_count<S>;
-  int of[size][size] = {};
-
-  static constexpr MassMatrixFormat chosen() {
-    constexpr Rounding rounding{8 * static_cast<int>(sizeof(Word)), true, false, 0.0};
-    const auto ranges = composite_body_ranges(mechanism_of<scene_of<S>, FullParameters>, rounding);
-    MassMatrixFormat format;
-    for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j)
-        format.of[i][j] =
-            rounding.exponent(square_root(ranges.range[i].joint_inertia.size * ranges.range[j].joint_inertia.size));
-    return format;
-  }
-};
-template <class S, class Word>
-inline constexpr MassMatrixFormat<S, Word> mass_matrix_format = MassMatrixFormat<S, Word>::chosen();
-
-/// How far entries, each in its format, are from exponent E: in either direction.
-template <class S, class Word, int E>
-struct MatrixShifts {
-  static constexpr int size = joint_count<S>;
-  unsigned char down[size * (size + 1) / 2] = {}, up[size * (size + 1) / 2] = {};
-
-  static constexpr MatrixShifts chosen() {
-    MatrixShifts shifts;
-    for (int i = 0; i < size; ++i)
-      for (int j = 0; j <= i; ++j) {
-        const int shift = mass_matrix_format<S, Word>.of[i][j] - E, at = i * (i + 1) / 2 + j;
-        shifts.down[at] = static_cast<unsigned char>(shift < 0 ? smaller(-shift, 31) : 0);
-        shifts.up[at] = static_cast<unsigned char>(shift > 0 ? shift : 0);
-      }
-    return shifts;
-  }
-};
-template <class S, class Word, int E>
-inline constexpr auto matrix_shifts = MatrixShifts<S, Word, E>::chosen();
-}  // namespace detail
-
-/// In fixed point M(i, j) = raw 2^-exponent(i, j).
-template <class S, class Word>
-struct MassMatrix<S, Stored<Word>> {
-  static constexpr int size = joint_count<S>;  ///< number of joints
-  Stored<Word> values[size * (size + 1) / 2];  ///< lower triangle, row by row
-
-  /// of entry (i, j)
-  [[nodiscard]] static constexpr int exponent(int i, int j) { return detail::mass_matrix_format<S, Word>.of[i][j]; }
-  /// Entry (i, j), either way round.
-  AXIAL_INLINE constexpr Stored<Word>& operator()(int i, int j) { return values[at(i, j)]; }
-  /// Entry (i, j), either way round.
-  AXIAL_INLINE constexpr const Stored<Word>& operator()(int i, int j) const { return values[at(i, j)]; }
-  /// Rounds into the format of entry (I, J).
-  template <int I, int J, class V>
-  AXIAL_INLINE constexpr void set(Index<I>, Index<J>, const V& value) {
-    if constexpr (!is_zero_v<V>) values[at(I, J)] = {round_to<exponent(I, J)>(value).raw};
-  }
-  /// From a format that all links share.
-  template <int E, class A>
-  AXIAL_INLINE constexpr void set(int i, int j, const Fx<E, A>& value) {
-    constexpr const auto& shifts = detail::matrix_shifts<S, Word, E>;
-    values[at(i, j)] = {detail::moved_either_way<A>(value.raw, shifts.down[at(i, j)], shifts.up[at(i, j)])};
-  }
-  AXIAL_INLINE constexpr void set(int, int, Zero) {}  ///< what is zero by type is zero already
-
- private:
-  AXIAL_INLINE static constexpr int at(int i, int j) { return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i; }
-};
-/// Of a scene: in fixed point its formats follow from what the scene puts on the robot.
+/// Of a scene.
 template <class S, class T>
-using MassMatrixOf = MassMatrix<std::conditional_t<is_stored_v<T>, S, robot_of<S>>, T>;
+using MassMatrixOf = MassMatrix<subject_of<S, T>, T>;
 
 namespace crba {
 
@@ -206,7 +136,7 @@ AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const S
 /// The same from q itself, whatever the form in which joint values stand.
 template <class Links, class Input, class Q, class Matrix>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Matrix& m) {
-  entries(links, in, joint_screws(links, in, read(links, q)), m);
+  entries(links, in, joint_screws(links, in, links.read(q)), m);
 }
 
 }  // namespace crba

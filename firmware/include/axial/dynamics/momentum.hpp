@@ -66,27 +66,9 @@ AXIAL_INLINE constexpr void hold(const Links& links, const Input& in, const Q& q
   auto water = immersions(links, in, screws, none);
   auto own = [&](auto i) AXIAL_INLINE { return rnea::own_force(links, in, motions, water, i); };
   inward(links, own, [&](auto i, const auto& force) AXIAL_INLINE {
-    write(links, tau, i, rnea::joint_effort(links, i, force, q, qd, none));
+    links.write(tau, i, rnea::joint_effort(links, i, force, q, qd, none));
     return rnea::Left{rnea::sent_force(links, screws, i, force)};
   });
-}
-
-/// The least exponent of values, at which all of them fit.
-template <class Values>
-constexpr int shared_exponent() {
-  int least = Values::exponent(0);
-  for (int i = 1; i < Values::size; ++i)
-    least = detail::smaller(least, Values::exponent(i));
-  return least;
-}
-// values[i] = x - y, rounded once.
-/// Writes values[i] = x - y, rounded once.
-template <class Links, class Values, class I, class X, class Y>
-AXIAL_INLINE constexpr void write_difference(const Links& links, Values& values, I i, const X& x, const Y& y) {
-  if constexpr (detail::shares_formats<Links>)
-    write(links, values, i, round_to<shared_exponent<Values>()>(x - y));
-  else
-    write(links, values, i, x - y);
 }
 
 /// The inward pass: a joint's momentum is the one about its axis of all that it carries, and its rotor's.
@@ -97,11 +79,11 @@ AXIAL_INLINE constexpr void carry(const Links& links, const Input& in, const Scr
   auto own = [&](auto i) AXIAL_INLINE { return own_momentum(links, in, motions, i); };
   inward(links, own, [&](auto i, const auto& h) AXIAL_INLINE {
     auto link = links.link(i);
-    write(links, terms.momentum, i, link.on_joint([&](auto joint) AXIAL_INLINE {
+    links.write(terms.momentum, i, link.on_joint([&](auto joint) AXIAL_INLINE {
       return link.sum(quantity::JointEffort{}, along_joint(joint, h), link.rotor() * qd[i]);
     }));
     link.on_joint([&](auto joint) AXIAL_INLINE {
-      write_difference(links, terms.drift, i, kinetic_slope(joint, motions[i], h), holding[i]);
+      links.write_difference(terms.drift, i, kinetic_slope(joint, motions[i], h), holding[i]);
     });
     return rnea::Left{rnea::sent_force(links, screws, i, h)};
   });
@@ -120,7 +102,7 @@ AXIAL_INLINE constexpr Status status_of(const Links& links, const Input& in, con
   return all.status();
 }
 
-/// Over the links of RNEA and of momenta, which differ in fixed point only: by their formats.
+/// Over the links of RNEA and of momenta, which differ where links have formats.
 template <class Holding, class Links, class Input, class Q, class V, class Terms>
 AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, const Input& in, const Q& q, const V& qd,
                                 Terms& terms) {
@@ -128,12 +110,12 @@ AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, cons
   static_assert(!base_moves<Scene> && !Scene::template has<Underwater>,
                 "axial: momenta are those of a robot on a fixed base in air; take BaseMotion, FloatingBase and "
                 "Underwater out of this scene");
-  auto at = read(at_rest, q);
+  auto at = at_rest.read(q);
   auto screws = joint_screws(at_rest, in, at);
-  auto holding = no_efforts(at_rest);
-  hold(at_rest, in, at, screws, read(at_rest, qd), holding);
-  carry(links, in, screws, read(links, qd), read(at_rest, holding), terms);
-  if constexpr (is_number_v<typename Links::Scalar>) terms.status = status_of(links, in, q, qd, terms);
+  auto holding = at_rest.no_efforts();
+  hold(at_rest, in, at, screws, at_rest.read(qd), holding);
+  carry(links, in, screws, links.read(qd), at_rest.read(holding), terms);
+  terms.status = status_of(links, in, q, qd, terms);
 }
 
 }  // namespace momentum
@@ -153,7 +135,7 @@ template <class S, class T>
   MomentumTerms<S, T> terms{};
   momentum::run(links_of<S, T, BaseParameters>(), links_of<S, T, BaseParameters, recursion::Momenta>(), in, q, qd,
                 terms);
-  if constexpr (is_stored_v<T>) detail::StateCheck<S, T>(in, q, qd).name(terms.status);
+  detail::StateCheck<S, T>(in, q, qd).name(terms.status);
   return terms;
 }
 /// The same for a run-time model.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <axial/dynamics/forward_soundness.hpp>
-#include <axial/fixed/limits/state_check.hpp>
 #include <axial/scalar/math.hpp>
 
 namespace axial {
@@ -69,29 +68,12 @@ AXIAL_INLINE constexpr void judge_positions(Soundness<T>& all, const Links& link
   }
 }
 
-template <class S, class Word, class Q, int... I>
-AXIAL_INLINE constexpr int first_slide_outside(const Q& q, std::integer_sequence<int, I...>) {
-  int first = -1;
-  auto look = [&](auto i) AXIAL_INLINE {
-    if constexpr (!turns_of<robot_of<S>>.of[i])
-      first = first_found(first, fixed_limits_of<S, Word>.joints[i].outside(q.values[i]) != 0, i);
-  };
-  (look(Index<I>{}), ...);
-  return first;
-}
-
-/// In fixed point: inputs beyond what is declared, or the first slide beyond its limits, from where formats wrap. Every
-/// angle has its place in them.
-template <class S, class Word>
-AXIAL_INLINE constexpr Status position_status(const Inputs<S, Stored<Word>>& in,
-                                              const Positions<robot_of<S>, Stored<Word>>& q) {
-  const Status::Code inputs = inputs_outside<S>(in);
-  const int slide = first_slide_outside<S, Word>(q, std::make_integer_sequence<int, joint_count<S>>{});
-  constexpr int limit = static_cast<int>(Status::Code::position_limit);
-  const bool bad = inputs != Status::Code::ok;
-  return {static_cast<Status::Code>(select(bad, static_cast<int>(inputs), limit & ~(slide >> 31))),
-          select(bad, -1, slide)};
-}
+/// What a number system with formats has to say of positions and inputs before a kernel: here nothing, for answers are
+/// looked at.
+template <class S, class T>
+struct PositionCheck {
+  AXIAL_INLINE static constexpr void name(Status&, const Inputs<S, T>&, const Positions<robot_of<S>, T>&) {}
+};
 
 }  // namespace detail
 }  // namespace axial

@@ -77,8 +77,8 @@ inline constexpr double sufficient_share<double> = 64.0 * std::numeric_limits<do
 /// own inertia and the composite one.
 template <class Link>
 struct AlwaysResists : std::false_type {};
-template <class Scene, int I, class T, class Parameters, class Rounding>
-struct AlwaysResists<StaticLink<Scene, I, T, Parameters, Rounding>>
+template <class Scene, int I, class T, class Parameters>
+struct AlwaysResists<StaticLink<Scene, I, T, Parameters, Plain>>
     : std::bool_constant<(own_shares_of<Scene>.of[I] > sufficient_share<T>)> {};
 
 }  // namespace detail
@@ -104,12 +104,6 @@ AXIAL_INLINE constexpr auto resistance(const T& d, const Scale& scale) {
   return Resistance{select(left, reciprocal(d), T(Zero{})), !(d > T(T(Int<16>{}) * eps * scale)), left};
 }
 
-/// Where a lower bound of D is proved: a reciprocal of fixed length.
-template <int E, class S, class Scale>
-AXIAL_INLINE constexpr auto resistance(const Fx<E, S>& d, const Scale&) {
-  return Resistance{inverse_of(d), std::false_type{}, std::true_type{}};
-}
-
 /// Of a slide that carries one kilogram, known to the compiler.
 template <class Scale>
 AXIAL_INLINE constexpr auto resistance(One, const Scale&) {
@@ -126,7 +120,7 @@ AXIAL_INLINE constexpr auto resistance(Zero, const Scale&) {
 /// Of a link's joint: nothing is compared where the compiler knows that the joint always resists.
 template <class Link, class D, class Scale>
 AXIAL_INLINE constexpr auto resistance_at(const Link&, const D& d, const Scale& scale) {
-  if constexpr (detail::AlwaysResists<Link>::value && !Link::ranged && is_number_v<D>)
+  if constexpr (detail::AlwaysResists<Link>::value && is_number_v<D>)
     return Resistance{reciprocal(d), std::false_type{}, std::true_type{}};
   else
     return resistance(d, scale);

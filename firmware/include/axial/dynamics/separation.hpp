@@ -4,7 +4,7 @@
 #include <axial/dynamics/joint_motions.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/dynamics/position_soundness.hpp>
-#include <axial/fixed/formats/separated_format.hpp>
+#include <axial/links/separated_terms.hpp>
 
 namespace axial {
 namespace separation {
@@ -125,8 +125,6 @@ AXIAL_INLINE constexpr void rest_terms(const Links& links, const Input& in, cons
                                        const Bodies& bodies, Terms& terms) {
   using Scene = typename Links::Scene;
   if constexpr (Scene::template has<TipWrench> || Scene::template has<ExternalWrenches>) {
-    static_assert(is_number_v<typename Links::Scalar>,
-                  "axial: separate() in fixed point has no wrenches; take TipWrench out of the scene");
     Joints<typename Scene::Robot, typename Links::Scalar> effort{};
     rnea::efforts(links, in, q, screws, NoMotion{}, NoMotion{}, effort);
     for_each_link(links, [&](auto i) AXIAL_INLINE { terms.rest(i, effort[i]); });
@@ -171,7 +169,7 @@ AXIAL_INLINE constexpr Out collected(const Links& links, const Input& in, const 
   using Scene = typename Links::Scene;
   Out out{};
   Collected<S, T, typename Links::Scalar, Out> terms{out};
-  auto at = read(links, q);
+  auto at = links.read(q);
   auto screws = joint_screws(links, in, at);
   if constexpr (!std::is_same_v<Out, Separated<S, T>>) {
     run(links, in, at, screws, terms);
@@ -203,7 +201,7 @@ template <class S, class T>
 [[nodiscard]] constexpr Separated<S, T> separate(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   auto all =
       separation::collected<Separated<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
-  if constexpr (is_stored_v<T>) all.status = detail::position_status<S>(in, q);
+  detail::PositionCheck<S, T>::name(all.status, in, q);
   return all;
 }
 /// The same for one of the four, without a status; what the others need alone is not computed.

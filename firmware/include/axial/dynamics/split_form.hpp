@@ -3,91 +3,45 @@
 
 #include <axial/dynamics/free_response.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
-#include <axial/fixed/dynamics/drive_scale.hpp>
 
 namespace axial {
 namespace aba {
 
-/// One answer in numbers of unlimited range.
+/// One answer in numbers of unlimited range, each acceleration as it comes.
 template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
 AXIAL_INLINE constexpr Status answer(const Links& links, const Screws& screws, const Structure& structure,
                                      const Tau& tau, const Bias& bias, A& qdd) {
   auto drive = map_links(links, [&](auto i) AXIAL_INLINE { return tau[i] - bias[i]; });
   Unwatched watch;
   const int lost = respond(links, screws, structure, drive, watch,
-                           [&](auto i, const auto& own) AXIAL_INLINE { write(links, qdd, i, own); });
+                           [&](auto i, const auto& own) AXIAL_INLINE { links.write(qdd, i, own); });
   return status_of<Links>(lost, false);
 }
 
-/// Joint accelerations of one solve as words, each at the exponent of its link.
-template <class Links>
-struct Solved {
-  std::int32_t raw[Links::capacity] = {};  ///< one a joint
-  int lost = -1;                           ///< first joint that is near singular or beyond its formats, -1 for none
-};
-
-/// One solve of (tau - bias) / 2^halvings; `room` sees its vectors.
-template <class Links, class Screws, class Structure, class Tau, class Bias>
-AXIAL_INLINE constexpr Solved<Links> solved(const Links& links, const Screws& screws, const Structure& structure,
-                                            const Tau& tau, const Bias& bias, int halvings, Headroom& room) {
-  Solved<Links> result;
-  result.lost = respond(links, screws, structure, drive_over(links, tau, bias, halvings), room,
-                        [&](auto i, const auto& own) AXIAL_INLINE { result.raw[i] = own.raw; });
-  return result;
-}
-
-/// In fixed point: a first solve, whose ranges are proved; then, where formats have bits to spare, one as much larger
-/// as the first leaves room for. The second is taken where it agrees with the first, so that the answer never strays
-/// from the proved one.
-template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
-AXIAL_INLINE constexpr Status answer_in_ranges(const Links& links, const Screws& screws, const Structure& structure,
-                                               const Tau& tau, const Bias& bias, A& qdd) {
-  using S = typename Links::Scalar;
-  constexpr int solves = Links::second_solve() ? 2 : 1;
-  const int halvings = halvings_of(links, tau, bias);
-  Solved<Links> all[solves];
-  int magnified = 0;
-  for (int k = 0; k < solves; ++k) {  // a loop, so that the code is there once
-    Headroom room(magnified);
-    all[k] = solved(links, screws, structure, tau, bias, halvings - magnified, room);
-    if (k + 1 < solves) magnified = select(is_negative(all[0].lost), room.magnification(), 0);
+/// How the structure answers what drives it, over links that compute by `Scalar`; a number system with formats has its
+/// own way.
+template <class Scalar>
+struct SplitAnswer {
+  /// Writes the accelerations under tau - bias.
+  template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
+  AXIAL_INLINE static constexpr Status of(const Links& links, const Screws& screws, const Structure& structure,
+                                          const Tau& tau, const Bias& bias, A& qdd) {
+    return answer(links, screws, structure, tau, bias, qdd);
   }
-  int lost = all[0].lost;
-  for_each_link(links, [&](auto i) AXIAL_INLINE {
-    constexpr int exponent = decltype(links.link(i))::format.joint_acceleration;
-    const std::int32_t first = all[0].raw[i], second = all[solves - 1].raw[i];
-    const std::int32_t near = detail::moved_down<S>(second, static_cast<unsigned char>(magnified));
-    const auto apart = static_cast<std::int32_t>(static_cast<std::uint32_t>(near) - static_cast<std::uint32_t>(first));
-    const int agreement = static_cast<int>(is_negative(all[solves - 1].lost)) &
-                          static_cast<int>(detail::is_less(apart, second_solve_tolerance)) &
-                          static_cast<int>(detail::is_less(-second_solve_tolerance, apart));
-    const bool agrees = agreement != 0;
-    const int net = halvings - select(agrees, magnified, 0);
-    const std::int64_t whole =
-        detail::rescaled_word<S, solves == 1>(static_cast<typename S::Word>(select(agrees, second, first)), net);
-    bool spilt = false;
-    const Fx<exponent, S> held{detail::held_in_word<S>(spilt, whole)};
-    write_limited(links, qdd, i, held, spilt);
-    lost = first_found(lost, spilt, static_cast<int>(i));
-  });
-  return status_of<Links>(lost, halvings > 0);
-}
+};
 
 /// The algorithm over any form of links; `bias_links` are those of the bias torque, which may be of base parameters.
 template <class Links, class BiasLinks, class Input, class Q, class V, class Tau, class A>
 AXIAL_INLINE constexpr Status run_split(const Links& links, const BiasLinks& bias_links, const Input& in, const Q& q,
                                         const V& qd, const Tau& tau, A& qdd) {
-  auto at = read(links, q);
+  auto at = links.read(q);
   auto screws = joint_screws(links, in, at);
-  auto bias = no_efforts(bias_links);
-  rnea::efforts(bias_links, in, at, screws, read(links, qd), NoMotion{}, bias);
+  auto bias = bias_links.no_efforts();
+  rnea::efforts(bias_links, in, at, screws, links.read(qd), NoMotion{}, bias);
   auto structure = structure_at_rest(links, in, screws);
-  auto given = read(links, tau);
-  auto left = read(links, bias);
-  if constexpr (is_number_v<typename Links::Scalar>)
-    return answer(links, screws, structure, given, left, qdd);
-  else
-    return answer_in_ranges(links, screws, structure, given, left, qdd);
+  auto given = links.read(tau);
+  auto left = links.read(bias);
+  return SplitAnswer<typename Links::Scalar>::of(links, screws, structure, given, left, qdd);
 }
 
 }  // namespace aba

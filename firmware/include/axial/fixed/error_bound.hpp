@@ -2,6 +2,8 @@
 #pragma once
 
 #include <axial/algorithm.hpp>
+#include <axial/fixed/closed_form/scara.hpp>
+#include <axial/fixed/links/fixed_links.hpp>
 
 namespace axial {
 

@@ -1,7 +1,8 @@
 // The base body as the algorithms see it: a link without a joint.
 #pragma once
 
-#include <axial/links/model.hpp>
+#include <axial/links/links.hpp>
+#include <axial/links/run_time_model.hpp>
 
 namespace axial {
 namespace detail {

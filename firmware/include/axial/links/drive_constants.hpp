@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include <axial/robot/chain.hpp>
+#include <axial/robot/chain_parameters.hpp>
 
 namespace axial {
 

@@ -1,7 +1,7 @@
 // The constants that the algorithms use, derived from a link's description.
 #pragma once
 
-#include <axial/robot/chain.hpp>
+#include <axial/robot/chain_parameters.hpp>
 
 namespace axial {
 

@@ -188,9 +188,9 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
                    public Rounding {
  public:
   using Scene = SceneType;                ///< what the link belongs to
-  using Scalar = T;                       ///< the number, or arithmetic of fixed point
+  using Scalar = T;                       ///< the number, or what a number system computes by
   static constexpr bool unrolled = true;  ///< every link has its own type
-  /// a theta that is no quarter turn is added to the angle of a joint: exact in binary angles, of fixed point alone
+  /// a theta that is no quarter turn is added to the angle of a joint: exact in binary angles alone
   static constexpr bool adds_angles = !is_number_v<T>;
   /// whether it is the chain's last link, which bears payload and tip wrench
   static constexpr bool is_last = I + 1 == Scene::Robot::chain.size;

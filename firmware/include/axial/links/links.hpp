@@ -2,24 +2,29 @@
 #pragma once
 
 #include <axial/links/constant_pose.hpp>
-#include <axial/links/joint_access.hpp>
+#include <axial/links/inputs.hpp>
+#include <axial/links/plain_values.hpp>
+#include <axial/links/recursion.hpp>
 #include <axial/links/table_link.hpp>
 #include <axial/spatial/pose.hpp>
 
 namespace axial {
 
-/// How links round in floating point.
+/// Links without formats: results are kept as they come, joint values are as they are.
 struct Unformatted {
-  /// of every link
+  /// how link I rounds
   template <int>
   using Of = Plain;
+  /// how joint values are read and written
+  template <class Scene, class T>
+  using Values = PlainValues<Scene, T>;
 };
 
-/// All links of a scene's robot, each with its own type. `Scalar` is the number, or the arithmetic of fixed point.
+/// All links of a scene's robot, each with its own type. `Scalar` is the number, or what a number system computes by.
 template <class SceneType, class ScalarType, class ParametersType, class FormatsType = Unformatted>
-struct StaticLinks {
+struct StaticLinks : FormatsType::template Values<SceneType, ScalarType> {
   using Scene = SceneType;                ///< what the links belong to
-  using Scalar = ScalarType;              ///< the number, or arithmetic of fixed point
+  using Scalar = ScalarType;              ///< the number, or what a number system computes by
   using Parameters = ParametersType;      ///< fullParameters, or base parameters with or without rotors
   static constexpr bool unrolled = true;  ///< every link has its own type
   static constexpr int capacity = Scene::Robot::chain.size;   ///< number of links
@@ -36,13 +41,6 @@ struct StaticLinks {
   static constexpr int parent_of = Scene::Robot::chain.parent(I);
   /// index of the link that carries joint i, negative for the base
   AXIAL_INLINE static constexpr int parent_index(int i) { return Scene::Robot::chain.parent(i); }
-  /// Fixed point: whether forward dynamics solves twice, see split_form.hpp.
-  static constexpr bool second_solve() { return FormatsType::second_solve(); }
-  /// Fixed point: what drives joint I at most without halvings, as a raw value at an exponent.
-  template <int I>
-  static constexpr std::int64_t drive_limit(int exponent) {
-    return FormatsType::drive_limit(I, exponent);
-  }
   /// Acceleration of the base that stands for gravity, -g in frame 0.
   AXIAL_INLINE static constexpr auto base_acceleration() {
     if constexpr (Scene::template has<Gravity>) {
@@ -85,7 +83,7 @@ AXIAL_INLINE constexpr Pose<Mat3<Vec3<T>>, Vec3<T>> pose_of(const FixedPose& p) 
 /// A table of links with one type for all; the table may be constexpr, or filled at run time.
 template <class SceneType, class ScalarType, class Source, int Capacity,
           class Columns = detail::UnknownColumns<!SceneType::template has<Unbranched>>>
-class TableLinks {
+class TableLinks : public PlainValues<SceneType, ScalarType> {
  public:
   using Scene = SceneType;                                   ///< what the links belong to
   using Scalar = ScalarType;                                 ///< the number that kernels compute with
@@ -172,28 +170,32 @@ using with_rotors =
                        BaseParametersAndRotors, Parameters>;
 }
 
-/// The links of a scene (or of a bare robot) over numbers T, in the form that the scene asks for; `Recursion` is what
-/// fixed point takes its formats from.
+/// The door for number systems: what kernels of a recursion walk over for a scene and numbers T. Here for numbers that
+/// carry their own scale; a number system with formats specialises it.
+template <class Scene, class Number, class Parameters, class Recursion>
+struct LinksOf {
+  using T = typename detail::Substitute<Number>::type;  ///< the number
+  using Robot = typename Scene::Robot;                  ///< of the scene
+
+  /// the links, in the form that the scene asks for
+  AXIAL_INLINE static constexpr auto links() {
+    if constexpr (Scene::template has<Looped>) {
+      using Columns = detail::ColumnsOf<Robot, Parameters>;
+      return TableLinks<Scene, T, T, Robot::chain.size, Columns>(detail::robot_table<Robot, T, Parameters>.links,
+                                                                 detail::drives_of<Scene, T>(), Robot::chain.size,
+                                                                 detail::robot_mounting<Robot>);
+    } else {
+      return StaticLinks<Scene, T, Parameters>{};
+    }
+  }
+};
+
+/// The links of a scene (or of a bare robot) over numbers T, with the parameters that the scene asks for.
 template <class S, class T, class DefaultParameters = FullParameters, class Recursion = recursion::NewtonEuler>
 AXIAL_INLINE constexpr auto links_of() {
   using Scene = scene_of<S>;
-  using Robot = typename Scene::Robot;
   using Parameters = detail::with_rotors<Scene, parameters_of<Scene, DefaultParameters>>;
-  if constexpr (is_stored_v<T>) {
-    static_assert((detail::check_fixed_scene<Scene>(), detail::check_fixed_form<Scene, Recursion>(), true));
-    using S1 = detail::ArithmeticOf<Scene, typename T::Word>;
-    if constexpr (Scene::template has<Looped>)
-      return FixedTableLinks<Scene, S1, Parameters, detail::SharedFormats<Scene, Parameters, S1, Recursion>>{};
-    else
-      return StaticLinks<Scene, S1, Parameters, detail::Formats<Scene, Parameters, S1, Recursion>>{};
-  } else if constexpr (Scene::template has<Looped>) {
-    using Columns = detail::ColumnsOf<Robot, Parameters>;
-    return TableLinks<Scene, T, T, Robot::chain.size, Columns>(detail::robot_table<Robot, T, Parameters>.links,
-                                                               detail::drives_of<Scene, T>(), Robot::chain.size,
-                                                               detail::robot_mounting<Robot>);
-  } else {
-    return StaticLinks<Scene, T, Parameters>{};
-  }
+  return LinksOf<Scene, T, Parameters, Recursion>::links();
 }
 
 }  // namespace axial

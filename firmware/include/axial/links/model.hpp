@@ -2,6 +2,8 @@
 #pragma once
 
 #include <axial/links/links.hpp>
+#include <axial/links/run_time_model.hpp>
+#include <axial/robot/base_body.hpp>
 
 namespace axial {
 
@@ -90,20 +92,5 @@ class Model {
   Mounting mounting_{};
   int size_ = 0;
 };
-
-/// Whether a type is a run-time Model.
-///@{
-template <class T>
-struct IsModel : std::false_type {};
-template <int N, class... Features>
-struct IsModel<Model<N, Features...>> : std::true_type {};
-///@}
-
-namespace detail {
-template <int N, class... Features>
-struct SceneOf<Model<N, Features...>, false> {
-  using type = typename Model<N, Features...>::Scene;
-};
-}  // namespace detail
 
 }  // namespace axial

@@ -4,75 +4,12 @@
 #include <axial/robot/malformed.hpp>  // first: few lines of includes before what the compiler quotes of it
 
 #include <axial/robot/base_body.hpp>
+#include <axial/robot/chain_parameters.hpp>
 #include <axial/robot/description_checks.hpp>
 
 #include <utility>
 
 namespace axial {
-
-/// Acceleration of free fall in m/s^2, in axes of frame 0 (the fixed frame that the first link's MDH row starts from).
-struct GravityVector {
-  double x = 0.0, y = 0.0, z = -9.81;  ///< m/s^2 along an axis of frame 0
-};
-constexpr GravityVector gravity(double x, double y, double z) { return {x, y, z}; }  ///< m/s^2, axes of frame 0
-
-/// A constant pose: rotation (row major, columns are the child's axes in the parent) and position in m.
-struct FixedPose {
-  double rotation[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< row major
-  double position[3] = {0, 0, 0};                    ///< m
-};
-
-/// Pose of frame 0 in the user's world frame. Only poses and Jacobians see it.
-struct Base {
-  FixedPose pose;  ///< of frame 0, in the world
-};
-/// Pose of the tool in the last link's frame. Only poses and Jacobians see it.
-struct Tool {
-  FixedPose pose;  ///< in the last link's frame
-};
-
-/// The largest run-time payload: mass in kg, distance of its centre of mass from the origin of the last link's frame in
-/// m, and inertia about that centre in kg m^2, which no entry of the tensor exceeds.
-struct PayloadLimit {
-  double mass = 0.0, com_reach = 0.0, inertia = 0.0;  ///< kg, m, kg m^2
-  bool declared = false;                              ///< whether the robot declares one
-};
-/// Of a robot: kg, m, kg m^2.
-constexpr PayloadLimit payload_limit(double mass, double com_reach, double inertia) {
-  return {mass, com_reach, inertia, true};
-}
-
-/// The largest force (N) and moment (N m) that the environment exerts at the tip, about the origin of the last link's
-/// frame: what fixed point leaves room for in scenes that name TipWrench.
-struct TipWrenchLimit {
-  double force = 0.0, moment = 0.0;  ///< N, N m
-  bool declared = false;             ///< whether the robot declares one
-};
-constexpr TipWrenchLimit tip_wrench_limit(double force, double moment) { return {force, moment, true}; }  ///< N, N m
-
-/// m, in the world; axes as the world's
-constexpr Base base(double x, double y, double z) { return {{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}}}; }
-constexpr Base base(const FixedPose& pose) { return {pose}; }  ///< in the world
-/// m, in the last link's frame; axes as its
-constexpr Tool tool(double x, double y, double z) { return {{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}}}; }
-constexpr Tool tool(const FixedPose& pose) { return {pose}; }  ///< in the last link's frame
-
-/// N links, from the base outwards: a link's parent has a smaller index.
-template <int N>
-struct Chain {
-  static constexpr int size = N;      ///< number of links and of joints
-  LinkParameters links[N] = {};       ///< from the base outwards
-  GravityVector gravity{};            ///< m/s^2, axes of frame 0
-  Base base{};                        ///< pose of frame 0 in the world
-  Tool tool{};                        ///< pose of the tool in the last link's frame
-  PayloadLimit payload_limit{};       ///< of a run-time payload
-  TipWrenchLimit tip_wrench_limit{};  ///< of a run-time wrench at the tip
-  LinkParameters base_body{};         ///< inertia of the body that is fixed to frame 0; only a FloatingBase sees it
-  bool has_base_body = false;         ///< whether the robot declares one
-
-  /// Index of the link that carries joint i, or LinkParameters::base.
-  constexpr int parent(int i) const { return links[i].parent == LinkParameters::previous ? i - 1 : links[i].parent; }
-};
 
 /// Part of a chain: axial::accept(axial::as_published) keeps numbers of all its links that no robot should have, as
 /// their source gives them (doc/conventions.md, "What does not compile").

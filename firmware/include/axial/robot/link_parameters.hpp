@@ -49,4 +49,9 @@ struct LinkParameters {
   WaterParameters water{};                ///< only scenes that name Underwater see it
 };
 
+namespace detail {
+/// Whether a limit was declared.
+constexpr bool is_bounded(double limit) { return limit < std::numeric_limits<double>::max(); }
+}  // namespace detail
+
 }  // namespace axial

@@ -28,4 +28,22 @@ struct NumberTraits<T, std::enable_if_t<std::is_floating_point_v<T>>> {
 template <class T>
 inline constexpr bool is_number_v = NumberTraits<T>::is_number;
 
+/// A stored fixed-point number: its name alone, for what computes with it is a plug-in, <axial/fixed.hpp>.
+template <class WordType>
+struct Stored;
+using Fixed32 = Stored<std::int32_t>;  ///< fixed point in 32 bits
+using Fixed16 = Stored<std::int16_t>;  ///< fixed point in 16 bits
+
+namespace detail {
+/// The number that kernels take for T where what computes with T is missing and was asked for.
+template <class T>
+struct Substitute {
+  using type = T;
+};
+template <class Word>
+struct Substitute<Stored<Word>> {
+  using type = double;
+};
+}  // namespace detail
+
 }  // namespace axial

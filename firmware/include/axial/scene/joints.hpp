@@ -6,7 +6,8 @@
 namespace axial {
 
 /// N values, one a joint, from the base outwards. A plain aggregate: `Joints<Robot, float> q{0.1F, 0.2F}`.
-/// `Role` is void where the numbers carry their own scale; fixed point has one type a role (fixed/formats/joint_formats.hpp).
+/// `Role` is void where the numbers carry their own scale; fixed point has one type a role
+/// (fixed/formats/joint_formats.hpp).
 template <class S, class T, class Role>
 struct Joints {
   static constexpr int size = joint_count<S>;  ///< number of joints
@@ -14,6 +15,16 @@ struct Joints {
 
   constexpr T& operator[](int i) { return values[i]; }              ///< value of joint i; the index is not checked
   constexpr const T& operator[](int i) const { return values[i]; }  ///< value of joint i; the index is not checked
+};
+
+/// Words without what computes with them: double, so that no second message follows.
+template <class S, class Word>
+struct Joints<S, Stored<Word>, void> {
+  static_assert(sizeof(Word) == 0, "axial: fixed point is a plug-in: add #include <axial/fixed.hpp>");
+  static constexpr int size = joint_count<S>;                            ///< number of joints
+  double values[size];                                                   ///< from the base outwards
+  constexpr double& operator[](int i) { return values[i]; }              ///< value of joint i
+  constexpr const double& operator[](int i) const { return values[i]; }  ///< value of joint i
 };
 
 /// What the values of joints can be.
@@ -32,6 +43,11 @@ template <class T, class Role>
 struct RoleOf {
   using type = void;
 };
+/// Whose joint values over numbers T are: the robot's; the scene's where formats follow from what it names.
+template <class S, class T>
+struct SubjectOf {
+  using type = robot_of<S>;
+};
 }  // namespace detail
 
 /// Roles: rad or m; rad/s or m/s; rad/s^2 or m/s^2; N m or N. One type in floating point.
@@ -46,24 +62,22 @@ using Accelerations = Joints<S, T, typename detail::RoleOf<T, role::Acceleration
 template <class S, class T>
 using Efforts = Joints<S, T, typename detail::RoleOf<T, role::Effort>::type>;
 ///@}
-/// Of a scene: in fixed point their formats follow from what the scene puts on the robot.
+/// Whom results over numbers T belong to: the robot, unless their formats follow from what the scene puts on it.
 template <class S, class T>
-using EffortsOf =
-    Efforts<std::conditional_t<std::is_void_v<typename detail::RoleOf<T, role::Effort>::type>, robot_of<S>, S>, T>;
+using subject_of = typename detail::SubjectOf<S, T>::type;
+/// Efforts of a scene.
+template <class S, class T>
+using EffortsOf = Efforts<subject_of<S, T>, T>;
 /// What forward dynamics answers: rad/s^2 or m/s^2.
 template <class S, class T>
 using FreeAccelerations = Joints<S, T, typename detail::RoleOf<T, role::FreeAcceleration>::type>;
 
 /// Momenta of the joints, M(q) qd: N m s or N s; what changes them: N m or N.
 template <class S, class T>
-using MomentaOf =
-    Joints<std::conditional_t<std::is_void_v<typename detail::RoleOf<T, role::Momentum>::type>, robot_of<S>, S>, T,
-           typename detail::RoleOf<T, role::Momentum>::type>;
+using MomentaOf = Joints<subject_of<S, T>, T, typename detail::RoleOf<T, role::Momentum>::type>;
 /// What changes momenta, likewise of a scene: N m or N.
 template <class S, class T>
-using MomentumRatesOf =
-    Joints<std::conditional_t<std::is_void_v<typename detail::RoleOf<T, role::MomentumRate>::type>, robot_of<S>, S>, T,
-           typename detail::RoleOf<T, role::MomentumRate>::type>;
+using MomentumRatesOf = Joints<subject_of<S, T>, T, typename detail::RoleOf<T, role::MomentumRate>::type>;
 
 /// Joint values that are zero by type: a query that leaves them out does not pay for them.
 struct NoMotion {

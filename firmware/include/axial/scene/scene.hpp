@@ -1,7 +1,7 @@
 // A scene: a robot and the features that its user needs.
 #pragma once
 
-#include <axial/robot/chain.hpp>
+#include <axial/robot/chain_parameters.hpp>
 #include <axial/scene/absent_inputs.hpp>
 #include <axial/scene/features.hpp>
 
@@ -86,7 +86,8 @@ template <class S, class T>
 struct InputsOf;
 template <class Robot, class... Features, class T>
 struct InputsOf<Scene<Robot, Features...>, T> : Features::template Input<Robot, T>... {};
-/// What a number system has to say against a scene, before anything of it is computed: see fixed/formats/input_formats.hpp.
+/// What a number system has to say against a scene, before anything of it is computed: see
+/// fixed/formats/input_formats.hpp.
 template <class Scene, class T>
 struct Offered {};
 }  // namespace detail

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include <axial/control/feedforward.hpp>
-#include <axial/fixed/control/border.hpp>
+#include <axial/fixed.hpp>
 #include <cmath>
 #include <random>
 #include <robots/robots.hpp>

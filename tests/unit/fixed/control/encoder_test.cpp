@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
-#include <axial/fixed/control/border.hpp>
-#include <axial/fixed/control/encoder.hpp>
+#include <axial/fixed.hpp>
 #include <cmath>
 #include <random>
 #include <robots/robots.hpp>

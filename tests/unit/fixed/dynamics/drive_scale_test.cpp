@@ -1,6 +1,6 @@
 // Efforts beyond the formats, and bits that efforts leave unused: powers of two, by hand.
 #include <gtest/gtest.h>
-#include <axial/axial.hpp>
+#include <axial/fixed/dynamics/drive_scale.hpp>
 #include <functional>
 
 using namespace axial;

@@ -2,12 +2,31 @@
 #pragma once
 
 #include <axial/c_interface/calls.hpp>
+#include <axial/fixed.hpp>
 
 namespace axial::c_interface {
 
+/// Words in C.
+template <class Word>
+struct InC<Stored<Word>> {
+  using type = Word;                                                    ///< what C holds one in
+  static constexpr type value(const Stored<Word>& x) { return x.raw; }  ///< one as C holds it
+};
+
+/// Formats of fixed point end at the declared limits.
+template <class S, class Word>
+struct CallCheck<S, Stored<Word>> {
+  /// the first value outside the declared limits
+  template <class Q, class V, class A>
+  static constexpr Status of(const Q& q, const V& qd, const A& qdd) {
+    return check_request<S>(q, qd, qdd);
+  }
+};
+
 /// Of one scene over words T. Pointers are not null.
-template <class S, class T>
-struct FixedCalls : Calls<S, T> {
+template <class S, class Word>
+struct ExportedCalls<S, Stored<Word>> : Calls<S, Stored<Word>> {
+  using T = Stored<Word>;    ///< the words
   using Base = Calls<S, T>;  ///< what floating point has too
   /// Types of the values, as in Calls.
   ///@{

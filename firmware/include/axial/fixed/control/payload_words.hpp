@@ -1,7 +1,7 @@
 // A payload's estimate as words, and as the scene's Payload takes it in fixed point.
 #pragma once
 
-#include <axial/control/payload_estimator.hpp>
+#include <axial/fixed/control/payload_estimator.hpp>
 
 namespace axial {
 

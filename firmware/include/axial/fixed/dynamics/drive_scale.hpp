@@ -3,6 +3,7 @@
 #pragma once
 
 #include <axial/dynamics/passes.hpp>
+#include <axial/fixed/links/shared_view.hpp>
 #include <axial/spatial/spatial_vector.hpp>
 
 namespace axial {

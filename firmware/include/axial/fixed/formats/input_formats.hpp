@@ -3,6 +3,7 @@
 
 #include <axial/fixed/formats/joint_formats.hpp>
 #include <axial/fixed/words/round.hpp>
+#include <axial/links/inputs.hpp>
 
 namespace axial {
 
@@ -57,11 +58,6 @@ using FormatsOfInputs = InputFormats<typename Scene::Robot, Stored<Word>>;
 
 }  // namespace detail
 
-/// Inputs as kernels over a scalar read them: as they are, or with their formats.
-template <class Scene, class Scalar, class T>
-AXIAL_INLINE constexpr const PayloadBody<T>& read_payload(const PayloadBody<T>& load) {
-  return load;
-}
 /// A payload's words with their formats.
 template <class Scene, class Scalar, class Word>
 AXIAL_INLINE constexpr auto read_payload(const PayloadBody<Stored<Word>>& load) {
@@ -70,11 +66,6 @@ AXIAL_INLINE constexpr auto read_payload(const PayloadBody<Stored<Word>>& load) 
                                   detail::in_format<F::payload_com, Scalar>(load.com),
                                   detail::in_format<F::payload_inertia, Scalar>(load.inertia_com)};
 }
-/// Floating point: the wrench as it is.
-template <class Scene, class Scalar, class T>
-AXIAL_INLINE constexpr const ForceVector<Vec3<T>, Vec3<T>>& read_wrench(const ForceVector<Vec3<T>, Vec3<T>>& wrench) {
-  return wrench;
-}
 /// A wrench's words with their formats.
 template <class Scene, class Scalar, class Word>
 AXIAL_INLINE constexpr auto read_wrench(const ForceVector<Vec3<Stored<Word>>, Vec3<Stored<Word>>>& wrench) {
@@ -82,20 +73,10 @@ AXIAL_INLINE constexpr auto read_wrench(const ForceVector<Vec3<Stored<Word>>, Ve
   return ForceVector{detail::in_format<F::tip_moment, Scalar>(wrench.moment),
                      detail::in_format<F::tip_force, Scalar>(wrench.force)};
 }
-/// Floating point: the vector as it is.
-template <class Scene, class Scalar, class T>
-AXIAL_INLINE constexpr const Vec3<T>& read_gravity(const Vec3<T>& g) {
-  return g;
-}
 /// A gravity vector's words with their format.
 template <class Scene, class Scalar, class Word>
 AXIAL_INLINE constexpr auto read_gravity(const Vec3<Stored<Word>>& g) {
   return detail::in_format<detail::FormatsOfInputs<Scene, Word>::gravity, Scalar>(g);
-}
-/// Floating point: the pair as it is.
-template <class Scene, class Scalar, class T>
-AXIAL_INLINE constexpr const SinCos<T>& read_turn(const SinCos<T>& turn) {
-  return turn;
 }
 /// A pair's words with their format.
 template <class Scene, class Scalar, class Word>

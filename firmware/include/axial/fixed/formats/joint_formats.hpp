@@ -13,8 +13,10 @@ template <class Word, class Role>
 struct RoleOf<Stored<Word>, Role> {
   using type = Role;
 };
-
-constexpr bool is_bounded(double limit) { return limit < std::numeric_limits<double>::max(); }
+template <class S, class Word>
+struct SubjectOf<S, Stored<Word>> {
+  using type = S;
+};
 
 template <class Robot>
 constexpr void check_limits() {

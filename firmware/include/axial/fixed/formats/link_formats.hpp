@@ -5,20 +5,10 @@
 #include <axial/fixed/ranges/kinematics.hpp>
 #include <axial/fixed/ranges/separation.hpp>
 #include <axial/fixed/words/divide.hpp>
+#include <axial/links/recursion.hpp>
 #include <axial/spatial/inertia.hpp>
 
 namespace axial {
-
-/// Which recursion a kernel is, for its ranges.
-namespace recursion {
-struct NewtonEuler {};              ///< inverse dynamics
-struct CompositeBodies {};          ///< the mass matrix
-struct ArticulatedBodies {};        ///< the classical form
-struct ArticulatedBodiesAtRest {};  ///< of the split form
-struct Kinematics {};               ///< poses and Jacobians
-struct Separation {};               ///< the separated terms
-struct Momenta {};                  ///< joint momenta and their drift
-}  // namespace recursion
 
 namespace detail {
 

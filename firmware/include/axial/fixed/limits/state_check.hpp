@@ -1,6 +1,7 @@
 // The state that forward dynamics starts from against the declared limits, in fixed point: beyond them formats wrap.
 #pragma once
 
+#include <axial/dynamics/forward_soundness.hpp>
 #include <axial/fixed/limits/inputs_check.hpp>
 
 namespace axial {
@@ -58,16 +59,8 @@ AXIAL_INLINE constexpr Status::Code inputs_outside(const Inputs<S, Stored<Word>>
     return static_cast<Status::Code>(inputs);
 }
 
-/// The state and the inputs of a solve, looked at before it. Floating point has no formats that wrap: there is nothing
-/// to look at.
-template <class S, class T>
-struct StateCheck {
-  template <class... X>
-  AXIAL_INLINE constexpr explicit StateCheck(const X&...) {}
-  template <class Result>
-  AXIAL_INLINE constexpr void judge(Result&) const {}
-};
-/// Fixed point: about 10 instructions a joint on a Cortex-M3, whatever the words are.
+/// The state and the inputs of a solve, looked at before it: about 10 instructions per joint on a Cortex-M3, whatever
+/// the words are.
 template <class S, class Word>
 struct StateCheck<S, Stored<Word>> {
   using T = Stored<Word>;
@@ -83,7 +76,8 @@ struct StateCheck<S, Stored<Word>> {
   /// Names in the result what the state or the inputs are beyond, inputs first, then the first joint from the base, and
   /// sets its accelerations to 0 where a format may have wrapped.
   template <class Result>
-  AXIAL_INLINE constexpr void judge(Result& result) const {
+  AXIAL_INLINE constexpr void judge(const Inputs<S, T>&, const Positions<robot_of<S>, T>&,
+                                    const Velocities<robot_of<S>, T>&, Result& result) const {
     const bool bad = inputs != Status::Code::ok;
     const std::int32_t kept = (joints.wraps - 1) >> 31 & (static_cast<std::int32_t>(bad) - 1);
     for (int i = 0; i < joint_count<S>; ++i)

@@ -1,7 +1,7 @@
 // Links of the looped form in fixed point: rows of integers, columns of one exponent each, one rounding for all links.
 #pragma once
 
-#include <axial/fixed/formats/link_formats.hpp>
+#include <axial/fixed/links/shared_view.hpp>
 #include <axial/links/constant_pose.hpp>
 #include <axial/links/table_link.hpp>
 
@@ -160,7 +160,7 @@ class FixedTableLink
 
 /// The links of a scene over a constexpr table of integers.
 template <class SceneType, class S, class ParametersType, class FormatsType>
-struct FixedTableLinks {
+struct FixedTableLinks : SharedValues<FixedTableLinks<SceneType, S, ParametersType, FormatsType>, SceneType, S> {
   using Scene = SceneType;                         ///< what the links belong to
   using Robot = typename Scene::Robot;             ///< of the scene
   using Scalar = S;                                ///< arithmetic
@@ -207,49 +207,4 @@ struct FixedTableLinks {
   }
 };
 
-namespace detail {
-
-/// Whether all links of a form round into the same formats.
-template <class Links>
-inline constexpr bool shares_formats = false;
-template <class Scene, class S, class Parameters, class Formats>
-inline constexpr bool shares_formats<FixedTableLinks<Scene, S, Parameters, Formats>> = true;
-
-/// Formats of an articulated body need a joint that its own link or rotor resists.
-template <class Scene, class Recursion>
-constexpr bool resisted_by_themselves() {
-  bool all = true;
-  if constexpr (std::is_same_v<Recursion, recursion::ArticulatedBodies> ||
-                std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>)
-    for (int i = 0; i < Scene::Robot::chain.size; ++i)
-      all = all && least_joint_inertia(mechanism_of<Scene, FullParameters>, i) > 0.0;
-  return all;
-}
-
-/// Those formats hold for bodies that have the inertia that they say, which regrouped ones have not.
-template <class Scene, class Recursion>
-constexpr bool has_own_parameters() {
-  return !Scene::template has<BaseParameters> || !(std::is_same_v<Recursion, recursion::ArticulatedBodies> ||
-                                                   std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>);
-}
-
-/// The recursions whose quantities have room for one format all along an arm.
-template <class Scene, class Recursion>
-constexpr void check_fixed_form() {
-  static_assert(
-      !Scene::template has<Looped> || std::is_same_v<Recursion, recursion::NewtonEuler> ||
-          std::is_same_v<Recursion, recursion::CompositeBodies> || std::is_same_v<Recursion, recursion::Kinematics> ||
-          std::is_same_v<Recursion, recursion::Momenta>,
-      "axial: forward dynamics and separation in fixed point need a format a link, which the looped form has not; take "
-      "Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)");
-  static_assert(has_own_parameters<Scene, Recursion>(),
-                "axial: forward dynamics in fixed point takes its formats from each link's own parameters, which "
-                "BaseParameters regroups; take BaseParameters out of the scene");
-  static_assert(resisted_by_themselves<Scene, Recursion>(),
-                "axial: forward dynamics in fixed point takes its formats from what each link resists by itself; give "
-                "every link an inertia about its joint's axis (a slide: a mass), or rotor_inertia() and name "
-                "RotorInertia; or compute this scene in float");
-}
-
-}  // namespace detail
 }  // namespace axial

@@ -1,7 +1,7 @@
 // Joint values where all links share their formats: read from, and written to, a format a joint.
 #pragma once
 
-#include <axial/fixed/links/fixed_table.hpp>
+#include <axial/fixed/links/fixed_values.hpp>
 
 namespace axial {
 namespace detail {
@@ -56,24 +56,28 @@ AXIAL_INLINE constexpr typename S::Word moved_either_way(typename S::Word x, uns
   return narrowed<S>(static_cast<Bits>(static_cast<Bits>(lower) << up));
 }
 
+/// The least exponent of values, at which all of them fit.
+template <class Values>
+constexpr int shared_exponent() {
+  int least = Values::exponent(0);
+  for (int i = 1; i < Values::size; ++i)
+    least = smaller(least, Values::exponent(i));
+  return least;
+}
+
 /// Joint values as kernels in shared formats read them.
 template <class Links, class Values, class Role>
 struct SharedView {
   using S = typename Links::Scalar;
   const Values& values;
 
-  static constexpr int exponent() {
-    int least = Values::exponent(0);
-    for (int i = 1; i < Values::size; ++i)
-      least = smaller(least, Values::exponent(i));
-    return least;
-  }
+  static constexpr int exponent = shared_exponent<Values>();
   AXIAL_INLINE constexpr auto operator[](int i) const {
-    constexpr const auto& shifts = shifts_of<Values, exponent()>;
+    constexpr const auto& shifts = shifts_of<Values, exponent>;
     if constexpr (shifts.any)
-      return Fx<exponent(), S>{moved_down<S>(values.values[i].raw, shifts.of[i])};
+      return Fx<exponent, S>{moved_down<S>(values.values[i].raw, shifts.of[i])};
     else
-      return Fx<exponent(), S>{values.values[i].raw};
+      return Fx<exponent, S>{values.values[i].raw};
   }
 };
 template <class Links, class Values>
@@ -93,4 +97,39 @@ struct SharedView<Links, Values, role::Position> {
 };
 
 }  // namespace detail
+
+/// The members of PlainValues over arithmetic S, for links that share their formats.
+template <class Links, class SceneType, class S>
+struct SharedValues {
+  static constexpr Status::Code lost_code = Status::Code::saturated;  ///< ranges are proved: no joint is near singular
+
+  /// Values that carry no format: none at all.
+  template <class Values>
+  AXIAL_INLINE static constexpr const Values& read(const Values& values) {
+    return values;
+  }
+  /// Words in the formats that all links share.
+  template <class R, class Word, class Role>
+  AXIAL_INLINE static constexpr auto read(const Joints<R, Stored<Word>, Role>& values) {
+    return detail::SharedView<Links, Joints<R, Stored<Word>, Role>, Role>{values};
+  }
+  /// Efforts to fill, in the format of the scene.
+  AXIAL_INLINE static constexpr auto no_efforts() { return EffortsOf<SceneType, Stored<typename S::Word>>{}; }
+  /// From the format that all joints share into joint i's own, which is as fine or finer: nothing is lost.
+  template <class Values, int E>
+  AXIAL_INLINE static constexpr void write(Values& values, int i, const Fx<E, S>& x) {
+    values.values[i] = {detail::moved_either_way<S>(x.raw, 0, detail::shifts_of<Values, E>.of[i])};
+  }
+  /// values[i] = x - y, rounded once into the least of the joints' formats.
+  template <class Values, class X, class Y>
+  AXIAL_INLINE static constexpr void write_difference(Values& values, int i, const X& x, const Y& y) {
+    write(values, i, round_to<detail::shared_exponent<Values>()>(x - y));
+  }
+  /// A pose, or a motion, of kinematics as words.
+  template <class V>
+  AXIAL_INLINE static constexpr auto stored(const V& v) {
+    return detail::stored_at<Links::Formats::format.length, S>(v);
+  }
+};
+
 }  // namespace axial

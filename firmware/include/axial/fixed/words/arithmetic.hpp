@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/scalar/inline.hpp>
+#include <axial/scalar/traits.hpp>
 
 #include <cstdint>
 #include <type_traits>
@@ -20,8 +21,6 @@ struct Stored {
   friend constexpr bool operator!=(Stored a, Stored b) { return a.raw != b.raw; }
   ///@}
 };
-using Fixed32 = Stored<std::int32_t>;  ///< fixed point in 32 bits
-using Fixed16 = Stored<std::int16_t>;  ///< fixed point in 16 bits
 
 /// True for a stored fixed-point number.
 template <class T>

@@ -1,8 +1,9 @@
 // Ranges, formats and errors of the SCARA's closed form in fixed point.
 #pragma once
 
-#include <axial/closed_form/scara_constants.hpp>
-#include <axial/links/joint_access.hpp>
+#include <axial/closed_form/scara.hpp>
+#include <axial/fixed/links/fixed_links.hpp>
+#include <axial/fixed/links/separated_terms.hpp>
 
 namespace axial {
 namespace closed_form {
@@ -53,15 +54,12 @@ struct ScaraTable {
   static constexpr int parent(int) { return -1; }
 };
 
-/// How the closed form rounds in T: not at all, or in its formats.
-template <class S, class T>
-struct ScaraRounding : Plain {
-  using Scalar = T;
-};
+/// How the closed form rounds in its formats.
 template <class S, class Word>
 struct ScaraRounding<S, Stored<Word>>
     : axial::detail::FormatRounding<axial::detail::ArithmeticOf<scene_of<S>, Word>,
-                                    ScaraTable<S, axial::detail::ArithmeticOf<scene_of<S>, Word>>, 0> {
+                                    ScaraTable<S, axial::detail::ArithmeticOf<scene_of<S>, Word>>, 0>,
+      FixedValues<scene_of<S>, axial::detail::ArithmeticOf<scene_of<S>, Word>> {
   using Scalar = axial::detail::ArithmeticOf<scene_of<S>, Word>;
 };
 

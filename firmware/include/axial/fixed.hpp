@@ -1,0 +1,19 @@
+// Fixed point: the plug-in. With it Fixed32 and Fixed16 are numbers of every algorithm.
+#pragma once
+
+#include <axial/axial.hpp>
+
+#include <axial/fixed/closed_form/scara.hpp>
+#include <axial/fixed/control/border.hpp>
+#include <axial/fixed/control/collision.hpp>
+#include <axial/fixed/control/encoder.hpp>
+#include <axial/fixed/control/fall_back.hpp>
+#include <axial/fixed/control/payload_words.hpp>
+#include <axial/fixed/dynamics/forward_dynamics.hpp>
+#include <axial/fixed/dynamics/inverse_dynamics.hpp>
+#include <axial/fixed/dynamics/kinematics.hpp>
+#include <axial/fixed/dynamics/mass_matrix.hpp>
+#include <axial/fixed/dynamics/momentum.hpp>
+#include <axial/fixed/dynamics/separated_torque.hpp>
+#include <axial/fixed/error_bound.hpp>
+#include <axial/fixed/limits/position_check.hpp>

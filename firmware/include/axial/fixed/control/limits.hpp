@@ -1,0 +1,51 @@
+// Checks of run-time requests in fixed point: raw words against raw limits.
+#pragma once
+
+#include <axial/control/limits.hpp>
+#include <axial/fixed/limits/fixed_limits.hpp>
+#include <axial/fixed/limits/inputs_check.hpp>
+
+namespace axial {
+namespace detail {
+
+/// Words of the scene, which gives efforts their formats.
+template <class S, class Word>
+struct LimitsFor<S, Stored<Word>> {
+  using T = Stored<Word>;
+  using Joint = typename FixedLimits<S, Word>::Joint;
+  /// of joint i
+  static constexpr const Joint& joint(int i) { return fixed_limits_of<S, Word>.joints[i]; }
+
+  /// Whether a position is one that the joint reaches.
+  static constexpr bool reaches(const Joint& l, const Fixed32& q) { return l.reaches(q); }
+  /// The nearest position that the joint reaches.
+  static constexpr Fixed32 nearest_position(const Joint& l, const Fixed32& q) {
+    return static_cast<const RawReach&>(l).nearest(q);
+  }
+  /// What is wrong with a position that is not reached.
+  static constexpr Status::Code position_complaint(const Joint&, const Fixed32&) {
+    return Status::Code::position_limit;
+  }
+  /// Whether a speed, an acceleration or an effort is within what it may be in either direction.
+  static constexpr bool allows(const RawMost<Word>& most, const T& x) { return most.allows(x); }
+  /// -1 where it is not, else 0.
+  static constexpr int outside_mask(const RawMost<Word>& most, const T& x) { return static_cast<int>(most.outside(x)); }
+  /// The nearest one that is.
+  static constexpr T nearest(const RawMost<Word>& most, const T& x) { return most.nearest(x); }
+  /// What is wrong with run-time inputs other than a payload.
+  static constexpr Status check_inputs(const Inputs<S, T>& in) { return check_fixed_inputs<S>(in); }
+  /// What is wrong with a state: beyond its limits formats wrap.
+  static constexpr Status check_state(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd) {
+    return check_request<S>(q, qd, Accelerations<robot_of<S>, T>{});
+  }
+};
+
+}  // namespace detail
+
+/// Whether a run-time payload is within what the robot declares, on raw words in the formats of InputFormats.
+template <class S, class Word>
+[[nodiscard]] constexpr Status check_payload(const PayloadBody<Stored<Word>>& load) {
+  return {detail::payload_within<S>(load) ? Status::Code::ok : Status::Code::payload_limit, -1};
+}
+
+}  // namespace axial

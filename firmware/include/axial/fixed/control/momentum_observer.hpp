@@ -1,0 +1,91 @@
+// The momentum observer in fixed point: residuals as words, in integers.
+#pragma once
+
+#include <axial/control/momentum_observer.hpp>
+#include <axial/fixed/control/limits.hpp>
+#include <axial/fixed/dynamics/momentum.hpp>
+
+namespace axial {
+namespace detail {
+
+/// Exponents of residuals, and the factors in 2^-31 that bring momenta, efforts and drifts there. Sums of the largest
+/// words that those formats hold fit, so no input overflows.
+template <class S, class Word, class Tuning>
+struct ResidualFormats {
+  static constexpr int size = joint_count<S>;
+  int exponent[size] = {};
+  std::int32_t momentum[size] = {}, effort[size] = {}, half_drift[size] = {};
+
+  static constexpr ResidualFormats chosen() {
+    static_assert(sizeof(Word) == 4, "axial: the momentum observer takes Fixed32, float or double");
+    using T = Stored<Word>;
+    constexpr Rounding rounding{32, true, false, 0.0};
+    ResidualFormats all;
+    for (int i = 0; i < size; ++i) {
+      const int p = MomentaOf<S, T>::exponent(i), e = EffortsOf<S, T>::exponent(i);
+      const int d = MomentumRatesOf<S, T>::exponent(i);
+      const int own =
+          rounding.exponent(power_of_two(32 - p) / Tuning::period + power_of_two(31 - e) + power_of_two(31 - d));
+      all.exponent[i] = own;
+      all.momentum[i] = factor(power_of_two(own - p) / Tuning::period);
+      all.effort[i] = factor(power_of_two(own - e));
+      all.half_drift[i] = factor(0.5 * power_of_two(own - d));
+    }
+    return all;
+  }
+
+ private:
+  static constexpr std::int32_t factor(double x) {
+    return static_cast<std::int32_t>(nearest_integer(x * power_of_two(31)));
+  }
+};
+template <class S, class Word, class Tuning>
+inline constexpr auto residual_formats = ResidualFormats<S, Word, Tuning>::chosen();
+
+}  // namespace detail
+
+/// In fixed point: value = raw 2^-exponent(i).
+template <class S, class Word, class Tuning>
+struct Residuals<S, Stored<Word>, Tuning> {
+  static constexpr int size = joint_count<S>;  ///< number of joints
+  Stored<Word> values[size];                   ///< from the base outwards
+  /// of joint i's residual
+  [[nodiscard]] static constexpr int exponent(int i) { return detail::residual_formats<S, Word, Tuning>.exponent[i]; }
+  constexpr Stored<Word>& operator[](int i) { return values[i]; }  ///< residual of joint i; the index is not checked
+  /// Residual of joint i; the index is not checked.
+  constexpr const Stored<Word>& operator[](int i) const { return values[i]; }
+};
+
+namespace detail {
+
+template <class Formats>
+AXIAL_INLINE constexpr std::int32_t next_residual(const Formats& f, int i, std::int32_t share, std::int32_t r,
+                                                  std::int32_t p, std::int32_t p_last, std::int32_t tau,
+                                                  std::int32_t drift, std::int32_t drift_last) {
+  using integer::multiply;
+  const std::int64_t known =
+      multiply(tau, f.effort[i]) + multiply(drift, f.half_drift[i]) + multiply(drift_last, f.half_drift[i]);
+  const std::int64_t change = multiply(p, f.momentum[i]) - multiply(p_last, f.momentum[i]);
+  const auto e = static_cast<std::int32_t>((change - known + (std::int64_t{1} << 30)) >> 31);
+  constexpr std::int32_t whole = 1 << 30;
+  return static_cast<std::int32_t>((multiply(e, share) + multiply(r, whole - share) + (whole >> 1)) >> 30);
+}
+
+template <class S, class Word, class Tuning>
+struct ResidualStep<S, Stored<Word>, Tuning> {
+  using T = Stored<Word>;
+  using Terms = MomentumTerms<S, T>;
+  /// `r` of joint i.
+  static constexpr void take(Soundness<T>&, T& r, int i, bool ready, const Terms& now, const Terms& last,
+                             const EffortsOf<S, T>& tau) {
+    constexpr const auto& f = residual_formats<S, Word, Tuning>;
+    constexpr auto share = static_cast<std::int32_t>(nearest_integer(residual_share<Tuning>() * power_of_two(30)));
+    const std::int32_t next = next_residual(f, i, share, r.raw, now.momentum[i].raw, last.momentum[i].raw, tau[i].raw,
+                                            now.drift[i].raw, last.drift[i].raw);
+    const std::int32_t known = -static_cast<std::int32_t>(ready);
+    r.raw = (next & known) | (r.raw & ~known);
+  }
+};
+
+}  // namespace detail
+}  // namespace axial

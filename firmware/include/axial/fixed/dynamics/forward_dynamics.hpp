@@ -1,0 +1,20 @@
+// Forward dynamics in fixed point: which route it takes, how it looks at states.
+#pragma once
+
+#include <axial/dynamics/forward_dynamics.hpp>
+#include <axial/fixed/dynamics/resistance.hpp>
+#include <axial/fixed/dynamics/split_answer.hpp>
+#include <axial/fixed/limits/state_check.hpp>
+
+namespace axial {
+namespace detail {
+
+/// An articulated body, of which ranges are proved; the split one unless named.
+template <class S, class Word>
+struct RouteOver<S, Stored<Word>> {
+  static constexpr Route value =
+      scene_of<S>::template has<ArticulatedBody> ? Route::articulated_body : Route::split_articulated_body;
+};
+
+}  // namespace detail
+}  // namespace axial

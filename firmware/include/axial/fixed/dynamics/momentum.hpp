@@ -1,0 +1,6 @@
+// Momenta in fixed point.
+#pragma once
+
+#include <axial/dynamics/momentum.hpp>
+#include <axial/fixed/dynamics/inverse_dynamics.hpp>
+#include <axial/fixed/limits/state_check.hpp>

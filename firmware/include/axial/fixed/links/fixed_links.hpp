@@ -1,0 +1,90 @@
+// The links of a scene in fixed point: the plug-in's side of LinksOf.
+#pragma once
+
+#include <axial/fixed/formats/input_formats.hpp>
+#include <axial/fixed/links/fixed_table.hpp>
+#include <axial/links/links.hpp>
+
+namespace axial {
+namespace detail {
+
+/// Formats of an articulated body need a joint that its own link or rotor resists.
+template <class Scene, class Recursion>
+constexpr bool resisted_by_themselves() {
+  bool all = true;
+  if constexpr (std::is_same_v<Recursion, recursion::ArticulatedBodies> ||
+                std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>)
+    for (int i = 0; i < Scene::Robot::chain.size; ++i)
+      all = all && least_joint_inertia(mechanism_of<Scene, FullParameters>, i) > 0.0;
+  return all;
+}
+
+/// Those formats hold for bodies that have the inertia that they say, which regrouped ones have not.
+template <class Scene, class Recursion>
+constexpr bool has_own_parameters() {
+  return !Scene::template has<BaseParameters> || !(std::is_same_v<Recursion, recursion::ArticulatedBodies> ||
+                                                   std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>);
+}
+
+/// The recursions whose quantities have room for one format all along an arm.
+template <class Scene, class Recursion>
+constexpr void check_fixed_form() {
+  static_assert(
+      !Scene::template has<Looped> || std::is_same_v<Recursion, recursion::NewtonEuler> ||
+          std::is_same_v<Recursion, recursion::CompositeBodies> || std::is_same_v<Recursion, recursion::Kinematics> ||
+          std::is_same_v<Recursion, recursion::Momenta> || std::is_same_v<Recursion, recursion::BaseForce>,
+      "axial: forward dynamics and separation in fixed point need a format a link, which the looped form has not; take "
+      "Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)");
+  static_assert(!std::is_same_v<Recursion, recursion::Separation> || !Scene::template has<TipWrench>,
+                "axial: separate() in fixed point has no wrenches; take TipWrench out of the scene");
+  static_assert(!std::is_same_v<Recursion, recursion::BaseForce>,
+                "axial: base_wrench() has no formats in fixed point; compute it in float");
+  static_assert(has_own_parameters<Scene, Recursion>(),
+                "axial: forward dynamics in fixed point takes its formats from each link's own parameters, which "
+                "BaseParameters regroups; take BaseParameters out of the scene");
+  static_assert(resisted_by_themselves<Scene, Recursion>(),
+                "axial: forward dynamics in fixed point takes its formats from what each link resists by itself; give "
+                "every link an inertia about its joint's axis (a slide: a mass), or rotor_inertia() and name "
+                "RotorInertia; or compute this scene in float");
+}
+
+/// The formats of links that have a type each, and how kernels read and write joint values there.
+template <class Scene, class Parameters, class S, class Recursion>
+struct LinkFormats : Formats<Scene, Parameters, S, Recursion> {
+  using Base = Formats<Scene, Parameters, S, Recursion>;
+  struct FormattedValues : FixedValues<Scene, S> {
+    /// Whether forward dynamics solves twice.
+    static constexpr bool second_solve() { return Base::second_solve(); }
+    /// What drives joint I at most without halvings, as a raw value at an exponent.
+    template <int I>
+    static constexpr std::int64_t drive_limit(int exponent) {
+      return Base::drive_limit(I, exponent);
+    }
+    /// A pose, or a motion, of kinematics as words.
+    template <class V>
+    AXIAL_INLINE static constexpr auto stored(const V& v) {
+      return stored_at<Base::Table::value.format[0].length, S>(v);
+    }
+  };
+  template <class, class>
+  using Values = FormattedValues;
+};
+
+}  // namespace detail
+
+/// In fixed point: formats of the recursion, a table of integers where the scene is looped.
+template <class Scene, class Word, class Parameters, class Recursion>
+struct LinksOf<Scene, Stored<Word>, Parameters, Recursion> {
+  static_assert((detail::check_fixed_scene<Scene>(), detail::check_fixed_form<Scene, Recursion>(), true));
+  using S = detail::ArithmeticOf<Scene, Word>;  ///< arithmetic
+
+  /// the links, in the form that the scene asks for
+  AXIAL_INLINE static constexpr auto links() {
+    if constexpr (Scene::template has<Looped>)
+      return FixedTableLinks<Scene, S, Parameters, detail::SharedFormats<Scene, Parameters, S, Recursion>>{};
+    else
+      return StaticLinks<Scene, S, Parameters, detail::LinkFormats<Scene, Parameters, S, Recursion>>{};
+  }
+};
+
+}  // namespace axial

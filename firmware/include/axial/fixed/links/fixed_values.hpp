@@ -1,0 +1,77 @@
+// How kernels read and write joint values in fixed point: words with the formats of their roles.
+#pragma once
+
+#include <axial/fixed/formats/link_formats.hpp>
+#include <axial/scene/status.hpp>
+#include <axial/spatial/pose.hpp>
+
+namespace axial {
+namespace detail {
+
+template <int E, class S, class X>
+AXIAL_INLINE constexpr auto stored_at(const X& x) {
+  if constexpr (IsVec3<X>::value)
+    return Vec3{stored_at<E, S>(x.x), stored_at<E, S>(x.y), stored_at<E, S>(x.z)};
+  else if constexpr (is_structural_v<X>)
+    return Stored<typename S::Word>{Fx<E, S>(x).raw};
+  else
+    return Stored<typename S::Word>{round_to<E>(x).raw};
+}
+/// A pose and a motion of kinematics as words: directions, and lengths at the exponent `length`.
+template <int length, class S, class R, class P>
+AXIAL_INLINE constexpr auto stored_at(const Pose<R, P>& pose) {
+  const auto& r = pose.rotation;
+  return Pose{Mat3{stored_at<S::unit, S>(r.x), stored_at<S::unit, S>(r.y), stored_at<S::unit, S>(r.z)},
+              stored_at<length, S>(pose.position)};
+}
+template <int length, class S, class W, class V>
+AXIAL_INLINE constexpr auto stored_at(const MotionVector<W, V>& motion) {
+  return MotionVector{stored_at<S::unit, S>(motion.angular), stored_at<length, S>(motion.linear)};
+}
+
+}  // namespace detail
+
+/// The members of PlainValues over arithmetic S, for links that have a type each.
+template <class SceneType, class S>
+struct FixedValues {
+  static constexpr Status::Code lost_code = Status::Code::saturated;  ///< ranges are proved: no joint is near singular
+
+  /// Values that carry no format: none at all.
+  template <class Values>
+  AXIAL_INLINE static constexpr const Values& read(const Values& values) {
+    return values;
+  }
+  /// Words with their formats, indexed as the links are.
+  template <class R, class Word, class Role>
+  AXIAL_INLINE static constexpr auto read(const Joints<R, Stored<Word>, Role>& values) {
+    return detail::FixedView<robot_of<R>, S, Joints<R, Stored<Word>, Role>, Role>{values};
+  }
+  /// Efforts to fill, in the format of the scene.
+  AXIAL_INLINE static constexpr auto no_efforts() { return EffortsOf<SceneType, Stored<typename S::Word>>{}; }
+  /// values[i] = x, rounded into the format of the values.
+  template <class Values, class I, class X>
+  AXIAL_INLINE static constexpr void write(Values& values, I, const X& x) {
+    using Result = Fx<Values::exponent(I::value), S>;
+    if constexpr (is_structural_v<X>)
+      values.values[I::value] = {Result(x).raw};
+    else
+      values.values[I::value] = {round_to<Result::exponent>(x).raw};
+  }
+  /// The same where the format of the values may be too small for x: then the largest word, and `lost` is set.
+  template <class Values, class I, class X>
+  AXIAL_INLINE static constexpr void write_limited(Values& values, I i, const X& x, bool& lost) {
+    if constexpr (!detail::IsFx<X>::value)
+      write(values, i, x);
+    else if constexpr (X::exponent >= Values::exponent(I::value))
+      write(values, i, x);
+    else
+      values.values[I::value] = {saturated<Values::exponent(I::value)>(lost, x).raw};
+  }
+  /// values[i] = x - y, rounded once.
+  template <class Values, class I, class X, class Y>
+  AXIAL_INLINE static constexpr void write_difference(Values& values, I i, const X& x, const Y& y) {
+    write(values, i, x - y);
+  }
+};
+
+}  // namespace axial

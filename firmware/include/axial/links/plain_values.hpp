@@ -1,0 +1,45 @@
+// How kernels over plain numbers read and write joint values: as they are.
+#pragma once
+
+#include <axial/scene/joints.hpp>
+#include <axial/scene/status.hpp>
+
+namespace axial {
+
+/// Joint values, poses and motions over numbers T that carry their own scale. Links of such numbers inherit it; links
+/// of a number system with formats have the same members.
+template <class SceneType, class T>
+struct PlainValues {
+  /// Status of a joint whose answer is lost in rounding.
+  static constexpr Status::Code lost_code = Status::Code::near_singular;
+
+  /// Joint values as kernels index them.
+  template <class Values>
+  AXIAL_INLINE static constexpr const Values& read(const Values& values) {
+    return values;
+  }
+  /// Efforts to fill, all 0.
+  AXIAL_INLINE static constexpr auto no_efforts() { return EffortsOf<SceneType, T>{}; }
+  /// values[i] = x, in the format of the values.
+  template <class Values, class I, class X>
+  AXIAL_INLINE static constexpr void write(Values& values, I i, const X& x) {
+    values[i] = static_cast<T>(x);
+  }
+  /// The same where a format may be too small for x: then the largest value that fits, and `lost` is set.
+  template <class Values, class I, class X>
+  AXIAL_INLINE static constexpr void write_limited(Values& values, I i, const X& x, bool&) {
+    write(values, i, x);
+  }
+  /// values[i] = x - y, rounded once.
+  template <class Values, class I, class X, class Y>
+  AXIAL_INLINE static constexpr void write_difference(Values& values, I i, const X& x, const Y& y) {
+    write(values, i, x - y);
+  }
+  /// A pose, or a motion, as results of kinematics hold it.
+  template <class V>
+  AXIAL_INLINE static constexpr auto stored(const V& v) {
+    return v.template dense<T>();
+  }
+};
+
+}  // namespace axial

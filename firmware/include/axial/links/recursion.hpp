@@ -1,0 +1,18 @@
+// Which recursion a kernel is.
+#pragma once
+
+namespace axial {
+
+/// Which recursion walks over links: a number system with formats has others for each.
+namespace recursion {
+struct NewtonEuler {};              ///< inverse dynamics
+struct CompositeBodies {};          ///< the mass matrix
+struct ArticulatedBodies {};        ///< the classical form
+struct ArticulatedBodiesAtRest {};  ///< of the split form
+struct Kinematics {};               ///< poses and Jacobians
+struct Separation {};               ///< the separated terms
+struct Momenta {};                  ///< joint momenta and their drift
+struct BaseForce {};                ///< what carries the robot
+}  // namespace recursion
+
+}  // namespace axial

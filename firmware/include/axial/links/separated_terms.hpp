@@ -1,0 +1,95 @@
+// How kernels hand over the separated terms of the dynamics.
+#pragma once
+
+#include <axial/links/soundness.hpp>
+#include <axial/scene/separated.hpp>
+
+namespace axial {
+namespace detail {
+
+/// How coefficients are kept: as numbers T. A number system with formats has one for each.
+template <class S, class T, class Scalar>
+struct CoefficientOf {
+  template <class I, class J, class V>
+  AXIAL_INLINE static constexpr T inertia(I, J, const V& value) {
+    return static_cast<T>(value);
+  }
+  template <class I, class J, class K, class V>
+  AXIAL_INLINE static constexpr T product(I, J, K, const V& value) {
+    return static_cast<T>(value);
+  }
+  template <class I, class J, class V>
+  AXIAL_INLINE static constexpr T square(I, J, const V& value) {
+    return static_cast<T>(value);
+  }
+  template <class I, class V>
+  AXIAL_INLINE static constexpr T rest(I, const V& value) {
+    return static_cast<T>(value);
+  }
+};
+
+}  // namespace detail
+
+/// Takes the coefficients that Out has room for: any of SeparatedA, B, C, G, or all. `Scalar` is the kernel's number,
+/// or what it computes by.
+template <class S, class T, class Scalar, class Out>
+struct Collected {
+  using Coefficient = detail::CoefficientOf<S, T, Scalar>;  ///< how each is kept
+  Out& out;                                                 ///< what is filled
+
+  /// Sets A(i, j) and A(j, i).
+  template <class I, class J, class V>
+  AXIAL_INLINE constexpr void inertia(I i, J j, const V& value) const {
+    if constexpr (std::is_base_of_v<SeparatedA<S, T>, Out>) {
+      out.A[i][j] = Coefficient::inertia(i, j, value);
+      out.A[j][i] = out.A[i][j];
+    }
+  }
+  /// Sets the coefficient of qd_j qd_k in joint i's effort.
+  template <class I, class J, class K, class V>
+  AXIAL_INLINE constexpr void product(I i, J j, K k, const V& value) const {
+    if constexpr (std::is_base_of_v<SeparatedB<S, T>, Out>) {
+      T& entry = out.B[i][Out::pair(j, k)];
+      entry = Coefficient::product(i, j, k, value);
+    }
+  }
+  /// Sets the coefficient of qd_j^2 in joint i's effort.
+  template <class I, class J, class V>
+  AXIAL_INLINE constexpr void square(I i, J j, const V& value) const {
+    if constexpr (std::is_base_of_v<SeparatedC<S, T>, Out>) out.C[i][j] = Coefficient::square(i, j, value);
+  }
+  /// Sets joint i's effort at rest.
+  template <class I, class V>
+  AXIAL_INLINE constexpr void rest(I i, const V& value) const {
+    if constexpr (std::is_base_of_v<SeparatedG<S, T>, Out>) out.G[i] = Coefficient::rest(i, value);
+  }
+};
+
+/// Passes coefficients on, and looks whether they are numbers.
+template <class Terms, class T>
+struct JudgedTerms {
+  const Terms& terms;  ///< what takes them
+  Soundness<T>& all;   ///< what looks at them
+
+  /// Coefficients as Collected takes them.
+  ///@{
+  template <class I, class J, class V>
+  AXIAL_INLINE constexpr void inertia(I i, J j, const V& value) const {
+    terms.inertia(i, j, value), all.number(value);
+  }
+  template <class I, class J, class K, class V>
+  AXIAL_INLINE constexpr void product(I i, J j, K k, const V& value) const {
+    terms.product(i, j, k, value), all.number(value);
+  }
+  template <class I, class J, class V>
+  AXIAL_INLINE constexpr void square(I i, J j, const V& value) const {
+    terms.square(i, j, value), all.number(value);
+  }
+  template <class I, class V>
+  AXIAL_INLINE constexpr void rest(I i, const V& value) const {
+    terms.rest(i, value), all.number(value);
+  }
+  ///@}
+};
+
+}  // namespace axial
