@@ -28,7 +28,7 @@ PayloadRow weighed(double seconds, double mass, const axial::Vec3<double>& com, 
     for (int i = 0; i < Known::chain.size; ++i)
       q[i] = float(m.q[i]), qd[i] = float(m.qd[i]), tau[i] = float(m.tau[i]);
     if (!axial::observe(observer, q, qd, tau).ok() ||
-        !axial::weigh<KnownScene, float, Tuning>(load, q, qd, observer.residual).ok())
+        !axial::update_payload<KnownScene, float, Tuning>(load, q, qd, observer.residual).ok())
       ++row.refused, observer.ready = load.ready = false;
     if (row.ready == 0.0 && axial::estimate<Tuning>(load).status.ok()) row.ready = static_cast<double>(k) * period;
     arm.move({}, in);

@@ -329,7 +329,7 @@ struct PayloadEstimator {
     axial::PayloadState<S, T> state;
     typename axial::detail::ResidualInput<S, T, Tuning>::type none{};
     for (int sample = 0; sample < 2; ++sample)
-      at.expect("status of weigh", axial::weigh<S, T, Tuning>(state, at.q, at.qd, none).ok());
+      at.expect("status of weigh", axial::update_payload<S, T, Tuning>(state, at.q, at.qd, none).ok());
     const auto estimate = axial::estimate<Tuning>(state);
     (void)estimate;
     bool finite = true;

@@ -140,7 +140,7 @@ TYPED_TEST(HostileKernels, AnObserverForgetsNothingThatItRefused) {
         outermost = i;
     }
     this->wrong.note(detect(detector, observer.residual).joint == outermost, "a contact's joint", k, 0.0, outermost);
-    static_cast<void>(weigh<S, Fixed32, Tuning>(load, state.q, state.qd, observer.residual));
+    static_cast<void>(update_payload<S, Fixed32, Tuning>(load, state.q, state.qd, observer.residual));
     const auto found = estimate<Tuning>(load);
     const auto words = payload_words<S>(found);
     const double kg = words.mass.raw * detail::power_of_two(-words.mass_exponent);

@@ -34,12 +34,12 @@ Table table(const M& model) {
 template <class M>
 struct Case {
   Table full, base;
-  Mounting mounting;
+  Placement placement;
   Inputs<M, double> in;
   Joints<M, double> q, qd, qdd;
 
   auto view(const Table& t) const {
-    return TableLinks<typename M::Scene, double, double, most>(t.links, nullptr, t.size, mounting);
+    return TableLinks<typename M::Scene, double, double, most>(t.links, nullptr, t.size, placement);
   }
   oracle::Vector<double> torque(const Table& t) const {
     Joints<M, double> tau{};
@@ -59,7 +59,7 @@ Case<M> random_case(oracle::RandomChains& random, int k) {
   const auto chain = k % 3 == 0 ? random.tree(n) : k % 3 == 1 ? random.branched_tree(n) : random.chain(n);
   Case<M> c{};
   c.full = c.base = table(cases::to_model<M>(chain));
-  c.mounting.gravity = {chain.gravity.x, chain.gravity.y, chain.gravity.z};
+  c.placement.gravity = {chain.gravity.x, chain.gravity.y, chain.gravity.z};
   c.q = joints<M, double>(random.vector(n, 3.0)), c.qd = joints<M, double>(random.vector(n, 2.0));
   c.qdd = joints<M, double>(random.vector(n, 4.0));
   c.qdd[0] += 5.0;

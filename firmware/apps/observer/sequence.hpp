@@ -122,7 +122,7 @@ WeighingReport weighing(Count count) {
   for (int k = 0; k < samples; ++k) {
     sample.next();
     static_cast<void>(observe(state, sample.q, sample.qd, sample.tau));
-    auto weighs = [&] { static_cast<void>(weigh<S, T, Tuning>(load, sample.q, sample.qd, state.residual)); };
+    auto weighs = [&] { static_cast<void>(update_payload<S, T, Tuning>(load, sample.q, sample.qd, state.residual)); };
     all.weigh.add(count(weighs));
     decltype(estimate<Tuning>(load)) found;
     auto estimates = [&] { found = estimate<Tuning>(load); };

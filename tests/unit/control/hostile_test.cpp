@@ -168,7 +168,7 @@ TYPED_TEST(HostileNumbers, AreACollisionWhereTheyAreNumbers) {
 TYPED_TEST(HostileNumbers, LeaveTheEstimatorWell) {
   using T = TypeParam;
   const auto weighed = [](PayloadState<S, T>& state, const Sample<T>& s) {
-    return weigh<S, T, Tuning>(state, s.q, s.qd, s.tau);
+    return update_payload<S, T, Tuning>(state, s.q, s.qd, s.tau);
   };
   for (const T bad : hostile<T>)
     for (int number = 0; number < 9; ++number) {
@@ -228,10 +228,10 @@ TEST(HostileWords, LeaveTheEstimatorWell) {
   Positions<Puma560, Fixed32> q = clamped_request<Puma560>(Positions<Puma560, Fixed32>{}, {}, {}).q;
   Velocities<Puma560, Fixed32> qd{};
   const Residuals<R, Fixed32, Tuning> residual{};
-  ASSERT_TRUE((weigh<R, Fixed32, Tuning>(state, q, qd, residual).ok()));
+  ASSERT_TRUE((update_payload<R, Fixed32, Tuning>(state, q, qd, residual).ok()));
   const auto before = state;
   qd[4].raw = INT32_MAX;
-  const Status status = weigh<R, Fixed32, Tuning>(state, q, qd, residual);
+  const Status status = update_payload<R, Fixed32, Tuning>(state, q, qd, residual);
   EXPECT_EQ(status.code, Code::speed_limit);
   EXPECT_EQ(status.joint, 4);
   EXPECT_FALSE(state.ready);

@@ -62,10 +62,10 @@ class Scale {
     if constexpr (is_stored_v<T>) {
       const auto q = to_fixed<Positions<R, T>>(now.q), qd = to_fixed<Velocities<R, T>>(now.qd);
       EXPECT_TRUE(observe(observer_, q.values, qd.values, to_fixed<EffortsOf<S, T>>(tau).values).ok());
-      EXPECT_TRUE((weigh<S, T, Tuning>(state, q.values, qd.values, observer_.residual).ok()));
+      EXPECT_TRUE((update_payload<S, T, Tuning>(state, q.values, qd.values, observer_.residual).ok()));
     } else {
       EXPECT_TRUE(observe(observer_, now.q, now.qd, tau).ok());
-      EXPECT_TRUE((weigh<S, T, Tuning>(state, now.q, now.qd, observer_.residual).ok()));
+      EXPECT_TRUE((update_payload<S, T, Tuning>(state, now.q, now.qd, observer_.residual).ok()));
     }
   }
   ObserverState<S, T, Tuning> observer_;

@@ -13,7 +13,7 @@ template <class T>
 struct Problem {
   ArticulatedInertia<Sym3<T>, Mat3<Vec3<T>>, Sym3<T>> inertia;
   ForceVector<Vec3<T>, Vec3<T>> bias;
-  Reach<T, T, T> reach;
+  CompositeScale<T, T, T> scale;
 };
 
 // B B^T + 1 of a random B, angular rows first.
@@ -48,7 +48,7 @@ void expect_solved(double tolerance) {
   oracle::Vector<quad> right;
   for (int k = 0; k < 200; ++k) {
     const auto p = random_problem<T>(engine, dense, right);
-    const auto result = free_motion<T>(Plain{}, p.inertia, p.bias, p.reach);
+    const auto result = free_motion<T>(Plain{}, p.inertia, p.bias, p.scale);
     const auto& [w, v] = result.acceleration;
     EXPECT_FALSE(result.singular);
     EXPECT_LE(oracle::relative_error(oracle::Vector<T>{w.x, w.y, w.z, v.x, v.y, v.z}, oracle::solve(dense, right)),
@@ -58,7 +58,7 @@ void expect_solved(double tolerance) {
 
 }  // namespace
 
-// Condition numbers here reach 20 or so.
+// Condition numbers here scale 20 or so.
 TEST(BaseSolve, EqualsElimination) {
   expect_solved<double>(1e-14);
   expect_solved<float>(5e-6);
@@ -69,7 +69,7 @@ TEST(BaseSolve, ScalesByPowersOfTwoToTheBit) {
   oracle::Matrix<quad> dense;
   oracle::Vector<quad> right;
   auto p = random_problem<float>(engine, dense, right);
-  const auto before = free_motion<float>(Plain{}, p.inertia, p.bias, p.reach).acceleration;
+  const auto before = free_motion<float>(Plain{}, p.inertia, p.bias, p.scale).acceleration;
   const float mass = 0x1p-40F, length = 0x1p9F;
   const auto scale = [](auto& s, float by) {
     for (float* x : {&s.xx, &s.yy, &s.zz, &s.xy, &s.xz, &s.yz})
@@ -79,8 +79,8 @@ TEST(BaseSolve, ScalesByPowersOfTwoToTheBit) {
   for (auto* row : {&p.inertia.coupling.x, &p.inertia.coupling.y, &p.inertia.coupling.z})
     *row = mass * length * *row;
   p.bias = {mass * length * length * p.bias.moment, mass * length * p.bias.force};
-  p.reach = {mass * p.reach.mass, mass * length * p.reach.moment, mass * length * length * p.reach.polar};
-  const auto after = free_motion<float>(Plain{}, p.inertia, p.bias, p.reach).acceleration;
+  p.scale = {mass * p.scale.mass, mass * length * p.scale.first_moment, mass * length * length * p.scale.polar};
+  const auto after = free_motion<float>(Plain{}, p.inertia, p.bias, p.scale).acceleration;
   EXPECT_EQ(after.angular.x, before.angular.x);
   EXPECT_EQ(after.angular.z, before.angular.z);
   EXPECT_EQ(after.linear.y, length * before.linear.y);
@@ -90,7 +90,7 @@ TEST(BaseSolve, ABodyThatResistsInNothingDoesNotMoveAndIsNamed) {
   const Sym3<double> none{};
   const ArticulatedInertia inertia{none, Mat3<Vec3<double>>{}, none};
   const auto result = free_motion<double>(Plain{}, inertia, ForceVector{Vec3{1.0, 1.0, 1.0}, Vec3{1.0, 1.0, 1.0}},
-                                          Reach{1.0, 1.0, 1.0});
+                                          CompositeScale{1.0, 1.0, 1.0});
   EXPECT_TRUE(result.singular);
   EXPECT_EQ(result.acceleration.linear.x, 0.0);
   EXPECT_EQ(result.acceleration.angular.z, 0.0);

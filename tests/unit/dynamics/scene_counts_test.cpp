@@ -115,7 +115,7 @@ struct SolveOfTheBase {
     const Mat3<Vec3<Counting>> coupling{{b[0], b[1], b[2]}, {b[3], b[4], b[5]}, {b[6], b[7], b[8]}};
     const ForceVector bias{Vec3{a[6], a[7], a[8]}, Vec3{c[6], c[7], c[8]}};
     const auto solved = free_motion<Counting>(Plain{}, ArticulatedInertia{sym(a), coupling, sym(c)}, bias,
-                                              Reach{Counting{}, Counting{}, Counting{}});
+                                              CompositeScale{Counting{}, Counting{}, Counting{}});
     const auto& [w, v] = solved.acceleration;
     return J{w.x, w.y, w.z, v.x, v.y, v.z};
   }

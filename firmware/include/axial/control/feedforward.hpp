@@ -54,7 +54,7 @@ constexpr Status check_all(const Positions<robot_of<S>, T>& q, const Velocities<
 
 // Sets what the request asks for, unless it is not finite: then the result stays the last safe output.
 template <class S, class T>
-constexpr void hand_out(FeedforwardResult<S, T>& result, FeedforwardState<S, T>& state, EffortsOf<S, T>& tau) {
+constexpr void publish(FeedforwardResult<S, T>& result, FeedforwardState<S, T>& state, EffortsOf<S, T>& tau) {
   if (!all_finite<S>(tau)) {
     result.status = {Status::Code::not_finite, -1};
     return;
@@ -83,7 +83,7 @@ template <class S, class T>
   FeedforwardResult<S, T> result{state.last_safe, detail::check_all<S, T>(q, qd, qdd, in)};
   if (!result.status.ok()) return result;
   auto tau = inverse_dynamics<S>(q, qd, qdd, in);
-  detail::hand_out<S>(result, state, tau);
+  detail::publish<S>(result, state, tau);
   return result;
 }
 

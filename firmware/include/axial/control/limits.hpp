@@ -76,7 +76,7 @@ struct LimitsFor {
     return q > l.position_max ? l.position_max : q < l.position_min ? l.position_min : q;
   }
   /// What is wrong with a position that is not reached: an angle of so many turns may yet be inside the limits.
-  static constexpr Status::Code position_complaint(const Joint& l, const T& q) {
+  static constexpr Status::Code position_violation(const Joint& l, const T& q) {
     return inside(q, l.position_min, l.position_max) ? Status::Code::angle_range : Status::Code::position_limit;
   }
   /// Whether a speed, an acceleration or an effort is within what it may be in either direction.
@@ -95,10 +95,10 @@ struct LimitsFor {
 
 // What is wrong with a joint of which something is.
 template <class For, class L, class Q, class T>
-constexpr Status::Code complaint(const L& l, const Q& q, const T& qd, const T& qdd) {
+constexpr Status::Code violation(const L& l, const Q& q, const T& qd, const T& qdd) {
   using Code = Status::Code;
   if (!(is_finite(q) && is_finite(qd) && is_finite(qdd))) return Code::not_finite;
-  if (!For::reaches(l, q)) return For::position_complaint(l, q);
+  if (!For::reaches(l, q)) return For::position_violation(l, q);
   return For::allows(l.speed, qd) ? Code::acceleration_limit : Code::speed_limit;
 }
 
@@ -113,7 +113,7 @@ template <class S, class T>
   for (int i = 0; i < joint_count<S>; ++i) {
     const auto& l = For::joint(i);
     if (!(For::reaches(l, q[i]) && For::allows(l.speed, qd[i]) && For::allows(l.acceleration, qdd[i])))
-      return {detail::complaint<For>(l, q[i], qd[i], qdd[i]), i};
+      return {detail::violation<For>(l, q[i], qd[i], qdd[i]), i};
   }
   return {};
 }

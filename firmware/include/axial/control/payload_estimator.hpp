@@ -112,9 +112,9 @@ struct PayloadEstimate {
 /// beyond the declared limits (position_limit, speed_limit, with the joint) is left out: what was learnt stays, and the
 /// next good sample starts anew from it. Constant time for good samples, 4x4 whatever the robot.
 template <class S, class T, class Tuning>
-[[nodiscard]] constexpr Status weigh(PayloadState<S, T>& state, const Positions<robot_of<S>, T>& q,
-                                     const Velocities<robot_of<S>, T>& qd,
-                                     const typename detail::ResidualInput<S, T, Tuning>::type& residual) {
+[[nodiscard]] constexpr Status update_payload(PayloadState<S, T>& state, const Positions<robot_of<S>, T>& q,
+                                              const Velocities<robot_of<S>, T>& qd,
+                                              const typename detail::ResidualInput<S, T, Tuning>::type& residual) {
   static_assert(Tuning::deviation > 0.0 && Tuning::memory > 0.0, "axial: deviation and memory are positive");
   if (const Status outside = detail::LimitsFor<S, T>::check_state(q, qd); !outside.ok()) {
     state.ready = false;

@@ -39,7 +39,7 @@ template <class S, class T>
   if (const Status status = check_request<S>(state.q, qd, qdd); !status.ok()) return {state.output.last_safe, status};
   FeedforwardResult<S, T> result{state.output.last_safe, {}};
   auto tau = torque(state.terms, qd, qdd);
-  detail::hand_out<S>(result, state.output, tau);
+  detail::publish<S>(result, state.output, tau);
   return result;
 }
 

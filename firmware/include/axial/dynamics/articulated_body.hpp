@@ -74,13 +74,13 @@ template <class I, class P, class R>
 struct Subtree {
   I inertia{};  ///< an ArticulatedInertia
   P bias{};     ///< a ForceVector, N m and N
-  R reach{};    ///< a Reach, or Unscaled
+  R scale{};    ///< a CompositeScale, or Unscaled
   /// The same as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return Subtree<decltype(inertia.template dense<T>()), decltype(bias.template dense<T>()),
-                   decltype(reach.template dense<T>())>{inertia.template dense<T>(), bias.template dense<T>(),
-                                                        reach.template dense<T>()};
+                   decltype(scale.template dense<T>())>{inertia.template dense<T>(), bias.template dense<T>(),
+                                                        scale.template dense<T>()};
   }
 };
 template <class I, class P, class R>
@@ -89,7 +89,7 @@ Subtree(I, P, R) -> Subtree<I, P, R>;
 /// Two subtrees of one link as one.
 template <class A, class B, class C, class D, class E, class F>
 AXIAL_INLINE constexpr auto operator+(const Subtree<A, B, C>& a, const Subtree<D, E, F>& b) {
-  return Subtree{a.inertia + b.inertia, a.bias + b.bias, a.reach + b.reach};
+  return Subtree{a.inertia + b.inertia, a.bias + b.bias, a.scale + b.scale};
 }
 
 /// A link by itself: I, and beta = (w x J w; w x (w x h)) less the force that acts on it from outside.
@@ -107,7 +107,7 @@ AXIAL_INLINE constexpr auto alone(const Link& link, const Body& body, const D& d
 /// The same with the mass of the water that moves with it; `water` is Dry where there is none.
 template <class Water, class Tree>
 AXIAL_INLINE constexpr auto immersed(const Water& water, const Tree& tree) {
-  return Subtree{tree.inertia + water.inertia(), tree.bias, tree.reach + reach_of(water)};
+  return Subtree{tree.inertia + water.inertia(), tree.bias, tree.scale + scale_of_water(water)};
 }
 /// A dry link is as it was.
 template <class Tree>
@@ -117,7 +117,7 @@ AXIAL_INLINE constexpr auto immersed(const Dry&, const Tree& tree) {
 
 /// What the outward pass needs of a joint, and what the parent gets.
 template <class G, class U, class Z, class L, class S>
-struct Left {
+struct InwardResult {
   G gain{};               ///< K = U / D
   U free{};               ///< u / D: the acceleration of the joint if its parent did not accelerate
   Z zeta{};               ///< bias acceleration of its motion
@@ -126,13 +126,13 @@ struct Left {
   S sent{};               ///< subtree that its parent bears, in the parent's frame
 };
 template <class G, class U, class Z, class L, class S>
-Left(G, U, Z, bool, L, S) -> Left<G, U, Z, L, S>;
+InwardResult(G, U, Z, bool, L, S) -> InwardResult<G, U, Z, L, S>;
 
 /// The same in the form in which the link keeps results.
 template <class Link, class G, class U, class Z, class L, class S>
-AXIAL_INLINE constexpr auto shaped(const Link& link, const Left<G, U, Z, L, S>& left) {
-  return Left{link.shape(left.gain), link.shape(left.free), link.shape(left.zeta), left.singular, left.left,
-              link.shape(left.sent)};
+AXIAL_INLINE constexpr auto shaped(const Link& link, const InwardResult<G, U, Z, L, S>& left) {
+  return InwardResult{link.shape(left.gain), link.shape(left.free), link.shape(left.zeta), left.singular, left.left,
+                      link.shape(left.sent)};
 }
 
 /// Inward step of a joint: reflects the subtree across it and brings the result to the parent's frame.
@@ -140,11 +140,11 @@ template <class Kind, class Link, class Screw, class Tree, class Vel, class Tau>
 AXIAL_INLINE constexpr auto reflect(Kind joint, const Link& link, const Screw& screw, const Tree& tree,
                                     const Vel& velocity, const Tau& tau) {
   auto x = link.x();
-  auto r = reflection(joint, link, tree.inertia, tree.bias, velocity.zeta, tau, singularity_scale(joint, tree.reach));
+  auto r = reflection(joint, link, tree.inertia, tree.bias, velocity.zeta, tau, singularity_scale(joint, tree.scale));
   Subtree sent{to_parent(x, to_parent(screw, r.inertia, link), link.outer()),
                to_parent(x, to_parent(screw, r.bias, link), link.outer()),
-               seen_from(tree.reach, shift_length(x) + shift_length(screw))};
-  return Left{r.gain, r.free, velocity.zeta, r.singular, r.left, sent};
+               seen_from(tree.scale, shift_length(x) + shift_length(screw))};
+  return InwardResult{r.gain, r.free, velocity.zeta, r.singular, r.left, sent};
 }
 
 /// What drives a moving structure: joint speeds, the base's motion, forces from outside, friction and springs.
@@ -188,7 +188,7 @@ struct InMotion {
       auto load = base_load(links, in) - base_force_on_water(links, in, body, velocity.p, velocity.u, still, still);
       auto own = alone(body, body.body(), body.inertia_differences(), velocity, load);
       auto all = with_roots(links, joints, immersed(water_about_base(links), own));
-      return free_motion<T>(body, all.inertia, all.bias, all.reach);
+      return free_motion<T>(body, all.inertia, all.bias, all.scale);
     } else {
       return FreeMotion{MotionVector{base_angular_acceleration(links, in), base_acceleration(links, in)}, false};
     }

@@ -71,16 +71,16 @@ FreeMotion(M, bool) -> FreeMotion<M>;
 
 /// Solves I a + p = 0 for an articulated inertia I and the force p: L D L^T without pivoting, the linear block first,
 /// then the angular one (the inertia about the articulated centre of mass). 86M 65A 6D; known zeros cost nothing.
-/// `reach` is the composite inertia: a pivot below 16 eps of it is singular, one below eps^2 of it moves nothing.
+/// `scale` is the composite inertia: a pivot below 16 eps of it is singular, one below eps^2 of it moves nothing.
 template <class T, class Round, class I, class P, class R>
-AXIAL_INLINE constexpr auto free_motion(const Round& round, const I& inertia, const P& p, const R& reach) {
+AXIAL_INLINE constexpr auto free_motion(const Round& round, const I& inertia, const P& p, const R& scale) {
   using namespace quantity;
   const auto& c = inertia.coupling;
-  auto linear = detail::factored<T>(round, inertia.linear, reach.mass);
+  auto linear = detail::factored<T>(round, inertia.linear, scale.mass);
   Mat3 w{detail::forward(round, linear, c.x), detail::forward(round, linear, c.y), detail::forward(round, linear, c.z)};
   Mat3 gain{detail::scaled(linear.inverse, w.x), detail::scaled(linear.inverse, w.y),
             detail::scaled(linear.inverse, w.z)};
-  auto angular = detail::factored<T>(round, detail::complement(round, inertia.angular, gain, w), reach.polar);
+  auto angular = detail::factored<T>(round, detail::complement(round, inertia.angular, gain, w), scale.polar);
   auto force = detail::forward(round, linear, p.force);
   auto moment = round.sum(Moment{}, p.moment, -(gain * force));
   auto turn =

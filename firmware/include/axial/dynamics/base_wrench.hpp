@@ -32,7 +32,8 @@ AXIAL_INLINE constexpr auto force_on_base(const Links& links, const Input& in, c
   auto motions = link_motions(links, in, screws, qd, qdd);
   auto water = immersions(links, in, screws, qd);
   auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, water, i); };
-  auto joint = [&](auto i, const auto& force) AXIAL_INLINE { return Left{sent_force(links, screws, i, force)}; };
+  auto joint = [&](auto i, const auto& force)
+                   AXIAL_INLINE { return InwardResult{sent_force(links, screws, i, force)}; };
   return with_roots(links, inward(links, own, joint), base_body_force(links, in));
 }
 

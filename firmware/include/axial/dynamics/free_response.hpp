@@ -14,31 +14,31 @@ namespace aba {
 
 /// A subtree's inertia and the scale of its singularity.
 template <class I, class R>
-struct Weight {
+struct SubtreeInertia {
   I inertia{};  ///< an ArticulatedInertia
-  R reach{};    ///< a Reach, or Unscaled
+  R scale{};    ///< a CompositeScale, or Unscaled
   /// The same as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
-    return aba::Weight{inertia.template dense<T>(), reach.template dense<T>()};
+    return aba::SubtreeInertia{inertia.template dense<T>(), scale.template dense<T>()};
   }
 };
 template <class I, class R>
-Weight(I, R) -> Weight<I, R>;
+SubtreeInertia(I, R) -> SubtreeInertia<I, R>;
 /// Two subtrees of one link as one.
 template <class I, class R, class J, class S>
-AXIAL_INLINE constexpr auto operator+(const Weight<I, R>& a, const Weight<J, S>& b) {
-  return Weight{a.inertia + b.inertia, a.reach + b.reach};
+AXIAL_INLINE constexpr auto operator+(const SubtreeInertia<I, R>& a, const SubtreeInertia<J, S>& b) {
+  return SubtreeInertia{a.inertia + b.inertia, a.scale + b.scale};
 }
 /// With the mass of the water that moves with it.
 template <class Water, class W>
-AXIAL_INLINE constexpr auto submerged(const Water& water, const W& weight) {
-  return Weight{weight.inertia + water.inertia(), weight.reach + reach_of(water)};
+AXIAL_INLINE constexpr auto submerged(const Water& water, const W& subtree) {
+  return SubtreeInertia{subtree.inertia + water.inertia(), subtree.scale + scale_of_water(water)};
 }
 /// A dry link is as it was.
 template <class W>
-AXIAL_INLINE constexpr const W& submerged(const Dry&, const W& weight) {
-  return weight;
+AXIAL_INLINE constexpr const W& submerged(const Dry&, const W& subtree) {
+  return subtree;
 }
 
 /// What the structure keeps of a joint: its gain K, D and 1/D; and what its parent bears.
@@ -62,15 +62,15 @@ AXIAL_INLINE constexpr auto structure_at_rest(const Links& links, const Input& i
     auto link = links.link(i);
     auto body = loads.body(link);
     return link.shape(
-        submerged(water_about(links, i), Weight{link.formatted(articulated(body)), scale_of(link, body)}));
+        submerged(water_about(links, i), SubtreeInertia{link.formatted(articulated(body)), scale_of(link, body)}));
   };
   return inward(links, own, [&](auto i, const auto& tree) AXIAL_INLINE {
     auto link = links.link(i);
     return link.on_joint([&](auto joint) AXIAL_INLINE {
       auto x = link.x();
-      auto h = hinge(joint, link, tree.inertia, singularity_scale(joint, tree.reach));
-      Weight sent{to_parent(x, to_parent(screws[i], h.inertia, link), link.outer()),
-                  seen_from(tree.reach, shift_length(x) + shift_length(screws[i]))};
+      auto h = hinge(joint, link, tree.inertia, singularity_scale(joint, tree.scale));
+      SubtreeInertia sent{to_parent(x, to_parent(screws[i], h.inertia, link), link.outer()),
+                          seen_from(tree.scale, shift_length(x) + shift_length(screws[i]))};
       return AtRest{link.shape(h.gain), link.shape(h.resistance), link.shape(h.inverse), h.singular, h.left,
                     link.shape(sent)};
     });
@@ -105,7 +105,7 @@ AXIAL_INLINE constexpr int respond(const Links& links, const Screws& screws, con
     auto link = links.link(i);
     return link.on_joint([&](auto joint) AXIAL_INLINE {
       bool lost = structure[i].singular;
-      auto passed = passage(joint, link, structure[i], unswept, force, drive[i], watch.magnified(), lost);
+      auto passed = passage(joint, link, structure[i], no_bias_products, force, drive[i], watch.magnified(), lost);
       auto turned = to_parent(screws[i], passed.bias, link);
       auto sent = to_parent(link.x(), turned, link.outer());
       watch(passed.bias, turned, sent, passed.free);

@@ -154,11 +154,11 @@ AXIAL_INLINE constexpr auto sent_force(const Links& links, const Screws& screws,
 
 /// What the inward pass keeps of a link.
 template <class F>
-struct Left {
+struct InwardResult {
   F sent{};  ///< N m and N, on its parent, in the parent's frame
 };
 template <class F>
-Left(F) -> Left<F>;
+InwardResult(F) -> InwardResult<F>;
 
 /// The algorithm over any form of links and the screws at q; tau[i] is written for every joint.
 template <class Links, class Input, class Q, class Screws, class V, class A, class Tau>
@@ -169,7 +169,7 @@ AXIAL_INLINE constexpr void efforts(const Links& links, const Input& in, const Q
   auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, water, i); };
   auto joint = [&](auto i, const auto& force) AXIAL_INLINE {
     links.write(tau, i, joint_effort(links, i, force, q, qd, qdd));
-    return Left{sent_force(links, screws, i, force)};
+    return InwardResult{sent_force(links, screws, i, force)};
   };
   inward(links, own, joint);
 }

@@ -36,12 +36,12 @@ namespace crba {
 /// A composite body beyond its joint (turned and shifted by it, which leaves what it is about the joint's own axis),
 /// and as its parent bears it.
 template <class B, class P>
-struct Left {
+struct InwardResult {
   B turned{};  ///< beyond its joint
   P sent{};    ///< in the parent's frame
 };
 template <class B, class P>
-Left(B, P) -> Left<B, P>;
+InwardResult(B, P) -> InwardResult<B, P>;
 
 /// Force that accelerates a composite body by one unit of its joint: I^c phi; the same on either side of the joint's
 /// screw, whose axis is phi's.
@@ -114,7 +114,7 @@ AXIAL_INLINE constexpr auto composite_bodies(const Links& links, const Input& in
   return inward(links, own, [&](auto i, const auto& body) AXIAL_INLINE {
     auto link = links.link(i);
     auto turned = link.shape(to_parent(screws[i], body, link));
-    return Left{turned, link.shape(to_parent(link.x(), turned, link.outer()))};
+    return InwardResult{turned, link.shape(to_parent(link.x(), turned, link.outer()))};
   });
 }
 

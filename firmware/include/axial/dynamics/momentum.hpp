@@ -67,7 +67,7 @@ AXIAL_INLINE constexpr void hold(const Links& links, const Input& in, const Q& q
   auto own = [&](auto i) AXIAL_INLINE { return rnea::own_force(links, in, motions, water, i); };
   inward(links, own, [&](auto i, const auto& force) AXIAL_INLINE {
     links.write(tau, i, rnea::joint_effort(links, i, force, q, qd, none));
-    return rnea::Left{rnea::sent_force(links, screws, i, force)};
+    return rnea::InwardResult{rnea::sent_force(links, screws, i, force)};
   });
 }
 
@@ -85,7 +85,7 @@ AXIAL_INLINE constexpr void carry(const Links& links, const Input& in, const Scr
     link.on_joint([&](auto joint) AXIAL_INLINE {
       links.write_difference(terms.drift, i, kinetic_slope(joint, motions[i], h), holding[i]);
     });
-    return rnea::Left{rnea::sent_force(links, screws, i, h)};
+    return rnea::InwardResult{rnea::sent_force(links, screws, i, h)};
   });
 }
 

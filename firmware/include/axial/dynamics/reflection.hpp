@@ -90,22 +90,22 @@ AXIAL_INLINE constexpr auto reflected(Prismatic, const Link& link, const I& i, c
 
 /// N zeta, in the products that it is summed from: of both parts of zeta, moments and forces.
 template <class A, class B, class C, class D>
-struct Swept {
+struct BiasProducts {
   A turning_moment{};  ///< of the angular part: N m
   B moment{};          ///< of the linear part: N m
   C turning_force{};   ///< of the angular part: N
   D force{};           ///< of the linear part: N
 };
 template <class A, class B, class C, class D>
-Swept(A, B, C, D) -> Swept<A, B, C, D>;
+BiasProducts(A, B, C, D) -> BiasProducts<A, B, C, D>;
 /// Those products for an inertia N and a bias acceleration zeta.
 template <class N, class Z>
-AXIAL_INLINE constexpr auto swept(const N& n, const Z& zeta) {
-  return Swept{n.angular * zeta.angular, n.coupling * zeta.linear, transpose_times(n.coupling, zeta.angular),
-               n.linear * zeta.linear};
+AXIAL_INLINE constexpr auto bias_products(const N& n, const Z& zeta) {
+  return BiasProducts{n.angular * zeta.angular, n.coupling * zeta.linear, transpose_times(n.coupling, zeta.angular),
+                      n.linear * zeta.linear};
 }
 /// Of a structure at rest.
-inline constexpr Swept<ZeroVec3, ZeroVec3, ZeroVec3, ZeroVec3> unswept{};
+inline constexpr BiasProducts<ZeroVec3, ZeroVec3, ZeroVec3, ZeroVec3> no_bias_products{};
 
 /// Bias that passes a joint: p + N zeta + K u; along the joint it is p J/D + K_s tau, which is tau without a rotor.
 template <class Link, class P, class N, class K, class U, class S>
@@ -196,17 +196,17 @@ AXIAL_INLINE constexpr const auto& along_axis_of(Prismatic, const K& gain) {
 
 /// What a force p and the effort tau do at a joint: the force that passes, and u / D.
 template <class P, class U>
-struct Passage {
+struct JointTransmission {
   P bias;  ///< N m and N, on the inboard side
   U free;  ///< u / D, rad/s^2 or m/s^2
 };
 template <class P, class U>
-Passage(P, U) -> Passage<P, U>;
+JointTransmission(P, U) -> JointTransmission<P, U>;
 
 /// Across a joint that is held all of p passes, and u / D is 0. Sets `lost` where u / 2^magnified is beyond what
 /// formats are made for.
 template <class Joint, class Link, class H, class N, class P, class Tau, class M>
-AXIAL_INLINE constexpr auto passage(Joint joint, const Link& link, const H& hinge, const N& swept, const P& p,
+AXIAL_INLINE constexpr auto passage(Joint joint, const Link& link, const H& hinge, const N& products, const P& p,
                                     const Tau& tau, M magnified, bool& lost) {
   using namespace quantity;
   auto held = along_joint(joint, p);
@@ -214,8 +214,8 @@ AXIAL_INLINE constexpr auto passage(Joint joint, const Link& link, const H& hing
   auto u = link.admitted(lost, hinge.resistance, link.sum(JointEffort{}, tau, -held), magnified);
   auto across = link.sum(JointEffort{}, link.quotient(AngularGain{}, hinge.inverse, link.rotor()) * held, axis * tau);
   auto passed = where_left<decltype(across)>(hinge.left, across, held);
-  return Passage{passed_bias(joint, link, p, swept, hinge.gain, u, passed),
-                 link.quotient(JointAcceleration{}, hinge.inverse, u)};
+  return JointTransmission{passed_bias(joint, link, p, products, hinge.gain, u, passed),
+                           link.quotient(JointAcceleration{}, hinge.inverse, u)};
 }
 
 /// Reflection of an articulated body (inertia, bias p) across its joint, driven by the effort tau; D = I_ss + rotor.
@@ -224,7 +224,7 @@ AXIAL_INLINE constexpr auto reflection(Joint joint, const Link& link, const I& i
                                        const Tau& tau, const Scale& scale) {
   auto h = hinge(joint, link, inertia, scale);
   bool lost = h.singular;
-  auto passed = passage(joint, link, h, swept(h.inertia, zeta), p, tau, Zero{}, lost);
+  auto passed = passage(joint, link, h, bias_products(h.inertia, zeta), p, tau, Zero{}, lost);
   return Reflection{h.inertia, passed.bias, h.gain, passed.free, lost, h.left};
 }
 

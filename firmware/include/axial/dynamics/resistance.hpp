@@ -1,7 +1,7 @@
 // What resists a joint's drive, D, and its inverse: lost in rounding or not, known to the compiler where that can be.
 #pragma once
 
-#include <axial/dynamics/reach.hpp>
+#include <axial/dynamics/composite_scale.hpp>
 #include <axial/links/link_view.hpp>
 
 namespace axial {
@@ -11,13 +11,13 @@ AXIAL_INLINE constexpr Unscaled singularity_scale(Revolute, Unscaled) { return {
 AXIAL_INLINE constexpr Unscaled singularity_scale(Prismatic, Unscaled) { return {}; }  ///< nor of a slide
 /// Of a revolute joint, kg m^2.
 template <class R>
-AXIAL_INLINE constexpr auto singularity_scale(Revolute, const R& reach) {
-  return reach.polar;
+AXIAL_INLINE constexpr auto singularity_scale(Revolute, const R& scale) {
+  return scale.polar;
 }
 /// Of a prismatic joint, kg.
 template <class R>
-AXIAL_INLINE constexpr auto singularity_scale(Prismatic, const R& reach) {
-  return reach.mass;
+AXIAL_INLINE constexpr auto singularity_scale(Prismatic, const R& scale) {
+  return scale.mass;
 }
 
 namespace detail {
@@ -45,14 +45,14 @@ constexpr auto own_shares() {
   OwnShares<n> shares;
   if (Scene::template has<Payload> || Scene::template has<Underwater>) return shares;
   const auto& links = robot_constants<Robot>.links;
-  Reach<double, double, double> carried[n] = {};
+  CompositeScale<double, double, double> carried[n] = {};
   bool known[n] = {};
   for (int i = 0; i < n; ++i)
     known[i] = true;
   for (int i = n; i-- > 0;) {
     const auto& c = links[i];
-    carried[i] = carried[i] + reach(RigidInertia{c.mass, Vec3<double>{c.hx, c.hy, c.hz},
-                                                 Sym3<double>{c.jxx, c.jyy, c.jzz, 0.0, 0.0, 0.0}});
+    carried[i] = carried[i] + composite_scale(RigidInertia{c.mass, Vec3<double>{c.hx, c.hy, c.hz},
+                                                           Sym3<double>{c.jxx, c.jyy, c.jzz, 0.0, 0.0, 0.0}});
     known[i] = known[i] && resists_every_way(Robot::chain.links[i]);
     const double rotor = Scene::template has<RotorInertia> ? c.rotor : 0.0;
     const double all = (c.prismatic ? carried[i].mass : carried[i].polar) + rotor;

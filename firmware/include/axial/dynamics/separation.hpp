@@ -11,26 +11,27 @@ namespace separation {
 
 /// Gravity's stand-in, the acceleration of the base, in a link's frame before and after its own z-screw.
 template <class B, class A>
-struct Fall {
+struct LinkGravity {
   B before{};  ///< m/s^2, before it
   A after{};   ///< m/s^2, behind it
   /// The same as plain numbers.
   template <class T>
-  AXIAL_INLINE constexpr Fall<Vec3<T>, Vec3<T>> dense() const {
+  AXIAL_INLINE constexpr LinkGravity<Vec3<T>, Vec3<T>> dense() const {
     return {before, after};
   }
 };
 template <class B, class A>
-Fall(B, A) -> Fall<B, A>;
+LinkGravity(B, A) -> LinkGravity<B, A>;
 
 /// Of all links, from the base outwards.
 template <class Links, class Input, class Screws>
-AXIAL_INLINE constexpr auto falls(const Links& links, const Input& in, const Screws& screws) {
-  return outward(links, Fall{ZeroVec3{}, base_acceleration(links, in)}, [&](auto i, const auto& parent) AXIAL_INLINE {
-    auto link = links.link(i);
-    auto before = to_child(link.x(), link.sum(quantity::GravityAcceleration{}, parent.after));
-    return Fall{link.shape(before), link.shape(to_child(screws[i], before))};
-  });
+AXIAL_INLINE constexpr auto link_gravities(const Links& links, const Input& in, const Screws& screws) {
+  return outward(links, LinkGravity{ZeroVec3{}, base_acceleration(links, in)},
+                 [&](auto i, const auto& parent) AXIAL_INLINE {
+                   auto link = links.link(i);
+                   auto before = to_child(link.x(), link.sum(quantity::GravityAcceleration{}, parent.after));
+                   return LinkGravity{link.shape(before), link.shape(to_child(screws[i], before))};
+                 });
 }
 
 /// Effort of a joint that holds its composite body against gravity.
@@ -129,11 +130,11 @@ AXIAL_INLINE constexpr void rest_terms(const Links& links, const Input& in, cons
     rnea::efforts(links, in, q, screws, NoMotion{}, NoMotion{}, effort);
     for_each_link(links, [&](auto i) AXIAL_INLINE { terms.rest(i, effort[i]); });
   } else {
-    auto fall = falls(links, in, screws);
+    auto gravity = link_gravities(links, in, screws);
     for_each_link(links, [&](auto i) AXIAL_INLINE {
       auto link = links.link(i);
       link.on_joint([&](auto kind) AXIAL_INLINE {
-        terms.rest(i, link.sum(quantity::JointEffort{}, weight(kind, bodies[i].turned, fall[i].before),
+        terms.rest(i, link.sum(quantity::JointEffort{}, weight(kind, bodies[i].turned, gravity[i].before),
                                spring_effort(link, q[i])));
       });
     });

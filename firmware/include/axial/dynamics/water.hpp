@@ -1,11 +1,11 @@
 // What the water exerts on links and base body: added mass with its Coriolis terms, weight less buoyancy, drag.
 #pragma once
 
+#include <axial/dynamics/composite_scale.hpp>
 #include <axial/dynamics/gyration.hpp>
 #include <axial/dynamics/joint_axis.hpp>
 #include <axial/dynamics/moving_base.hpp>
 #include <axial/dynamics/passes.hpp>
-#include <axial/dynamics/reach.hpp>
 #include <axial/links/water_view.hpp>
 
 namespace axial {
@@ -143,8 +143,8 @@ AXIAL_INLINE constexpr auto force_on_water(const Links& links, I i, const Link& 
 
 /// What the water adds to the composite inertia that a joint or the base is compared with.
 template <class Water>
-AXIAL_INLINE constexpr auto reach_of(const Water& water) {
-  return Reach{water.reach_mass(), water.reach_moment(), water.reach_polar()};
+AXIAL_INLINE constexpr auto scale_of_water(const Water& water) {
+  return CompositeScale{water.scale_mass(), water.scale_first_moment(), water.scale_polar()};
 }
 
 }  // namespace axial

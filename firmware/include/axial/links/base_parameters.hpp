@@ -28,7 +28,7 @@ constexpr auto way_to_axis(const TreeLinkConstants<double>& link) {
 
 // A body that is symmetric about a revolute joint's axis turns about it unseen: it may sit on either side of the joint.
 // Takes mass, hz and diag(Jyy, Jyy, 0) from the link; returns them in the parent's frame.
-constexpr Body give_up(Revolute, TreeLinkConstants<double>& link) {
+constexpr Body shift_to_parent(Revolute, TreeLinkConstants<double>& link) {
   const double j = link.jyy;
   const Body symmetric{link.mass, {0.0, 0.0, link.hz}, {j, j, 0.0, 0.0, 0.0, 0.0}};
   link.mass = link.hz = link.jyy = 0.0, link.jxx -= j;
@@ -38,7 +38,7 @@ constexpr Body give_up(Revolute, TreeLinkConstants<double>& link) {
 // A prismatic link turns as its parent does: its inertia about its own origin belongs to the parent. So does its first
 // moment where all that turns it inboard turns about the slide's direction: across it the moment moves as the parent,
 // along it it is not felt.
-constexpr Body give_up(Prismatic, TreeLinkConstants<double>& link, bool turns_along_slide) {
+constexpr Body shift_to_parent(Prismatic, TreeLinkConstants<double>& link, bool turns_along_slide) {
   const Sym3<double> own{link.jxx, link.jyy, link.jzz, link.jxy, link.jxz, link.jyz};
   link.jxx = link.jyy = link.jzz = link.jxy = link.jxz = link.jyz = 0.0;
   Body body{0.0, {}, own};
@@ -67,7 +67,8 @@ constexpr void regroup(TreeLinkConstants<double>* links, int size, bool moving_b
   for (int i = size; i-- > 0;) {
     auto& link = links[i];
     const bool along = !moving_base && detail::turns_along_slide(links, i);
-    const auto body = link.prismatic ? detail::give_up(Prismatic{}, link, along) : detail::give_up(Revolute{}, link);
+    const auto body =
+        link.prismatic ? detail::shift_to_parent(Prismatic{}, link, along) : detail::shift_to_parent(Revolute{}, link);
     if (link.parent >= 0) detail::add(links[link.parent], body);
     detail::set_differences(link);
   }

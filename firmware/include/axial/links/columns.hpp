@@ -24,7 +24,7 @@ struct UnknownColumns {
 
 /// The table of a robot. `Constants::table.links` is an array of TreeLinkConstants<double>.
 template <class Constants>
-struct KnownColumns {
+struct CommonConstants {
   static constexpr bool any(bool prismatic) {
     bool found = false;
     for (const auto& link : Constants::table.links)

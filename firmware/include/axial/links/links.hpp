@@ -63,7 +63,7 @@ struct StaticLinks : FormatsType::template Values<SceneType, ScalarType> {
 };
 
 /// What a table of links stands on and carries: gravity, base and tool, as written by the robot's author.
-struct Mounting {
+struct Placement {
   GravityVector gravity{};  ///< m/s^2, axes of frame 0
   FixedPose base{};         ///< of frame 0 in the world
   FixedPose tool{};         ///< in the last link's frame
@@ -95,8 +95,8 @@ class TableLinks : public PlainValues<SceneType, ScalarType> {
 
   /// `drives` may be null where the scene names neither Friction nor JointSprings.
   AXIAL_INLINE constexpr TableLinks(const Constants* table, const DriveConstants<Source>* drives, int size,
-                                    const Mounting& mounting)
-      : table_(table), drives_(drives), size_(size), mounting_(mounting) {}
+                                    const Placement& placement)
+      : table_(table), drives_(drives), size_(size), placement_(placement) {}
 
   AXIAL_INLINE constexpr int size() const { return size_; }  ///< number of links
   /// Link i as algorithms see it.
@@ -109,29 +109,29 @@ class TableLinks : public PlainValues<SceneType, ScalarType> {
   /// Acceleration of the base that stands for gravity, -g in frame 0.
   AXIAL_INLINE constexpr Vec3<Scalar> base_acceleration() const {
     using N = NumberTraits<Scalar>;
-    const auto& g = mounting_.gravity;
+    const auto& g = placement_.gravity;
     if constexpr (Scene::template has<Gravity>)
       return {N::constant(-g.x), N::constant(-g.y), N::constant(-g.z)};
     else
       return ZeroVec3{};
   }
   /// of frame 0 in the world
-  AXIAL_INLINE constexpr auto base_pose() const { return pose_of<Scalar>(mounting_.base); }
+  AXIAL_INLINE constexpr auto base_pose() const { return pose_of<Scalar>(placement_.base); }
   /// in the last link's frame
-  AXIAL_INLINE constexpr auto tool_pose() const { return pose_of<Scalar>(mounting_.tool); }
+  AXIAL_INLINE constexpr auto tool_pose() const { return pose_of<Scalar>(placement_.tool); }
   AXIAL_INLINE constexpr int last() const { return size_ - 1; }  ///< index of the last link
 
  private:
   const Constants* table_;
   const DriveConstants<Source>* drives_;
   int size_;
-  const Mounting& mounting_;
+  const Placement& placement_;
 };
 
 namespace detail {
 
 template <class Robot, class Parameters>
-using ColumnsOf = KnownColumns<RobotConstants<Robot, Parameters>>;
+using ColumnsOf = CommonConstants<RobotConstants<Robot, Parameters>>;
 template <class Robot, class T, class Parameters, int... I>
 AXIAL_INLINE constexpr auto converted_table(std::integer_sequence<int, I...>) {
   using Row = typename ColumnsOf<Robot, Parameters>::template Row<T>;
@@ -151,7 +151,7 @@ AXIAL_INLINE constexpr const DriveConstants<T>* drives_of() {
     return nullptr;
 }
 template <class Robot>
-inline constexpr Mounting robot_mounting{Robot::chain.gravity, Robot::chain.base.pose, Robot::chain.tool.pose};
+inline constexpr Placement robot_placement{Robot::chain.gravity, Robot::chain.base.pose, Robot::chain.tool.pose};
 
 }  // namespace detail
 
@@ -183,7 +183,7 @@ struct LinksOf {
       using Columns = detail::ColumnsOf<Robot, Parameters>;
       return TableLinks<Scene, T, T, Robot::chain.size, Columns>(detail::robot_table<Robot, T, Parameters>.links,
                                                                  detail::drives_of<Scene, T>(), Robot::chain.size,
-                                                                 detail::robot_mounting<Robot>);
+                                                                 detail::robot_placement<Robot>);
     } else {
       return StaticLinks<Scene, T, Parameters>{};
     }

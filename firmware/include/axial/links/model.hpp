@@ -62,11 +62,11 @@ class Model {
     return add(link.parameters());
   }  ///< as revolute() or prismatic() describe it
   /// Acceleration of free fall in frame 0, m/s^2.
-  constexpr void set_gravity(double x, double y, double z) { mounting_.gravity = {x, y, z}; }
+  constexpr void set_gravity(double x, double y, double z) { placement_.gravity = {x, y, z}; }
   /// Pose of frame 0 in the world, and of the tool in the last link's frame: only kinematics sees them.
-  constexpr void set_base(const FixedPose& pose) { mounting_.base = pose; }
+  constexpr void set_base(const FixedPose& pose) { placement_.base = pose; }
   /// pose of the tool in the last link's frame
-  constexpr void set_tool(const FixedPose& pose) { mounting_.tool = pose; }
+  constexpr void set_tool(const FixedPose& pose) { placement_.tool = pose; }
   /// The body that is fixed to frame 0, for the feature FloatingBase.
   constexpr void set_base_body(const LinkParameters& body) {
     base_body_ = link_constants(body, LinkParameters::base);
@@ -80,7 +80,7 @@ class Model {
   /// The links over numbers T, as algorithms walk over them; they refer to the model.
   template <class T>
   constexpr auto links() const {
-    return ModelLinks<Scene, T, N>(TableLinks<Scene, T, double, N>(table_, drives_, size_, mounting_), base_body_,
+    return ModelLinks<Scene, T, N>(TableLinks<Scene, T, double, N>(table_, drives_, size_, placement_), base_body_,
                                    waters_);
   }
 
@@ -89,7 +89,7 @@ class Model {
   DriveConstants<double> drives_[N] = {};
   TreeLinkConstants<double> base_body_{};
   WaterConstants<double> waters_[N + 1] = {};
-  Mounting mounting_{};
+  Placement placement_{};
   int size_ = 0;
 };
 

@@ -47,9 +47,9 @@ class WaterAccess {
              Vec3{at<&C::c_zx>(), at<&C::c_zy>(), o}},
         Sym3{m.x, m.y, m.z, o, o, o}};
   }
-  AXIAL_INLINE constexpr auto reach_mass() const { return at<&C::reach_mass>(); }
-  AXIAL_INLINE constexpr auto reach_moment() const { return at<&C::reach_moment>(); }
-  AXIAL_INLINE constexpr auto reach_polar() const { return at<&C::reach_polar>(); }
+  AXIAL_INLINE constexpr auto scale_mass() const { return at<&C::scale_mass>(); }
+  AXIAL_INLINE constexpr auto scale_first_moment() const { return at<&C::scale_first_moment>(); }
+  AXIAL_INLINE constexpr auto scale_polar() const { return at<&C::scale_polar>(); }
 };
 
 /// The water of a robot's links, and of its base body last; instantiated only by scenes that name Underwater.

@@ -28,7 +28,8 @@ struct WaterConstants {
   T c_xy{}, c_xz{}, c_yx{}, c_yz{}, c_zx{}, c_zy{};  ///< coupling c~ diag(m), kg m
   T lx{}, ly{}, lz{}, lrx{}, lry{}, lrz{};           ///< linear drag
   T qx{}, qy{}, qz{}, qrx{}, qry{}, qrz{};           ///< quadratic drag
-  T reach_mass{}, reach_moment{}, reach_polar{};     ///< bounds for the scale of singularity (dynamics/reach.hpp)
+  T scale_mass{}, scale_first_moment{},
+      scale_polar{};  ///< bounds for the scale of singularity (dynamics/composite_scale.hpp)
 };
 
 /// The added inertia is carried to the frame's origin: J = I + c~ A c~^T, coupling c~ A.
@@ -52,9 +53,9 @@ constexpr WaterConstants<double> water_constants(const WaterParameters& p) {
   c.c_zx = -y * m[0], c.c_zy = x * m[1];
   c.lx = l[0], c.ly = l[1], c.lz = l[2], c.lrx = l[3], c.lry = l[4], c.lrz = l[5];
   c.qx = q[0], c.qy = q[1], c.qz = q[2], c.qrx = q[3], c.qry = q[4], c.qrz = q[5];
-  c.reach_mass = m[0] > m[1] ? (m[0] > m[2] ? m[0] : m[2]) : (m[1] > m[2] ? m[1] : m[2]);
-  c.reach_moment = c.reach_mass * (magnitude(x) + magnitude(y) + magnitude(z));
-  c.reach_polar = c.jxx + c.jyy + c.jzz;
+  c.scale_mass = m[0] > m[1] ? (m[0] > m[2] ? m[0] : m[2]) : (m[1] > m[2] ? m[1] : m[2]);
+  c.scale_first_moment = c.scale_mass * (magnitude(x) + magnitude(y) + magnitude(z));
+  c.scale_polar = c.jxx + c.jyy + c.jzz;
   return c;
 }
 
@@ -75,8 +76,8 @@ inline constexpr T WaterConstants<T>::*water_numbers[] = {
     &WaterConstants<T>::lz,         &WaterConstants<T>::lrx,        &WaterConstants<T>::lry,
     &WaterConstants<T>::lrz,        &WaterConstants<T>::qx,         &WaterConstants<T>::qy,
     &WaterConstants<T>::qz,         &WaterConstants<T>::qrx,        &WaterConstants<T>::qry,
-    &WaterConstants<T>::qrz,        &WaterConstants<T>::reach_mass, &WaterConstants<T>::reach_moment,
-    &WaterConstants<T>::reach_polar};
+    &WaterConstants<T>::qrz,        &WaterConstants<T>::scale_mass, &WaterConstants<T>::scale_first_moment,
+    &WaterConstants<T>::scale_polar};
 
 /// The same constants in another number format.
 template <class T>

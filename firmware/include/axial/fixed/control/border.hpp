@@ -55,8 +55,8 @@ constexpr Status::Code convert(typename Values::Value& to, int i, const T& x) {
   const auto range = role_range<typename Traits::S, T, typename Traits::Word, typename Traits::Role>(i);
   bool under = below(x, range.low), over = below(range.high, x);
   if (is_angle<Values>(i)) {
-    const RawReach& reach = fixed_limits_of<typename Traits::S, typename Traits::Word>.joints[i];
-    const Fixed32 angle = reach.nearest({to_angle(x)});  // a limit may round outwards
+    const PositionRange& reached = fixed_limits_of<typename Traits::S, typename Traits::Word>.joints[i];
+    const Fixed32 angle = reached.nearest({to_angle(x)});  // a limit may round outwards
     to = {static_cast<Word>(angle.raw)};
     const T far = static_cast<T>(most_radians);
     under = under || below(x, -far), over = over || below(far, x);

@@ -20,10 +20,10 @@ struct LimitsFor<S, Stored<Word>> {
   static constexpr bool reaches(const Joint& l, const Fixed32& q) { return l.reaches(q); }
   /// The nearest position that the joint reaches.
   static constexpr Fixed32 nearest_position(const Joint& l, const Fixed32& q) {
-    return static_cast<const RawReach&>(l).nearest(q);
+    return static_cast<const PositionRange&>(l).nearest(q);
   }
   /// What is wrong with a position that is not reached.
-  static constexpr Status::Code position_complaint(const Joint&, const Fixed32&) {
+  static constexpr Status::Code position_violation(const Joint&, const Fixed32&) {
     return Status::Code::position_limit;
   }
   /// Whether a speed, an acceleration or an effort is within what it may be in either direction.

@@ -25,7 +25,7 @@ struct RawMost {
 };
 
 /// Range of a position, raw: for a revolute joint an arc, on which min to max counts upwards and may pass half a turn.
-struct RawReach {
+struct PositionRange {
   std::int32_t min = 0, max = 0;  ///< ends of the range; angles in 2^-32 turns
   std::uint32_t span = 0;         ///< max - min; all ones where every angle is allowed
   bool wraps = false;             ///< whether it is an arc of a circle
@@ -55,7 +55,7 @@ struct RawReach {
 template <class S, class Word>
 struct FixedLimits {
   /// Limits of one joint; the base is those of its position.
-  struct Joint : RawReach {
+  struct Joint : PositionRange {
     RawMost<Word> speed, acceleration, effort;  ///< in either direction
   };
   Joint joints[joint_count<S>];  ///< from the base outwards
@@ -105,17 +105,17 @@ constexpr std::int32_t raw_angle(double radians) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(nearest_integer(radians * bam_per_radian)));
 }
 
-constexpr RawReach raw_reach(const LinkParameters& p, int exponent) {
-  RawReach reach;
-  reach.wraps = p.type == JointType::revolute;
-  if (reach.wraps && !(p.position_max - p.position_min < whole_turn)) {
-    reach.span = std::numeric_limits<std::uint32_t>::max();
-    return reach;
+constexpr PositionRange position_range(const LinkParameters& p, int exponent) {
+  PositionRange range;
+  range.wraps = p.type == JointType::revolute;
+  if (range.wraps && !(p.position_max - p.position_min < whole_turn)) {
+    range.span = std::numeric_limits<std::uint32_t>::max();
+    return range;
   }
-  reach.min = reach.wraps ? raw_angle(p.position_min) : raw_limit<std::int32_t>(p.position_min, exponent);
-  reach.max = reach.wraps ? raw_angle(p.position_max) : raw_limit<std::int32_t>(p.position_max, exponent);
-  reach.span = static_cast<std::uint32_t>(reach.max) - static_cast<std::uint32_t>(reach.min);
-  return reach;
+  range.min = range.wraps ? raw_angle(p.position_min) : raw_limit<std::int32_t>(p.position_min, exponent);
+  range.max = range.wraps ? raw_angle(p.position_max) : raw_limit<std::int32_t>(p.position_max, exponent);
+  range.span = static_cast<std::uint32_t>(range.max) - static_cast<std::uint32_t>(range.min);
+  return range;
 }
 
 template <class S, class Word>
@@ -125,7 +125,7 @@ constexpr FixedLimits<S, Word> fixed_limits() {
   FixedLimits<S, Word> all{};
   for (int i = 0; i < joint_count<S>; ++i) {
     const LinkParameters& p = Robot::chain.links[i];
-    static_cast<RawReach&>(all.joints[i]) = raw_reach(p, Positions<Robot, T>::exponent(i));
+    static_cast<PositionRange&>(all.joints[i]) = position_range(p, Positions<Robot, T>::exponent(i));
     all.joints[i].speed.raw = raw_limit<Word>(p.speed_limit, Velocities<Robot, T>::exponent(i));
     all.joints[i].acceleration.raw = raw_limit<Word>(p.acceleration_limit, Accelerations<Robot, T>::exponent(i));
     all.joints[i].effort.raw = raw_limit<Word>(p.effort_limit, EffortsOf<S, T>::exponent(i));

@@ -167,7 +167,7 @@ struct FixedTableLinks : SharedValues<FixedTableLinks<SceneType, S, ParametersTy
   using Formats = FormatsType;                     ///< shared by all links
   using Dense = detail::InSharedFormats<Formats>;  ///< what kernels keep
   /// what all links have in common
-  using SharedColumns = detail::KnownColumns<detail::RobotConstants<Robot, ParametersType>>;
+  using SharedColumns = detail::CommonConstants<detail::RobotConstants<Robot, ParametersType>>;
   using Link = FixedTableLink<Scene, S, SharedColumns, Formats>;  ///< one type for all
   static constexpr bool unrolled = false;                         ///< a loop walks over them
   static constexpr int capacity = Robot::chain.size;              ///< number of links

@@ -9,23 +9,23 @@ namespace axial {
 /// Mass, a bound of |first moment| and the polar moment (integral of r^2 dm, bounded) of all that a link carries.
 /// Of constants, so the compiler folds it; it scales with masses and lengths, so no absolute threshold hides in it.
 template <class M, class H, class P>
-struct Reach {
-  M mass{};    ///< kg
-  H moment{};  ///< kg m
-  P polar{};   ///< kg m^2
+struct CompositeScale {
+  M mass{};          ///< kg
+  H first_moment{};  ///< kg m
+  P polar{};         ///< kg m^2
   /// The same as plain numbers.
   template <class T>
-  AXIAL_INLINE constexpr Reach<T, T, T> dense() const {
-    return {mass, moment, polar};
+  AXIAL_INLINE constexpr CompositeScale<T, T, T> dense() const {
+    return {mass, first_moment, polar};
   }
 };
 template <class M, class H, class P>
-Reach(M, H, P) -> Reach<M, H, P>;
+CompositeScale(M, H, P) -> CompositeScale<M, H, P>;
 
 /// Two bodies about one point.
 template <class A, class B, class C, class D, class E, class F>
-AXIAL_INLINE constexpr auto operator+(const Reach<A, B, C>& a, const Reach<D, E, F>& b) {
-  return Reach{a.mass + b.mass, a.moment + b.moment, a.polar + b.polar};
+AXIAL_INLINE constexpr auto operator+(const CompositeScale<A, B, C>& a, const CompositeScale<D, E, F>& b) {
+  return CompositeScale{a.mass + b.mass, a.first_moment + b.first_moment, a.polar + b.polar};
 }
 
 namespace detail {
@@ -51,19 +51,20 @@ AXIAL_INLINE constexpr auto shift_length(const BranchScrew<Z, X>& branch) {
 
 /// Of one rigid body: the polar moment is half the trace of its inertia.
 template <class Body>
-AXIAL_INLINE constexpr auto reach(const Body& body) {
+AXIAL_INLINE constexpr auto composite_scale(const Body& body) {
   const auto& h = body.first_moment;
   const auto& j = body.inertia;
-  return Reach{body.mass, detail::absolute(h.x) + detail::absolute(h.y) + detail::absolute(h.z), j.xx + j.yy + j.zz};
+  return CompositeScale{body.mass, detail::absolute(h.x) + detail::absolute(h.y) + detail::absolute(h.z),
+                        j.xx + j.yy + j.zz};
 }
 
 /// Seen from a point at a distance of at most `shift`: polar' <= polar + 2 shift |h| + shift^2 m (parallel axes).
 /// `polar` holds the trace, twice the moment, which only makes the bound wider.
 template <class M, class H, class P, class L>
-AXIAL_INLINE constexpr auto seen_from(const Reach<M, H, P>& r, const L& shift) {
-  auto grown = r.moment + shift * r.mass;
-  auto growth = shift * (r.moment + grown);
-  return Reach{r.mass, grown, r.polar + growth + growth};
+AXIAL_INLINE constexpr auto seen_from(const CompositeScale<M, H, P>& r, const L& shift) {
+  auto grown = r.first_moment + shift * r.mass;
+  auto growth = shift * (r.first_moment + grown);
+  return CompositeScale{r.mass, grown, r.polar + growth + growth};
 }
 
 /// Where ranges are proved no joint is near singular, so that no scale is needed.
@@ -86,7 +87,7 @@ AXIAL_INLINE constexpr auto scale_of(const Link&, const Body& body) {
   if constexpr (Link::ranged)
     return Unscaled{};
   else
-    return reach(body);
+    return composite_scale(body);
 }
 
 /// True where every joint of a robot has something outboard that resists it: its own inertia about the axis (or mass
