@@ -3,6 +3,7 @@
 
 #include <axial/axial.hpp>
 #include <axial/control/payload_estimator.hpp>
+#include <axial/cost.hpp>
 #include <axial/fixed.hpp>
 #include <axial/simulation/step_limit.hpp>
 

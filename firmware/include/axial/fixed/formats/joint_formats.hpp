@@ -25,14 +25,18 @@ constexpr void check_limits() {
       if (!good(link)) return false;
     return true;
   };
-  static_assert(all([](const LinkParameters& p) { return is_bounded(p.speed_limit); }),
+  // Named, because clang repeats a condition before the sentence, a lambda over several lines.
+  constexpr bool speeds = all([](const LinkParameters& p) { return is_bounded(p.speed_limit); });
+  constexpr bool accelerations = all([](const LinkParameters& p) { return is_bounded(p.acceleration_limit); });
+  constexpr bool positions = all([](const LinkParameters& p) {
+    return p.type == JointType::revolute || (is_bounded(p.position_max) && is_bounded(-p.position_min));
+  });
+  static_assert(speeds,
                 "axial: fixed point takes its formats from the declared limits; give every link a speed_limit()");
-  static_assert(all([](const LinkParameters& p) { return is_bounded(p.acceleration_limit); }),
+  static_assert(accelerations,
                 "axial: fixed point takes its formats from the declared limits; give every link an "
                 "acceleration_limit()");
-  static_assert(all([](const LinkParameters& p) {
-                  return p.type == JointType::revolute || (is_bounded(p.position_max) && is_bounded(-p.position_min));
-                }),
+  static_assert(positions,
                 "axial: fixed point takes its formats from the declared limits; give every prismatic link "
                 "position_limits()");
 }
