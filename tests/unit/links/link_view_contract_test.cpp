@@ -69,7 +69,7 @@ void expect_any_scene_works(const Links& links) {
   expect_near(answer, wanted, "split form");
   EXPECT_TRUE(crba::run_solve(links, in, q, qd, effort, answer).ok());
   expect_near(answer, wanted, "composite body");
-  EXPECT_TRUE(axial::detail::sound_status(links, in, q, qd, answer, Status{}).ok());
+  EXPECT_TRUE(axial::detail::sound_status(links, detail::collected_request(links, in, q, qd), answer, Status{}).ok());
 
   const auto poses = forward_kinematics<S>(q, in);
   ForwardKinematics<Arm, double> placed{};

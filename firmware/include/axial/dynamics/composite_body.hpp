@@ -52,6 +52,15 @@ AXIAL_INLINE constexpr auto is_absent(I, J) {
     return std::false_type{};
 }
 
+/// Whether a joint outboard of joint i, eliminated before it, leaves something in its row.
+template <class Links>
+constexpr bool is_met_outboard(int i) {
+  bool met = false;
+  for (int k = i + 1; k < Links::capacity; ++k)
+    met = met || structure<Links>.present[k][i];
+  return met;
+}
+
 /// Eliminates joint k: m becomes the gains of k on its ancestors, which take over its inertia and effort.
 template <class Links, class K, class Matrix, class R, class X>
 AXIAL_INLINE constexpr void eliminate(const Links& links, K k, const R& inverse, Matrix& m, X& x) {
@@ -117,6 +126,20 @@ class Loss<T, true> {
   [[nodiscard]] AXIAL_INLINE constexpr Status::Code code() const { return Status::Code::ok; }  ///< always ok
 };
 
+/// True by type where 1/D of joint k has one use, its own acceleration: a joint on the base, known to resist. Then x /
+/// D is a multiplication and a rounding less than x times 1/D. A joint that nothing is eliminated from may have a
+/// constant for D, of which the compiler knows the inverse.
+template <class Links, class K>
+AXIAL_INLINE constexpr auto takes_one_quotient(K) {
+  if constexpr (Links::unrolled) {
+    using Link = decltype(std::declval<const Links&>().link(K{}));
+    return std::bool_constant < Links::template parent_of<K::value> < 0 && detail::AlwaysResists<Link>::value &&
+           loses_little<Links>() && is_met_outboard<Links>(K::value) > {};
+  } else {
+    return std::false_type{};
+  }
+}
+
 /// Solves M x = x in place, M by its lower triangle (L^T D L; Featherstone 2008, section 6.5). D of a joint is compared
 /// with its composite inertia M(k, k), from which it was subtracted. The status names the innermost joint that is lost;
 /// it is held: its acceleration is 0 and its ancestors bear what it carries as if it were locked.
@@ -131,7 +154,10 @@ AXIAL_INLINE constexpr Status solve(const Links& links, Matrix& m, X& x) {
     singular = select(left.singular, static_cast<int>(k), singular);
     loss.see(composite[k], left.inverse);
     eliminate(links, k, left.inverse, m, x);
-    x[k] = links.link(k).quotient(quantity::JointAcceleration{}, left.inverse, x[k]);
+    if constexpr (decltype(takes_one_quotient<Links>(k))::value)
+      x[k] = x[k] / m(k, k);
+    else
+      x[k] = links.link(k).quotient(quantity::JointAcceleration{}, left.inverse, x[k]);
   });
   for_each_link(links, [&](auto k) AXIAL_INLINE {
     for_each_ancestor(links, k, [&](auto i) AXIAL_INLINE {

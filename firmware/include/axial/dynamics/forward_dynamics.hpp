@@ -75,7 +75,7 @@ template <class S, class T>
   ForwardDynamicsOf<S, T> result{};
   const detail::StateCheck<S, T> check(in, q, qd);
   result.status = detail::solve<detail::route_over<S, T>, scene_of<S>, T>(in, q, qd, tau, result);
-  check.judge(in, q, qd, result);
+  check.judge(result);
   return result;
 }
 /// The same for a run-time model: ABA, unless its features name another form.
@@ -85,8 +85,9 @@ template <int N, class... F, class T, class M = Model<N, F...>>
                                                                  const Inputs<M, T>& in = {}) {
   ForwardDynamicsOf<M, T> result{};
   const auto links = model.template links<T>();
+  const auto asked = detail::collected_request(links, in, q, qd);
   const Status solved = detail::solve_model<detail::model_route<scene_of<M>>>(links, in, q, qd, tau, result);
-  result.status = detail::sound_status(links, in, q, qd, result, solved);
+  result.status = detail::sound_status(links, asked, result, solved);
   return result;
 }
 

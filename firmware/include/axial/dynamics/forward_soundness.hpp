@@ -64,15 +64,20 @@ AXIAL_INLINE constexpr void collect_position(Soundness<T>& all, const Links& lin
   }
 }
 
-/// The status of an answer that a solver calls `solved`: what is not finite, and angles without exact sines, come
-/// first. Efforts need no look: each is a term of its joint's acceleration.
-template <class Links, class Input, class Q, class V, class A>
-AXIAL_INLINE constexpr Status sound_status(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd,
-                                           Status solved) {
+/// Collects what forward dynamics is asked of. Efforts need no look: each is a term of its joint's acceleration.
+template <class Links, class Input, class Q, class V>
+AXIAL_INLINE constexpr auto collected_request(const Links& links, const Input& in, const Q& q, const V& qd) {
   Soundness<typename Links::Scalar> all;
-  for_each_link(links, [&](auto i) AXIAL_INLINE { all.number(qd[i]); });
   for_each_link(links, [&](auto i) AXIAL_INLINE { collect_position(all, links, in, q, i); });
+  for_each_link(links, [&](auto i) AXIAL_INLINE { all.number(qd[i]); });
   collect_inputs<typename Links::Scene>(all, in);
+  return all;
+}
+
+/// The status of an answer that a solver calls `solved`: what is not finite, and angles without exact sines, come
+/// first.
+template <class Links, class T, class A>
+AXIAL_INLINE constexpr Status sound_status(const Links& links, Soundness<T> all, const A& qdd, Status solved) {
   for_each_link(links, [&](auto i) AXIAL_INLINE { all.number(qdd[i]); });
   if constexpr (Links::Scene::template has<FloatingBase>) collect(all, qdd.base_acceleration);
   const Status found = all.status();
@@ -81,20 +86,24 @@ AXIAL_INLINE constexpr Status sound_status(const Links& links, const Input& in, 
   return {static_cast<Status::Code>(code), solved.joint | unsound};
 }
 
-/// The state and the inputs of a solve. Here nothing wraps, so that answers are looked at; a number system with formats
-/// looks before it solves.
+/// The state and the inputs of a solve, looked at before it: while they are in registers. Here nothing wraps, so that
+/// answers are looked at too; a number system with formats tells by the state alone.
 template <class S, class T>
-struct StateCheck {
-  template <class... X>
-  AXIAL_INLINE constexpr explicit StateCheck(const X&...) {}
+class StateCheck {
+ public:
+  AXIAL_INLINE constexpr StateCheck(const Inputs<S, T>& in, const Positions<robot_of<S>, T>& q,
+                                    const Velocities<robot_of<S>, T>& qd)
+      : asked_(collected_request(links_of<S, T>(), in, q, qd)) {}
   /// Puts what is wrong with the state, the inputs or the answer into the answer's status.
   template <class Result>
-  AXIAL_INLINE constexpr void judge(const Inputs<S, T>& in, const Positions<robot_of<S>, T>& q,
-                                    const Velocities<robot_of<S>, T>& qd, Result& result) const {
-    result.status = sound_status(links_of<S, T>(), in, q, qd, result, result.status);
+  AXIAL_INLINE constexpr void judge(Result& result) const {
+    result.status = sound_status(links_of<S, T>(), asked_, result, result.status);
   }
   /// Puts what is beyond the formats into a status: nothing.
   AXIAL_INLINE constexpr void name(Status&) const {}
+
+ private:
+  Soundness<typename decltype(links_of<S, T>())::Scalar> asked_;
 };
 
 }  // namespace detail

@@ -54,7 +54,7 @@ AXIAL_INLINE constexpr auto unit_force(Revolute, const B& body) {
 template <class B>
 AXIAL_INLINE constexpr auto unit_force(Prismatic, const B& body) {
   const auto& h = body.first_moment;
-  return ForceVector{Vec3{h.y, -h.x, Zero{}}, Vec3{Zero{}, Zero{}, body.mass}};
+  return ForceVector{Vec3{h.y, -h.x, Zero{}}, along_z(mass_along_z(body.mass))};
 }
 
 /// Of a body whose mass is not the same in all directions.
@@ -114,7 +114,7 @@ AXIAL_INLINE constexpr auto composite_bodies(const Links& links, const Input& in
   return inward(links, own, [&](auto i, const auto& body) AXIAL_INLINE {
     auto link = links.link(i);
     auto turned = link.shape(to_parent(screws[i], body, link));
-    return InwardResult{turned, link.shape(to_parent(link.x(), turned, link.outer()))};
+    return InwardResult{turned, link.shape(to_parent(link.x(), felt_inboard(turned), link.outer()))};
   });
 }
 

@@ -42,7 +42,7 @@ AXIAL_INLINE constexpr auto weight(Revolute, const B& body, const A& a) {
 /// Of a prismatic joint.
 template <class B, class A>
 AXIAL_INLINE constexpr auto weight(Prismatic, const B& body, const A& a) {
-  return body.mass * a.z;
+  return mass_along_z(body.mass) * a.z;
 }
 
 /// Force on the composite body of a joint at unit rate of it alone: the coefficient of qd_i^2.
@@ -86,7 +86,8 @@ AXIAL_INLINE constexpr auto product_force(Prismatic, const Link& link, const B& 
   auto y = twice(w.y);
   return ForceVector{
       Vec3{link.sum(Moment{}, h.z * x), link.sum(Moment{}, h.z * y), link.sum(Moment{}, -(h.x * x), -(h.y * y))},
-      Vec3{link.sum(Force{}, body.mass * y), link.sum(Force{}, -(body.mass * x)), Zero{}}};
+      Vec3{link.sum(Force{}, mass_across_z(body.mass) * y), link.sum(Force{}, -(mass_across_z(body.mass) * x)),
+           Zero{}}};
 }
 
 /// Sets a coefficient of qd_j qd_i that joint m feels, j and m both inboard of i, and the coefficient that follows from

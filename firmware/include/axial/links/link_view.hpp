@@ -27,9 +27,7 @@ template <class Robot, class Parameters, int... I>
 constexpr auto all_constants(std::integer_sequence<int, I...>) {
   constexpr int size = sizeof...(I);
   ConstantsTable<size> table{{link_constants(Robot::chain.links[I], Robot::chain.parent(I))...}};
-  constexpr bool fixed_base = std::is_same_v<Parameters, BaseParametersAndRotors>;
-  if constexpr (!std::is_same_v<Parameters, FullParameters>) regroup(table.links, size, !fixed_base);
-  if constexpr (fixed_base) fold_rotors(table.links, size);
+  if constexpr (!std::is_same_v<Parameters, FullParameters>) regroup_as<Parameters>(table.links, size);
   return table;
 }
 
@@ -102,7 +100,7 @@ class LinkAccess {
     else
       return twist();
   }
-  AXIAL_INLINE constexpr auto mass() const { return self().template get<&C::mass>(); }
+  AXIAL_INLINE constexpr auto mass() const { return mass_as<View::has_axial_mass>(self().template get<&C::mass>()); }
   AXIAL_INLINE constexpr auto first_moment() const {
     return Vec3{self().template get<&C::hx>(), self().template get<&C::hy>(), self().template get<&C::hz>()};
   }
@@ -195,6 +193,10 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
   /// whether it is the chain's last link, which bears payload and tip wrench
   static constexpr bool is_last = I + 1 == Scene::Robot::chain.size;
 
+  /// whether its parent bears its mass across the joint's direction
+  static constexpr bool has_axial_mass =
+      std::is_same_v<Parameters, BaseParametersAndAxialMasses> &&
+      detail::has_axial_mass(detail::robot_constants<typename Scene::Robot>.links, Scene::Robot::chain.size, I);
   /// A constant of the link, as a type or a literal.
   template <detail::Member<double> M>
   AXIAL_INLINE static constexpr auto get() {

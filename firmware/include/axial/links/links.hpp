@@ -168,7 +168,17 @@ using with_rotors =
     std::conditional_t<std::is_same_v<Parameters, BaseParameters> && Scene::template has<RotorInertia> &&
                            !Scene::template has<BaseMotion> && !Scene::template has<FloatingBase>,
                        BaseParametersAndRotors, Parameters>;
-}
+
+/// Whether unrolled links may have axial masses: rigid bodies to which neither a payload nor water adds.
+template <class Scene, class Recursion>
+inline constexpr bool knows_axial_masses = !Scene::template has<Payload> && !Scene::template has<Underwater> &&
+                                           !std::is_same_v<Recursion, recursion::ArticulatedBodies> &&
+                                           !std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>;
+template <class Scene, class Parameters, class Recursion>
+using with_axial_masses =
+    std::conditional_t<std::is_same_v<Parameters, BaseParametersAndRotors> && knows_axial_masses<Scene, Recursion>,
+                       BaseParametersAndAxialMasses, Parameters>;
+}  // namespace detail
 
 /// The door for number systems: what kernels of a recursion walk over for a scene and numbers T. Here for numbers that
 /// carry their own scale; a number system with formats specialises it.
@@ -185,7 +195,7 @@ struct LinksOf {
                                                                  detail::drives_of<Scene, T>(), Robot::chain.size,
                                                                  detail::robot_placement<Robot>);
     } else {
-      return StaticLinks<Scene, T, Parameters>{};
+      return StaticLinks<Scene, T, detail::with_axial_masses<Scene, Parameters, Recursion>>{};
     }
   }
 };

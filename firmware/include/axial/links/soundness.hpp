@@ -58,7 +58,7 @@ class Soundness<T, std::enable_if_t<std::is_floating_point_v<T> && sizeof(T) <= 
     constexpr std::uint32_t broken = static_cast<std::uint32_t>(Status::Code::not_finite);
     // Sums have no sign bit, so the differences' sign bits tell: compilers may turn a comparison into a branch.
     const std::uint32_t code =
-        (spread_sign(most - sum) & large) ^ (spread_sign(sum + (0x80000000u - infinite)) & (large ^ broken));
+        spread_sign(most - sum) & (large ^ (spread_sign(sum + (0x80000000u - infinite)) & (large ^ broken)));
     return {static_cast<Status::Code>(code), -1};
   }
 

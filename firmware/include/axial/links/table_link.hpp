@@ -14,6 +14,7 @@ class TableRow : public LinkAccess<View, Source> {
  public:
   static constexpr bool unrolled = false;
   static constexpr bool branches = Columns::any_branch;
+  static constexpr bool has_axial_mass = false;
   using Constants = typename Columns::template Row<Source>;
   const Constants& row;
   const DriveConstants<Source>* drives;  ///< of this link; null where the scene names none

@@ -60,7 +60,7 @@ constexpr ForwardDynamicsOf<S, T> implicit_accelerations(const System& system, T
   for_each_link(stiff, [&](auto i) AXIAL_INLINE { left[i] = tau[i] - T(h * (stiff.stiffness(i) * qd[i])); });
   ForwardDynamicsOf<S, T> result{};
   const Status solved = aba::run(stiff, in, q, qd, left, result);
-  result.status = sound_status(links, in, q, qd, result, solved);
+  result.status = sound_status(links, collected_request(links, in, q, qd), result, solved);
   return result;
 }
 

@@ -165,7 +165,7 @@ AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, 
   } else {
     auto [mass, turned_h, j] = round.formatted(RigidInertia{body.mass, Axis::in(to_parent(x, body.first_moment)),
                                                             detail::turn(double_angle(x), x, Axis::in(body.inertia))});
-    auto hz = round.sum(FirstMoment{}, turned_h.z, x.shift * mass);
+    auto hz = round.sum(FirstMoment{}, turned_h.z, x.shift * mass_across_z(mass));
     auto growth = x.shift * (turned_h.z + hz);
     Sym3 inertia{round.sum(RotationalInertia{}, j.xx, growth),
                  round.sum(RotationalInertia{}, j.yy, growth),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/scalar/rounding.hpp>
+#include <axial/spatial/axial_mass.hpp>
 #include <axial/spatial/mat3.hpp>
 
 namespace axial {
@@ -29,6 +30,17 @@ struct RigidInertia {
 };
 template <class M, class H, class J>
 RigidInertia(M, H, J) -> RigidInertia<M, H, J>;
+
+/// A body as the links inboard feel it: none of an axial mass, which acts along axes that they turn about.
+template <class Body>
+AXIAL_INLINE constexpr const Body& felt_inboard(const Body& body) {
+  return body;
+}
+/// Axial overload.
+template <class M, class H, class J>
+AXIAL_INLINE constexpr auto felt_inboard(const RigidInertia<AxialMass<M>, H, J>& body) {
+  return RigidInertia{Zero{}, body.first_moment, body.inertia};
+}
 
 /// Two bodies of one frame as one.
 template <class A, class B, class C, class D, class E, class F>

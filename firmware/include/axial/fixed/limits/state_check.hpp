@@ -76,8 +76,7 @@ struct StateCheck<S, Stored<Word>> {
   /// Names in the result what the state or the inputs are beyond, inputs first, then the first joint from the base, and
   /// sets its accelerations to 0 where a format may have wrapped.
   template <class Result>
-  AXIAL_INLINE constexpr void judge(const Inputs<S, T>&, const Positions<robot_of<S>, T>&,
-                                    const Velocities<robot_of<S>, T>&, Result& result) const {
+  AXIAL_INLINE constexpr void judge(Result& result) const {
     const bool bad = inputs != Status::Code::ok;
     const std::int32_t kept = (joints.wraps - 1) >> 31 & (static_cast<std::int32_t>(bad) - 1);
     for (int i = 0; i < joint_count<S>; ++i)
