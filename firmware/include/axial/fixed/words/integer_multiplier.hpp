@@ -40,19 +40,20 @@ AXIAL_INLINE inline std::uint32_t high_word_by_assembler(std::uint32_t low, std:
 
 #endif
 
-/// floor(a b / 2^32) for one a and many b: where there is no long multiplication, the halves of a are made once.
+/// floor(a b / 2^32) for one a and many b: where there is no long multiplication, the halves of a are made once. Bits
+/// is std::uint32_t, or a word that brings its own multiply_high_unsigned.
+template <class Bits>
 class Multiplier {
  public:
-  AXIAL_INLINE explicit constexpr Multiplier(std::uint32_t a)
-      : a_{a}, low_{static_cast<std::uint16_t>(a)}, high_{a >> 16} {}
-  AXIAL_INLINE constexpr std::uint32_t high() const { return high_; }
-  AXIAL_INLINE constexpr std::uint32_t operator*(std::uint32_t b) const {
+  AXIAL_INLINE explicit constexpr Multiplier(Bits a) : a_{a}, low_{a & 0xFFFFU}, high_{a >> 16} {}
+  AXIAL_INLINE constexpr Bits high() const { return high_; }
+  AXIAL_INLINE constexpr Bits operator*(Bits b) const {
 #if AXIAL_LONG_MULTIPLY == 0 && defined(__ARM_ARCH_6M__)
     if (!__builtin_is_constant_evaluated()) return high_word_by_assembler(low_, high_, b);
 #endif
     return multiply_high_unsigned(a_, b);
   }
-  AXIAL_INLINE constexpr std::uint32_t square() const {
+  AXIAL_INLINE constexpr Bits square() const {
 #if AXIAL_LONG_MULTIPLY
     return multiply_high_unsigned(a_, a_);
 #else
@@ -61,7 +62,7 @@ class Multiplier {
   }
 
  private:
-  [[maybe_unused]] std::uint32_t a_, low_, high_;  // which of them depends on the processor
+  [[maybe_unused]] Bits a_, low_, high_;  // which of them depends on the processor
 };
 
 }  // namespace axial::integer::detail

@@ -42,41 +42,49 @@ AXIAL_INLINE constexpr int leading_zeros(std::uint32_t d) {
 }
 
 /// floor(a b / 2^31), where b <= 2^16 + 1 and the result is a word; of other b something.
-AXIAL_INLINE constexpr std::int32_t scaled(std::int32_t a, std::uint32_t b) {
+template <class Word, class Bits>
+AXIAL_INLINE constexpr Word scaled(Word a, Bits b) {
 #if AXIAL_LONG_MULTIPLY
-  return multiply_high(a, static_cast<std::int32_t>(b * 2U));
+  return multiply_high(a, static_cast<Word>(b * 2U));
 #else
-  const std::uint32_t low = (static_cast<std::uint32_t>(a) & 0xFFFFU) * b;
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a >> 16) * b + (low >> 16)) >> 15;
+  const Bits low = (static_cast<Bits>(a) & 0xFFFFU) * b;
+  return static_cast<Word>(static_cast<Bits>(a >> 16) * b + (low >> 16)) >> 15;
 #endif
+}
+
+/// See Reciprocal.
+template <class Bits>
+struct ReciprocalWords {
+  Bits mantissa;  ///< in [2^30, 2^31)
+  int exponent;   ///< in [31, 61]
+};
+
+// The words of reciprocal(), over whatever stands for a native integer.
+template <class Bits, class Word>
+AXIAL_INLINE constexpr ReciprocalWords<Bits> reciprocal_words(Word d) {
+  const int shift = leading_zeros((static_cast<Bits>(d) << 1) | 1U);
+  const Bits n = static_cast<Bits>(d) << shift;  // [2^30, 2^31)
+  // 2^43 / n: (1 - T4(4f - 3) / T4(-3)) / f, where f = n / 2^31 and T4 is Chebyshev's polynomial; within 2^-9.
+  const Bits f = n >> 15;
+  const Bits y0 = 23170U - ((f * (48158U - ((f * (43614U - ((f * 58152U) >> 18))) >> 16))) >> 16);
+  // 2^46 / n by Newton's step, within 2^-15.5. What it lacks fits the word, so no long product is needed; 32000 rounds.
+  const auto e0 = static_cast<Word>((1U << 31) + 32000U - y0 * (n >> 12)) >> 5;
+  const auto y1 = (y0 << 3) + static_cast<Bits>(static_cast<Word>(y0 * static_cast<Bits>(e0)) >> 23);
+  // 2^61 / n by another; 28000 centres its error. 2^31 does not fit the mantissa.
+  const auto e1 = static_cast<Word>(28000U - n * y1);
+  const auto y2 = (y1 << 15) + static_cast<Bits>(scaled(e1, y1));
+  return {y2 - (y2 >> 31), 61 - shift};
 }
 
 }  // namespace detail
 
 /// 1/d = mantissa 2^-exponent; 2^30 <= mantissa < 2^31, so that it is a positive std::int32_t too; 31 <= exponent
 /// <= 61.
-struct Reciprocal {
-  std::uint32_t mantissa;  ///< in [2^30, 2^31)
-  int exponent;            ///< in [31, 61]
-};
+using Reciprocal = detail::ReciprocalWords<std::uint32_t>;
 
 /// Reciprocal of d in 1..2^31 - 1; the mantissa errs at most by one unit, -1 at powers of two and 0.86 upwards
 /// (./axial exhaustive). 34 instructions on a Cortex-M3 or M4, 66 on a Cortex-M0, load and store included. Of any other
 /// d something, by operations that are defined.
-AXIAL_INLINE constexpr Reciprocal reciprocal(std::int32_t d) {
-  const int shift = detail::leading_zeros((static_cast<std::uint32_t>(d) << 1) | 1U);
-  const std::uint32_t n = static_cast<std::uint32_t>(d) << shift;  // [2^30, 2^31)
-  // 2^43 / n: (1 - T4(4f - 3) / T4(-3)) / f, where f = n / 2^31 and T4 is Chebyshev's polynomial; within 2^-9.
-  const std::uint32_t f = n >> 15;
-  const std::uint32_t y0 = 23170U - ((f * (48158U - ((f * (43614U - ((f * 58152U) >> 18))) >> 16))) >> 16);
-  // 2^46 / n by Newton's step, within 2^-15.5. What it lacks fits the word, so no long product is needed; 32000 rounds.
-  const auto e0 = static_cast<std::int32_t>((1U << 31) + 32000U - y0 * (n >> 12)) >> 5;
-  const auto y1 =
-      (y0 << 3) + static_cast<std::uint32_t>(static_cast<std::int32_t>(y0 * static_cast<std::uint32_t>(e0)) >> 23);
-  // 2^61 / n by another; 28000 centres its error. 2^31 does not fit the mantissa.
-  const auto e1 = static_cast<std::int32_t>(28000U - n * y1);
-  const auto y2 = (y1 << 15) + static_cast<std::uint32_t>(detail::scaled(e1, y1));
-  return {y2 - (y2 >> 31), 61 - shift};
-}
+AXIAL_INLINE constexpr Reciprocal reciprocal(std::int32_t d) { return detail::reciprocal_words<std::uint32_t>(d); }
 
 }  // namespace axial::integer

@@ -16,6 +16,12 @@ namespace detail {
 
 inline constexpr int any_exponent = 1000;
 
+/// The signed integer as wide as an unsigned one. A word that is no native integer brings its own.
+template <class Bits>
+struct SignedOf {
+  using type = std::make_signed_t<Bits>;
+};
+
 // Exponent of a literal that multiplies a number at exponent F so that the product is at `wanted`, or what fits.
 template <class L, class S>
 constexpr int literal_exponent(int wanted, int f) {
@@ -72,8 +78,9 @@ AXIAL_INLINE constexpr typename S::Bits shifted(typename S::Bits x) {
 
 template <class S>
 AXIAL_INLINE constexpr typename S::Bits product(typename S::Word a, typename S::Word b) {
+  using integer::multiply;  // a word that is no native integer brings its own
   if constexpr (S::bits == 32)
-    return static_cast<typename S::Bits>(typename S::Wide{integer::multiply(a, b)});
+    return static_cast<typename S::Bits>(typename S::Wide{multiply(a, b)});
   else
     return static_cast<typename S::Bits>(typename S::Wide{a} * typename S::Wide{b});
 }
@@ -114,7 +121,7 @@ AXIAL_INLINE constexpr auto widened(const Sum<X, Y>& x) {
 template <int Shift, class S>
 AXIAL_INLINE constexpr typename S::Upper moved(typename S::Upper bits) {
   using Upper = typename S::Upper;
-  using Signed = std::make_signed_t<Upper>;
+  using Signed = typename SignedOf<Upper>::type;
   constexpr int width = 8 * static_cast<int>(sizeof(Upper));
   const auto x = static_cast<Signed>(bits);
   if constexpr (Shift >= width)
@@ -137,8 +144,9 @@ AXIAL_INLINE constexpr typename S::Upper moved_word(typename S::Word x) {
 // have, and moved once.
 template <class S>
 AXIAL_INLINE constexpr typename S::Upper upper(typename S::Word a, typename S::Word b) {
+  using integer::multiply_high;
   if constexpr (S::bits == 32)
-    return static_cast<typename S::Upper>(integer::multiply_high(a, b));
+    return static_cast<typename S::Upper>(multiply_high(a, b));
   else
     return static_cast<typename S::Upper>((typename S::Wide{a} * typename S::Wide{b}) >> S::bits);
 }
