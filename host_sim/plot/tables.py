@@ -3,7 +3,7 @@
 usage: tables.py DATA_FOLDER DOCUMENT.md...
 
 DATA_FOLDER holds on_board.json, provenance.json, demo-<robot>-<board>.json, size.json, size_provenance.json, flags.csv,
-flags_provenance.json and fixed_overflows.json. In each document whatever stands between <!-- table NAME --> and <!-- end --> is replaced by the
+flags_provenance.json, fixed_overflows.json and prove.json. In each document whatever stands between <!-- table NAME --> and <!-- end --> is replaced by the
 table of that name (a key of TABLES).
 """
 
@@ -25,6 +25,7 @@ class Data:
         self.size, self.size_provenance = load(folder / "size.json"), load(folder / "size_provenance.json")
         self.flags, self.flags_provenance = load_csv(folder / "flags.csv"), load(folder / "flags_provenance.json")
         self.overflows = load(folder / "fixed_overflows.json")
+        self.proved = load(folder / "prove.json")
         self.demos = [load(file) for file in sorted(folder.glob("demo-*.json"))]
 
 
@@ -146,6 +147,15 @@ def size_fixed(data):
                              for row in sorted(rows, key=lambda row: (name(row), row["board"]))])
 
 
+def proved(data):
+    def cells(row):
+        theirs = "-" if row["theirs"] is None else f"{row['theirs']:.3g}"
+        coq = {None: "not asked", True: "accepts", False: "refuses"}[row["coq"]]
+        return [f"{row['subject']}, {row['result']}", f"{row['ours']:.3g}", theirs, f"{row['words_accepted']} of {row['words']}", coq,
+                f"{row['seconds']:.0f}"]
+    return markdown(["subject", "ours", "Gappa's", "words that fit", "Coq", "s"], [cells(row) for row in data.proved])
+
+
 def fixed_overflows(data):
     """A row a robot, a column a kernel and arithmetic: states, and results that did not fit."""
     robots = unique(row["robot"] for row in data.overflows)
@@ -228,7 +238,7 @@ def flag_cell(number):
     return "loops" if number is None else grouped(number)
 
 
-TABLES = {"size_flags": size_flags, "fixed_overflows": fixed_overflows,
+TABLES = {"size_flags": size_flags, "fixed_overflows": fixed_overflows, "proved": proved,
           "size_provenance": size_provenance, "size_scenes": size_scenes, "size_fixed": size_fixed, "size_contract": size_contract,
           "size_stm32f405": lambda data: size_of(data, "stm32f405"),
           "size_mps2_an500": lambda data: size_of(data, "mps2_an500", "fast"),

@@ -19,7 +19,7 @@ expect() {
 
 HelpNamesEveryVerb() {
   expect 0 "$AXIAL" help
-  for verb in demo test combinations report size counts compile-cost compare exhaustive ranges numbers stability choose motion loop mutants bench amalgamate reference import run new-board boards clean help; do
+  for verb in demo test combinations report size counts compile-cost compare exhaustive prove ranges numbers stability choose motion loop mutants bench amalgamate reference import run new-board boards clean help; do
     grep -qE "^  $verb +[a-z]" <<<"$out" || fail "no line for $verb in: $out"
   done
 }
@@ -30,7 +30,7 @@ NoVerbShowsHelp() {
 }
 
 EveryVerbHasHelp() {
-  for verb in demo test combinations report size counts compile-cost compare exhaustive ranges numbers stability choose motion loop mutants bench amalgamate reference import run new-board boards clean; do
+  for verb in demo test combinations report size counts compile-cost compare exhaustive prove ranges numbers stability choose motion loop mutants bench amalgamate reference import run new-board boards clean; do
     expect 0 "$AXIAL" "$verb" --help
     [[ $out == "usage: ./axial $verb"* ]] || fail "$verb --help says: $out"
   done

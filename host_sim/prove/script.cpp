@@ -1,0 +1,395 @@
+#include <host_sim/prove/script.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <sstream>
+
+namespace prove {
+namespace {
+
+/// Sets a scale that is not known yet.
+bool learn(Scales& scales, int node, int scale) { return scales.emplace(node, scale).second; }
+
+long double real_value(const Program& program, int node, const Scales& scales) {
+  return std::ldexp(static_cast<long double>(program.at(node).value), -scales.at(node));
+}
+
+bool knows(const Scales& scales, int node) { return scales.count(node) != 0; }
+
+/// What one node says about the scales of its operands and itself; whether that is news.
+bool propagate(const Program& program, Scales& scales, int i) {
+  const Node& n = program.at(i);
+  if (n.kind == Kind::input || n.kind == Kind::constant) return false;
+  const bool own = knows(scales, i), left = knows(scales, n.left), right = n.right >= 0 && knows(scales, n.right);
+  if (n.kind == Kind::times_power || n.kind == Kind::floor_power) {
+    const int gain = n.kind == Kind::times_power ? n.power : -n.power;
+    if (left) return learn(scales, i, scales[n.left] + gain);
+    return own && learn(scales, n.left, scales[i] - gain);
+  }
+  if (n.kind == Kind::multiply) {
+    if (left && right) return learn(scales, i, scales[n.left] + scales[n.right]);
+    if (own && left) return learn(scales, n.right, scales[i] - scales[n.left]);
+    return own && right && learn(scales, n.left, scales[i] - scales[n.right]);
+  }
+  if (!own && !left && !right) return false;
+  const int common = own ? scales[i] : left ? scales[n.left] : scales[n.right];
+  const bool a = learn(scales, i, common), b = learn(scales, n.left, common), c = learn(scales, n.right, common);
+  return a || b || c;
+}
+
+/// The scale at which the constant of a product is one of the formula's: there the product stands for the product that
+/// it has in the formula. 0 where there is none.
+int likely_scale(const Program& program, const Formula& formula, const std::vector<long double>& values, int product,
+                 const Scales& scales) {
+  const Node& n = program.at(product);
+  const bool left = program.at(n.left).kind == Kind::constant;
+  const Node& factor = program.at(left ? n.left : n.right);
+  const long double other = real_value(program, left ? n.right : n.left, scales);
+  for (std::size_t i = 0; i < formula.terms.size(); ++i) {
+    const Term& t = formula.terms[i];
+    if (t.operation != Operation::multiply) continue;
+    const long double ratio = static_cast<long double>(factor.value) * other / values[i];
+    if (!(ratio > 1e-30L && ratio < 1e30L)) continue;
+    const auto scale = static_cast<int>(std::lround(std::log2(ratio)));
+    const long double own = std::ldexp(static_cast<long double>(factor.value), -scale);
+    for (const int k : {t.left, t.right}) {
+      const Term& c = formula.terms[static_cast<std::size_t>(k)];
+      if (c.operation == Operation::constant &&
+          std::abs(own - values[static_cast<std::size_t>(k)]) <= 1e-5L * std::abs(own))
+        return scale;
+    }
+  }
+  return 0;
+}
+
+/// Gives a product's constant a scale; whether there was one to give.
+bool guess(const Program& program, const Formula& formula, const std::vector<long double>& values, Scales& scales) {
+  for (std::size_t i = 0; i < program.nodes.size(); ++i) {
+    const Node& n = program.nodes[i];
+    if (n.kind != Kind::multiply || knows(scales, n.left) == knows(scales, n.right)) continue;
+    const int unknown = knows(scales, n.left) ? n.right : n.left;
+    if (program.at(unknown).kind == Kind::constant)
+      return learn(scales, unknown, likely_scale(program, formula, values, static_cast<int>(i), scales));
+  }
+  for (std::size_t i = 0; i < program.nodes.size(); ++i)
+    if (program.nodes[i].kind == Kind::constant && learn(scales, static_cast<int>(i), 0)) return true;
+  return false;
+}
+
+std::string binary(Integer value, int scale) { return text_of(value) + "b" + std::to_string(-scale); }
+
+std::string decimal(double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", x);
+  return text;
+}
+
+/// A double, exactly.
+std::string exact(double x) {
+  int exponent = 0;
+  const double significand = std::frexp(x, &exponent);
+  auto digits = static_cast<long long>(std::ldexp(significand, 53));
+  exponent -= 53;
+  for (; digits != 0 && digits % 2 == 0; digits /= 2)
+    ++exponent;
+  return std::to_string(digits) + "b" + std::to_string(digits == 0 ? 0 : exponent);
+}
+
+/// Values of a formula's terms in the recorded run.
+std::vector<long double> term_values(const Statement& s) {
+  return s.formula.evaluate([&](const std::string& variable) {
+    for (const RealVariable& v : s.variables)
+      if (v.name == variable) return v.value;
+    for (const int i : s.program.inputs())
+      if (s.program.at(i).name == variable) return real_value(s.program, i, s.known);
+    return 0.0L;
+  });
+}
+
+class Writer {
+ public:
+  explicit Writer(const Statement& s)
+      : s_{s}, values_{term_values(s)}, scales_{scales_of(s.program, s.formula, values_, s.known)} {}
+
+  std::string text(Goal goal) {
+    mark();
+    define_formula();
+    define_program();
+    out_ << "\n{ ";
+    hypotheses();
+    out_ << "->\n  ";
+    goals(goal);
+    out_ << " }\n\n";
+    write_hints();
+    for (const Result& r : s_.results)
+      if (goal == Goal::errors && !s_.split.empty())
+        out_ << name(r.node) << " - " << term_name(r.term) << " $ " << s_.split << ";\n";
+    return out_.str();
+  }
+
+ private:
+  [[nodiscard]] int scale(int node) const { return scales_.at(node); }
+  [[nodiscard]] std::string name(int node) const {
+    const Node& n = s_.program.at(node);
+    if (n.kind == Kind::input) return n.name;
+    if (n.kind == Kind::constant) return binary(n.value, scale(node));
+    return "p" + std::to_string(node);
+  }
+  /// An operand in the unit of the node that takes it.
+  [[nodiscard]] std::string operand(int node, int wanted) const {
+    const int shift = scale(node) - wanted;
+    return shift == 0 ? name(node) : "(" + name(node) + " * 1b" + std::to_string(shift) + ")";
+  }
+  [[nodiscard]] std::string term_name(int i) const {
+    const Term& t = s_.formula.terms[static_cast<std::size_t>(i)];
+    if (t.operation == Operation::variable) return t.name;
+    if (t.operation == Operation::constant) return exact(t.constant);
+    return "e" + std::to_string(i);
+  }
+
+  void mark_node(int i) {
+    if (i < 0 || !needed_.insert(i).second) return;
+    mark_node(s_.program.at(i).left), mark_node(s_.program.at(i).right);
+  }
+  void mark_term(int i) {
+    if (i < 0 || !meant_.insert(i).second) return;
+    const Term& t = s_.formula.terms[static_cast<std::size_t>(i)];
+    mark_term(t.left), mark_term(t.right);
+    for (const RealVariable& v : s_.variables)
+      if (t.operation == Operation::variable && v.name == t.name) mark_term(v.near_term);
+  }
+  void mark() {
+    for (const Result& r : s_.results)
+      mark_node(r.node), mark_term(r.term);
+  }
+
+  void define_formula() {
+    for (const int i : meant_) {
+      const Term& t = s_.formula.terms[static_cast<std::size_t>(i)];
+      if (t.operation == Operation::variable || t.operation == Operation::constant) continue;
+      const char* sign = t.operation == Operation::add ? " + " : t.operation == Operation::subtract ? " - " : " * ";
+      out_ << term_name(i) << " = " << (is_zero_term(t.left) ? "" : term_name(t.left)) << sign << term_name(t.right)
+           << ";\n";
+    }
+  }
+  void define_program() {
+    for (const int i : needed_) {
+      const Node& n = s_.program.at(i);
+      if (n.kind == Kind::input || n.kind == Kind::constant) continue;
+      out_ << name(i) << " = " << expression(i, n) << ";\n";
+    }
+  }
+  [[nodiscard]] std::string expression(int i, const Node& n) const {
+    if (n.kind == Kind::times_power) return operand(n.left, scale(i) - n.power);
+    if (n.kind == Kind::floor_power)
+      return "fixed<" + std::to_string(-scale(i)) + ",dn>(" + operand(n.left, scale(i) + n.power) + ")";
+    if (n.kind == Kind::multiply)
+      return operand(n.left, scale(n.left)) + " * " + operand(n.right, scale(i) - scale(n.left));
+    return (is_zero_node(n.left) ? "" : operand(n.left, scale(i))) + (n.kind == Kind::add ? " + " : " - ") +
+           operand(n.right, scale(i));
+  }
+
+  [[nodiscard]] bool names_variable(const std::string& name) const {
+    return std::any_of(meant_.begin(), meant_.end(), [&](int i) {
+      const Term& t = s_.formula.terms[static_cast<std::size_t>(i)];
+      return t.operation == Operation::variable && t.name == name;
+    });
+  }
+  void hypotheses() {
+    const char* join = "";
+    for (const Claim& c : s_.program.claims) {
+      if (s_.program.at(c.node).kind != Kind::input || needed_.count(c.node) == 0) continue;
+      out_ << join << name(c.node) << " in [" << binary(c.low, scale(c.node)) << "," << binary(c.high, scale(c.node))
+           << "] /\\ @FIX(" << name(c.node) << "," << -scale(c.node) << ") ";
+      join = "/\\ ";
+    }
+    for (const RealVariable& v : s_.variables) {
+      const std::string near = v.near_term < 0 ? v.near_input : term_name(v.near_term);
+      out_ << join << v.name << " - " << near << " in [-" << decimal(v.within) << "," << decimal(v.within) << "] /\\ "
+           << v.name << " in [-1,1] ";
+      join = "/\\ ";
+    }
+  }
+  void goals(Goal goal) {
+    const char* join = "";
+    for (const Result& r : s_.results) {
+      if (goal == Goal::words) continue;
+      out_ << join << name(r.node) << " - " << term_name(r.term) << " in ";
+      if (goal == Goal::ask)
+        out_ << "?";
+      else
+        out_ << "[-" << decimal(r.bound) << "," << decimal(r.bound) << "]";
+      join = " /\\\n  ";
+    }
+    for (const Claim& c : s_.program.claims) {
+      if (goal != Goal::words || s_.program.at(c.node).kind == Kind::input || needed_.count(c.node) == 0) continue;
+      out_ << join << name(c.node) << " in [" << binary(c.low, scale(c.node)) << "," << binary(c.high, scale(c.node))
+           << "]";
+      join = " /\\\n  ";
+    }
+  }
+
+  /// The terms that a node is equal to in the run but for roundings.
+  void match() {
+    for (const int i : needed_)
+      for (const int t : meant_) {
+        const long double value = values_[static_cast<std::size_t>(t)];
+        const bool constant = s_.formula.terms[static_cast<std::size_t>(t)].operation == Operation::constant;
+        if (constant != (s_.program.at(i).kind == Kind::constant)) continue;
+        if (std::abs(value - real_value(s_.program, i, scales_)) <= s_.likeness * std::abs(value)) like_[i].insert(t);
+      }
+  }
+  [[nodiscard]] bool alike(int node, int term) const {
+    const auto found = like_.find(node);
+    return found != like_.end() && found->second.count(term) != 0;
+  }
+
+  /// The term that a real variable is near to, -1 where there is none.
+  [[nodiscard]] int nearby(int term) const {
+    const Term& t = s_.formula.terms[static_cast<std::size_t>(term)];
+    for (const RealVariable& v : s_.variables)
+      if (t.operation == Operation::variable && v.name == t.name) return v.near_term;
+    return -1;
+  }
+
+  /// How an error is made of others. Gappa checks that each line is an identity.
+  void write_hints() {
+    match();
+    for (const auto& [node, terms] : like_) {
+      const Node& n = s_.program.at(node);
+      for (const int t : terms) {
+        if (n.kind == Kind::constant || term_name(t) == name(node)) continue;
+        if (const int near = nearby(t); near >= 0 && alike(node, near)) {
+          out_ << name(node) << " - " << term_name(t) << " -> (" << name(node) << " - " << term_name(near) << ") - ("
+               << term_name(t) << " - " << term_name(near) << ");\n";
+        } else if (n.kind == Kind::floor_power) {
+          if (alike(n.left, t) && name(n.left) != term_name(t))
+            out_ << name(node) << " - " << term_name(t) << " -> (" << name(node) << " - " << name(n.left) << ") + ("
+                 << name(n.left) << " - " << term_name(t) << ");\n";
+        } else if (n.kind == Kind::add || n.kind == Kind::subtract) {
+          write_sum(node, t);
+        } else if (n.kind == Kind::multiply && is_crossed(n, t)) {
+          write_crossed(node, t);
+        } else {
+          out_ << name(node) << " ~ " << term_name(t) << ";\n";
+        }
+      }
+    }
+  }
+
+  /// A product whose factors stand the other way round in the formula.
+  [[nodiscard]] bool is_crossed(const Node& n, int term) const {
+    const Term& t = s_.formula.terms[static_cast<std::size_t>(term)];
+    return t.operation == Operation::multiply && !alike(n.left, t.left) && alike(n.left, t.right) &&
+           alike(n.right, t.left);
+  }
+  void write_crossed(int node, int term) {
+    const Node& n = s_.program.at(node);
+    const Term& t = s_.formula.terms[static_cast<std::size_t>(term)];
+    const std::string first = operand(n.left, scale(n.left)), x = term_name(t.right);
+    const std::string second = operand(n.right, scale(node) - scale(n.left)), y = term_name(t.left);
+    const std::string e = "(" + first + " - " + x + ")", f = "(" + second + " - " + y + ")";
+    out_ << name(node) << " - " << term_name(term) << " -> " << e << " * " << y << " + " << x << " * " << f << " + "
+         << e << " * " << f << ";\n";
+  }
+
+  struct Parts {
+    int left = -1, right = -1;
+    bool subtracts = false;
+  };
+  struct Signed {
+    int index = -1;
+    bool negative = false;
+  };
+  /// The first sum among the items, if there is one, gives way to its two parts.
+  template <class At>
+  static bool expand(std::vector<Signed>& items, At parts_of) {
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const Parts parts = parts_of(items[i].index);
+      if (parts.right < 0) continue;
+      const bool sign = items[i].negative;
+      items[i] = {parts.right, sign != parts.subtracts};
+      if (parts.left >= 0) items.insert(items.begin() + static_cast<std::ptrdiff_t>(i), {parts.left, sign});
+      return true;
+    }
+    return false;
+  }
+  [[nodiscard]] bool is_zero_node(int i) const {
+    return s_.program.at(i).kind == Kind::constant && s_.program.at(i).value == 0;
+  }
+  [[nodiscard]] bool is_zero_term(int i) const {
+    const Term& t = s_.formula.terms[static_cast<std::size_t>(i)];
+    return t.operation == Operation::constant && !(std::abs(t.constant) > 0.0);
+  }
+  [[nodiscard]] Parts parts_of_node(int i) const {
+    const Node& n = s_.program.at(i);
+    if (n.kind != Kind::add && n.kind != Kind::subtract) return {};
+    return {is_zero_node(n.left) ? -1 : n.left, n.right, n.kind == Kind::subtract};
+  }
+  [[nodiscard]] Parts parts_of_term(int i) const {
+    const Term& t = s_.formula.terms[static_cast<std::size_t>(i)];
+    if (t.operation != Operation::add && t.operation != Operation::subtract) return {};
+    return {is_zero_term(t.left) ? -1 : t.left, t.right, t.operation == Operation::subtract};
+  }
+  /// Takes what is alike out of both sums; appends the differences.
+  void cancel(std::vector<Signed>& nodes, std::vector<Signed>& terms, std::string& text) const {
+    for (std::size_t i = 0; i < nodes.size();) {
+      std::size_t k = 0;
+      while (k < terms.size() && (terms[k].negative != nodes[i].negative || !alike(nodes[i].index, terms[k].index)))
+        ++k;
+      if (k == terms.size()) {
+        ++i;
+        continue;
+      }
+      const std::string left = operand(nodes[i].index, unit_), right = term_name(terms[k].index);
+      if (left != right) text += (nodes[i].negative ? " - (" : " + (") + left + " - " + right + ")";
+      nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(i));
+      terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+  }
+  /// The error of a sum from those of its parts, however they are associated.
+  void write_sum(int node, int term) {
+    unit_ = scale(node);
+    std::vector<Signed> nodes{{node, false}}, terms{{term, false}};
+    expand(nodes, [&](int i) { return parts_of_node(i); });
+    std::string text;
+    cancel(nodes, terms, text);
+    while (!terms.empty() && (expand(terms, [&](int i) { return parts_of_term(i); }) ||
+                              expand(nodes, [&](int i) { return parts_of_node(i); })))
+      cancel(nodes, terms, text);
+    for (const Signed& left : nodes)
+      text += (left.negative ? " - " : " + ") + operand(left.index, unit_);
+    for (const Signed& left : terms)
+      text += (left.negative ? " + " : " - ") + term_name(left.index);
+    if (terms.empty() && !text.empty())
+      out_ << name(node) << " - " << term_name(term) << " -> " << text.substr(text[1] == '-' ? 1 : 3) << ";\n";
+  }
+
+  const Statement& s_;
+  std::vector<long double> values_;  ///< of the formula's terms, in the run
+  Scales scales_;
+  std::set<int> needed_, meant_;
+  std::map<int, std::set<int>> like_;
+  int unit_ = 0;  ///< of the sum whose error is written
+  std::ostringstream out_;
+};
+
+}  // namespace
+
+Scales scales_of(const Program& program, const Formula& formula, const std::vector<long double>& values,
+                 const Scales& known) {
+  Scales scales = known;
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t i = 0; i < program.nodes.size(); ++i)
+      more = propagate(program, scales, static_cast<int>(i)) || more;
+    more = more || guess(program, formula, values, scales);
+  }
+  return scales;
+}
+
+std::string script_of(const Statement& statement, Goal goal) { return Writer(statement).text(goal); }
+
+}  // namespace prove

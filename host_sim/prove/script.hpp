@@ -1,0 +1,53 @@
+// A program and what it stands for, as a script of Gappa.
+#pragma once
+
+#include <host_sim/prove/formula.hpp>
+#include <host_sim/prove/program.hpp>
+
+#include <map>
+
+namespace prove {
+
+/// Binary exponents of the nodes' units: what a node stands for is value 2^-scale.
+using Scales = std::map<int, int>;
+
+/// From those of inputs and results to those of all other nodes: a shift keeps what a word stands for, a sum's terms
+/// and the sum have one unit, a product's constant is the formula's. `values` are those of the formula's terms in the
+/// run. Where two ways lead to a node and disagree, the first one holds.
+Scales scales_of(const Program& program, const Formula& formula, const std::vector<long double>& values,
+                 const Scales& known);
+
+/// A real variable: off by at most `within` from a term of the formula or, where there is none, from an input.
+struct RealVariable {
+  std::string name;
+  long double value = 0.0L;  ///< in the recorded run
+  std::string near_input;
+  int near_term = -1;
+  double within = 0.0;
+};
+
+/// A result, the formula's term that it approximates, and the bound to prove of their difference.
+struct Result {
+  std::string name;
+  int node = -1, term = -1;
+  double bound = 0.0;
+};
+
+/// What a script is made from.
+struct Statement {
+  Program program;
+  Formula formula;
+  Scales known;  ///< scales of inputs and results
+  std::vector<RealVariable> variables;
+  std::vector<Result> results;
+  std::string split;             ///< input whose range Gappa cuts into pieces, if any
+  long double likeness = 1e-5L;  ///< relative difference of a node and a term, in the run, that are one quantity
+};
+
+/// What a script demands: that errors stay within their bounds, that words hold what is put into them and choices by
+/// masks always go the same way, or an answer how large the errors are.
+enum class Goal { errors, words, ask };
+
+std::string script_of(const Statement& statement, Goal goal);
+
+}  // namespace prove
