@@ -11,11 +11,11 @@ template <class Congruence, class T, class Kind, class Link, class Screw, class 
 auto reflect_by(Kind joint, const Link& link, const Screw& screw, const Tree& tree, const Vel& velocity, const T& tau) {
   using namespace axial;
   auto x = link.x();
-  auto r = reflection(joint, link, tree.inertia, tree.bias, velocity.zeta, tau, singularity_scale(joint, tree.reach));
+  auto r = reflection(joint, link, tree.inertia, tree.bias, velocity.zeta, tau, singularity_scale(joint, tree.scale));
   aba::Subtree sent{Congruence::template to_parent<T>(x, screw, r.inertia),
                     to_parent(x, to_parent(screw, r.bias, link), link),
-                    seen_from(tree.reach, shift_length(x) + shift_length(screw))};
-  return aba::Left{r.gain, r.free, velocity.zeta, r.singular, r.left, sent};
+                    seen_from(tree.scale, shift_length(x) + shift_length(screw))};
+  return aba::InwardResult{r.gain, r.free, velocity.zeta, r.singular, r.left, sent};
 }
 
 /// Accelerations of a run-time model without friction and outside forces.

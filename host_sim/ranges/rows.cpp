@@ -1,6 +1,6 @@
 #include <host_sim/ranges/rows.hpp>
 
-#include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 #include <robots/robots.hpp>
 
 #include <stdexcept>
