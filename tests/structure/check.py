@@ -29,7 +29,7 @@ LAYERS = {
 PLUG_IN = "fixed"
 NUMBERLESS = {"spatial", "links", "dynamics", "simulation"}
 FIXED_WORDS = {"Stored", "Fixed32", "Fixed16"}
-DECLARED = re.compile(r"^(?:struct|class|using) (\w+)|^inline constexpr [\w:<>]+ (\w+)\b", re.MULTILINE)
+DECLARED = re.compile(r"^(?:struct|class) (\w+)|^using (\w+) =|^inline constexpr [\w:<>]+ (\w+)\b", re.MULTILINE)
 INTRODUCED = re.compile(r"\b(?:struct|class|using)(?:\.\.\.)? (\w+)")  # template parameters and local names, too
 C_HEADER = "axial/axial.h"  # what a C source sees; the C interface alone includes it
 OPTIONAL = {"eigen.hpp": {"Eigen/Core"}}  # headers that no other header includes: what else they may include

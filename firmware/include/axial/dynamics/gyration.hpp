@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/scalar/rounding.hpp>
-#include <axial/spatial/mat3.hpp>
+#include <axial/spatial/branch_screw.hpp>
 
 namespace axial {
 
@@ -47,6 +47,34 @@ AXIAL_INLINE constexpr auto rotation_acceleration(const W& w, const DW& dw, cons
 template <class W, class DW, class P, class Rounding>
 AXIAL_INLINE constexpr auto rotation_acceleration(const W& w, const DW& dw, const P& p, const Rounding& round) {
   return rotation_acceleration(w, dw, p, axis_acceleration(w, dw, p, round), round);
+}
+
+/// The joint's axis in the axes of the link that carries it.
+template <class X>
+AXIAL_INLINE constexpr auto axis_in_parent(const X& x) {
+  return to_parent(x, along_z(One{}));
+}
+/// Component of a free vector along the joint's axis.
+template <class V>
+AXIAL_INLINE constexpr auto axial_part(const V& v) {
+  return v.z;
+}
+/// Angular acceleration of a link whose z axis accelerates by `axis` (U's third column): across the axis from that and
+/// the products p, along it from what the parent has there and the joint adds.
+template <class Link, class P, class Axis, class Z, class A>
+AXIAL_INLINE constexpr auto angular_acceleration(const Link& link, const P& p, const Axis& axis, const Z& along,
+                                                 const A& qdd) {
+  const quantity::AngularAcceleration q{};
+  return Vec3{link.sum(q, p.x, -axis.y), link.sum(q, axis.x, -p.y), link.sum(q, along, qdd)};
+}
+/// by_column(axis) where the joint's axis is one of the parent's, known to the compiler, else by_vectors().
+template <class Link, class Axis, class ByColumn, class ByVectors>
+AXIAL_INLINE constexpr auto by_axis(const Link&, const Axis& axis, const ByColumn& by_column,
+                                    const ByVectors& by_vectors) {
+  if constexpr (is_structural_vector<Axis>)
+    return by_column(axis);
+  else
+    return by_vectors();
 }
 
 /// J dw + w x (J w) from the entries of U and the products p: 15M 15A, where the vector form takes 24M 18A.

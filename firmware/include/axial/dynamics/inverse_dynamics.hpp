@@ -57,17 +57,17 @@ AXIAL_INLINE constexpr auto turn(const Link& link, const Screw& screw, const Par
   auto turning = to_child(screw, to_child(x, parent.w));
   auto w = link.sum(AngularVelocity{}, turning, along_z(qd));
   auto p = products(w, link);
-  auto at_parent = to_parent(x, along_z(One{}));
-  if constexpr (is_structural_vector<decltype(at_parent)>) {
-    auto axis = link.sum(AngularAcceleration{}, to_child(screw, to_child(x, parent.u * at_parent)));
-    auto dw = Vec3{link.sum(AngularAcceleration{}, p.x, -axis.y), link.sum(AngularAcceleration{}, axis.x, -p.y),
-                   link.sum(AngularAcceleration{}, to_child(x, parent.dw).z, qdd)};
+  auto by_column = [&](const auto& axis_in_parent) AXIAL_INLINE {
+    auto axis = link.sum(AngularAcceleration{}, to_child(screw, to_child(x, parent.u * axis_in_parent)));
+    auto dw = angular_acceleration(link, p, axis, axial_part(to_child(x, parent.dw)), qdd);
     return Motion{w, dw, ZeroVec3{}, p, rotation_acceleration(w, dw, p, axis, link)};
-  } else {
+  };
+  auto by_vectors = [&]() AXIAL_INLINE {
     auto dw =
         link.sum(AngularAcceleration{}, to_child(screw, to_child(x, parent.dw)), cross_z(turning, qd), along_z(qdd));
     return Motion{w, dw, ZeroVec3{}, p, rotation_acceleration(w, dw, p, link)};
-  }
+  };
+  return by_axis(link, axis_in_parent(x), by_column, by_vectors);
 }
 
 /// Motion of a revolute link from its parent's (Luh, Walker and Paul 1980; Craig 2005, eqs. (6.45) to (6.47)).
@@ -160,18 +160,26 @@ struct InwardResult {
 template <class F>
 InwardResult(F) -> InwardResult<F>;
 
-/// The algorithm over any form of links and the screws at q; tau[i] is written for every joint.
-template <class Links, class Input, class Q, class Screws, class V, class A, class Tau>
-AXIAL_INLINE constexpr void efforts(const Links& links, const Input& in, const Q& q, const Screws& screws, const V& qd,
-                                    const A& qdd, Tau& tau) {
+/// The algorithm over any form of links and the screws at q; calls each(i, force, effort) for every joint, from the
+/// tips on, with what it bears.
+template <class Links, class Input, class Q, class Screws, class V, class A, class Each>
+AXIAL_INLINE constexpr void bear(const Links& links, const Input& in, const Q& q, const Screws& screws, const V& qd,
+                                 const A& qdd, const Each& each) {
   auto motions = link_motions(links, in, screws, qd, qdd);
   auto water = immersions(links, in, screws, qd);
   auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, water, i); };
   auto joint = [&](auto i, const auto& force) AXIAL_INLINE {
-    links.write(tau, i, joint_effort(links, i, force, q, qd, qdd));
+    each(i, force, joint_effort(links, i, force, q, qd, qdd));
     return InwardResult{sent_force(links, screws, i, force)};
   };
   inward(links, own, joint);
+}
+/// Writes tau[i] for every joint.
+template <class Links, class Input, class Q, class Screws, class V, class A, class Tau>
+AXIAL_INLINE constexpr void efforts(const Links& links, const Input& in, const Q& q, const Screws& screws, const V& qd,
+                                    const A& qdd, Tau& tau) {
+  bear(links, in, q, screws, qd, qdd,
+       [&](auto i, const auto&, const auto& effort) AXIAL_INLINE { links.write(tau, i, effort); });
 }
 /// The same from q itself, whatever the form in which joint values stand.
 template <class Links, class Input, class Q, class V, class A, class Tau>

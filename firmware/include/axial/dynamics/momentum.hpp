@@ -19,10 +19,11 @@ namespace momentum {
 /// Velocities of all links in their own frames, under the names of accelerations: a start from rest, without gravity.
 template <class Links, class Screws, class V>
 AXIAL_INLINE constexpr auto velocities(const Links& links, const Screws& screws, const V& qd) {
-  const ZeroVec3 none;
+  auto none = no_motion(links);
   auto first = links.link(Index<0>{});
-  auto u = rotation_acceleration(none, none, none, first);
-  return outward(links, rnea::Motion{none, none, none, none, u}, [&](auto i, const auto& parent) AXIAL_INLINE {
+  auto p = products(none, first);
+  auto u = rotation_acceleration(none, none, p, first);
+  return outward(links, rnea::Motion{none, none, none, p, u}, [&](auto i, const auto& parent) AXIAL_INLINE {
     auto link = links.link(i);
     return link.on_joint(
         [&](auto joint) AXIAL_INLINE { return link.shape(rnea::move(joint, link, screws[i], parent, Zero{}, qd[i])); });
@@ -39,22 +40,22 @@ AXIAL_INLINE constexpr auto own_momentum(const Links& links, const Input& in, co
   return link.shape(rnea::newton_euler(link, body, differences, motions[i]));
 }
 
+/// Component of v x u along the joint's axis.
+template <class U, class V>
+AXIAL_INLINE constexpr auto axial_product(const U& u, const V& v) {
+  return u.y * v.x - u.x * v.y;
+}
+
 /// dT/dq of a joint: -s . (v x* h), where (w, v) is the velocity of its link, h = (n, l) the momentum of all that it
 /// carries and s its axis. For velocities of links farther out change by v x s with the joint's position.
 template <class M, class H>
 AXIAL_INLINE constexpr auto kinetic_slope(Revolute, const M& motion, const H& h) {
-  const auto& w = motion.dw;
-  const auto& v = motion.a;
-  const auto& n = h.moment;
-  const auto& l = h.force;
-  return w.y * n.x - w.x * n.y + (v.y * l.x - v.x * l.y);
+  return axial_product(motion.dw, h.moment) + axial_product(motion.a, h.force);
 }
 /// Of a prismatic joint.
 template <class M, class H>
 AXIAL_INLINE constexpr auto kinetic_slope(Prismatic, const M& motion, const H& h) {
-  const auto& w = motion.dw;
-  const auto& l = h.force;
-  return w.y * l.x - w.x * l.y;
+  return axial_product(motion.dw, h.force);
 }
 
 /// Efforts that hold the robot where it is, with the friction of its speeds: the inward pass of RNEA at rest.
@@ -127,7 +128,7 @@ AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, cons
 /// The status, which costs nothing where nobody reads it: not_finite where something that goes in or comes out is NaN
 /// or infinite, angle_range where sines are not exact, about no joint. In fixed point it names positions, speeds and
 /// inputs beyond what is declared (position_limit, speed_limit, payload_limit, input_limit); inside, nothing overflows
-/// (formats: fixed/ranges/momentum.hpp). Cost: doc/observer.md, less than one inverse_dynamics().
+/// (formats: fixed/bounds/momentum.hpp). Cost: doc/observer.md, less than one inverse_dynamics().
 template <class S, class T>
 [[nodiscard]] constexpr MomentumTerms<S, T> momentum_terms(const Positions<robot_of<S>, T>& q,
                                                            const Velocities<robot_of<S>, T>& qd,

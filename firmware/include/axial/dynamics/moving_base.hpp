@@ -18,6 +18,11 @@ AXIAL_INLINE constexpr auto gravity_at_base(const Links& links, const Input& in)
     return -links.base_acceleration();
 }
 
+/// No motion, of any kind.
+template <class Links>
+AXIAL_INLINE constexpr ZeroVec3 no_motion(const Links&) {
+  return {};
+}
 /// Angular velocity of frame 0, rad/s; zero by type unless the scene moves it.
 template <class Links, class Input>
 AXIAL_INLINE constexpr auto base_angular_velocity(const Links&, const Input& in) {

@@ -42,6 +42,14 @@ constexpr ErrorBound<N> bounds_of(const Ranges<N>& ranges, Get get) {
   return bound;
 }
 
+template <int N, class V, class Get>
+constexpr ErrorBound<N> bounds_of(const Row<V, N>& values, Get get) {
+  ErrorBound<N> bound;
+  for (int i = 0; i < N; ++i)
+    bound.of[i] = get(values[i]);
+  return bound;
+}
+
 template <class S, class T>
 using Bounds = ErrorBound<joint_count<S>>;
 
@@ -90,10 +98,15 @@ template <class S, class T = Fixed32>
 /// Of the mass matrix, one a row: of its entries up to the diagonal, in their SI units.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::MassMatrix) {
+  using Scene = scene_of<S>;
+  using Word = typename T::Word;
+  using Parameters = detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>;
   static_assert((detail::check_bound<S, recursion::CompositeBodies>(), true));
-  return detail::bounds_of(
-      detail::ranges_for<scene_of<S>, typename T::Word, BaseParameters, recursion::CompositeBodies>,
-      [](const LinkRange& r) { return r.joint_inertia.error; });
+  const auto errors = bounds::mass_matrix_errors(
+      mechanism_of<Scene, Parameters>, rounding_in<Scene, detail::ArithmeticOf<Scene, Word>>(),
+      detail::ranges_for<Scene, Word, BaseParameters, recursion::CompositeBodies>,
+      [](int i, int j) { return MassMatrixOf<Scene, T>::exponent(i, j); });
+  return detail::bounds_of(errors, [](double error) { return error; });
 }
 /// Of the origins of the links' frames, m.
 template <class S, class T = Fixed32>
@@ -101,6 +114,17 @@ template <class S, class T = Fixed32>
   static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
   return detail::bounds_of(detail::ranges_for<scene_of<S>, typename T::Word, FullParameters, recursion::Kinematics>,
                            [](const LinkRange& r) { return r.length.error; });
+}
+/// Of the tool's Jacobian, one a column: of its linear part in m (a slide's in 1); `algorithm::Jacobian` has no other.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr auto error_bound(algorithm::Jacobian) {
+  using Scene = scene_of<S>;
+  static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
+  const auto all = bounds::jacobian_bounds(
+      mechanism_of<Scene, detail::with_rotors<Scene, parameters_of<Scene, FullParameters>>>,
+      rounding_in<Scene, detail::ArithmeticOf<Scene, typename T::Word>>(),
+      detail::ranges_for<Scene, typename T::Word, FullParameters, recursion::Kinematics>);
+  return detail::bounds_of(all.columns, [](const auto& column) { return column.linear.bound.whole.error; });
 }
 /// Of accelerations, rad/s^2 or m/s^2.
 template <class S, class T = Fixed32>

@@ -19,8 +19,8 @@ struct Mat3 {
   }  // NOLINT(google-explicit-constructor)
   /// The same matrix as plain numbers.
   template <class T>
-  AXIAL_INLINE constexpr Mat3<Vec3<T>> dense() const {
-    return {x.template dense<T>(), y.template dense<T>(), z.template dense<T>()};
+  AXIAL_INLINE constexpr auto dense() const {
+    return axial::Mat3{x.template dense<T>(), y.template dense<T>(), z.template dense<T>()};
   }
 };
 template <class R1, class R2, class R3>

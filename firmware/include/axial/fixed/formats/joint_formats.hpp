@@ -1,8 +1,8 @@
 // Joint values in fixed point: integers, and the exponents that the robot's declared limits give them.
 #pragma once
 
+#include <axial/fixed/bounds/momentum.hpp>
 #include <axial/fixed/ranges/forward_error.hpp>
-#include <axial/fixed/ranges/momentum.hpp>
 #include <axial/scene/joints.hpp>
 
 namespace axial {
@@ -87,8 +87,7 @@ struct RoleExponent {
     return joint_rounding<Word>.exponent(momentum_ranges_of<S, Word>.range[i].joint_effort.size);
   }
   static constexpr int of(role::MomentumRate, int i) {
-    const double slope =
-        kinetic_slope_range(mechanism_of<scene_of<S>, FullParameters>, momentum_ranges_of<S, Word>, i).size;
+    const double slope = momentum_ranges_of<S, Word>.slope[i].size;
     return joint_rounding<Word>.exponent(slope + motion_effort(i));
   }
 };

@@ -1,8 +1,8 @@
 // The formats of a scene's quantities, link by link: how a fixed-point link rounds.
 #pragma once
 
+#include <axial/fixed/bounds/kinematics.hpp>
 #include <axial/fixed/formats/joint_formats.hpp>
-#include <axial/fixed/ranges/kinematics.hpp>
 #include <axial/fixed/ranges/separation.hpp>
 #include <axial/fixed/words/divide.hpp>
 #include <axial/links/recursion.hpp>

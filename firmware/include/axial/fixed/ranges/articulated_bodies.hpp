@@ -1,8 +1,10 @@
 // Ranges of the articulated-body algorithm on full parameters: 0 <= I* <= I^c in the Loewner order. doc/ranges.md.
 #pragma once
 
+#include <axial/fixed/bounds/newton_euler.hpp>
 #include <axial/fixed/ranges/composite_bodies.hpp>
-#include <axial/fixed/ranges/newton_euler.hpp>
+#include <axial/fixed/bounds/shared_formats.hpp>
+#include <axial/fixed/bounds/split_ball.hpp>
 
 namespace axial {
 namespace detail {

@@ -1,6 +1,7 @@
 // Ranges of the separated terms: composite bodies, and the motions that unit rates give them. doc/ranges.md.
 #pragma once
 
+#include <axial/fixed/bounds/mass_matrix.hpp>
 #include <axial/fixed/ranges/composite_bodies.hpp>
 
 namespace axial {

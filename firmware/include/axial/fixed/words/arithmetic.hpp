@@ -100,14 +100,14 @@ struct StoredAs<Arithmetic<Word, nearest, high, checked>> {
   using type = Stored<Word>;
 };
 
-/// 2^e.
+/// 2^e of a normal number: e from -1022 to 1023, held there.
 constexpr double power_of_two(int e) {
-  double p = 1.0;
-  for (; e > 0; --e)
-    p *= 2.0;
-  for (; e < 0; ++e)
-    p *= 0.5;
-  return p;
+  const int held = e < -1022 ? -1022 : e > 1023 ? 1023 : e;
+  return __builtin_bit_cast(double, static_cast<std::uint64_t>(held + 1023) << 52);
+}
+/// The e of 2^e <= x < 2^(e + 1), x > 0 and normal.
+constexpr int binary_exponent(double x) {
+  return static_cast<int>(__builtin_bit_cast(std::uint64_t, x) >> 52 & 0x7ff) - 1023;
 }
 /// The word of a result that fits by proof.
 template <class S, class X>
@@ -124,14 +124,10 @@ constexpr std::int64_t nearest_integer(double x) { return static_cast<std::int64
 /// The largest exponent at which |value| still fits a word of `capacity`; for 0 a large one.
 constexpr int fitting_exponent(double value, double capacity) {
   const double size = value < 0.0 ? -value : value;
-  if (!(size > 0.0)) return 200;
-  int e = 0;
-  double scaled = size;
-  while (scaled * 2.0 + 0.5 <= capacity && e < 200)
-    scaled *= 2.0, ++e;
-  while (scaled + 0.5 > capacity)
-    scaled *= 0.5, --e;
-  return e;
+  constexpr int most = 200;
+  if (!(size > power_of_two(-most))) return most;
+  const int e = binary_exponent(capacity) - binary_exponent(size);
+  return smaller(size * power_of_two(e) + 0.5 <= capacity ? e : e - 1, most);
 }
 
 }  // namespace detail

@@ -1,7 +1,7 @@
 // The looped form in fixed point: one format a quantity for all links, from the formats that each would have alone.
 #pragma once
 
-#include <axial/fixed/ranges/mechanism.hpp>
+#include <axial/fixed/bounds/mechanism.hpp>
 
 namespace axial {
 namespace detail {
@@ -98,8 +98,8 @@ constexpr Mechanism<N> sharing(Mechanism<N> m, const Rounding& r, const Ranges<N
 
 /// Ranges of an analysis: of each link apart, or, where constants come from a table, of links that share their formats.
 template <int N, class Analysis>
-constexpr Ranges<N> ranges_by(const Mechanism<N>& m, const Rounding& r, Analysis analysis) {
-  const Ranges<N> apart = analysis(m);
+constexpr auto ranges_by(const Mechanism<N>& m, const Rounding& r, Analysis analysis) {
+  const auto apart = analysis(m);
   return r.tabled ? analysis(sharing(m, r, apart)) : apart;
 }
 

@@ -1,7 +1,7 @@
 // Ranges: what bounds the quantities of every link, and in which formats they are kept. doc/ranges.md is the proof.
 #pragma once
 
-#include <axial/fixed/ranges/ball.hpp>
+#include <axial/fixed/bounds/ball.hpp>
 #include <axial/links/link_view.hpp>
 
 namespace axial {

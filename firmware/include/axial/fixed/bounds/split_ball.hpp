@@ -1,7 +1,7 @@
 // Bounds of vectors in a link's frame: across and along its joint's axis, which a turn of the joint keeps apart.
 #pragma once
 
-#include <axial/fixed/ranges/ball.hpp>
+#include <axial/fixed/bounds/ball.hpp>
 
 namespace axial {
 
@@ -15,16 +15,34 @@ namespace detail {
 inline constexpr double root2 = 1.4142135623730951, root3 = 1.7320508075688772;
 
 constexpr double least(double a, double b) { return a < b ? a : b; }
-constexpr double hypotenuse(double a, double b) { return square_root(a * a + b * b); }
+/// A bound of the square root from above, within 1e-13 of it: Newton's steps from the halved exponent end above the
+/// root.
+constexpr double root_bound(double x) {
+  if (!(x > 0.0)) return 0.0;
+  double root = __builtin_bit_cast(double, (__builtin_bit_cast(std::uint64_t, x) >> 1) + (std::uint64_t{1023} << 51));
+  for (int step = 0; step < 3; ++step)
+    root = (root + x / root) * 0.5;
+  return root * (1.0 + 1e-15);
+}
+constexpr double hypotenuse(double a, double b) {
+  if (!(a > 0.0 || a < 0.0)) return b < 0.0 ? -b : b;
+  if (!(b > 0.0 || b < 0.0)) return a < 0.0 ? -a : a;
+  return root_bound(a * a + b * b);
+}
 constexpr Ball least(const Ball& a, const Ball& b) { return {least(a.size, b.size), least(a.error, b.error)}; }
 constexpr Ball hypotenuse(const Ball& a, const Ball& b) {
   return {hypotenuse(a.size, b.size), hypotenuse(a.error, b.error)};
 }
 
+constexpr void tighten(double& across, double& along, double& whole) {
+  whole = least(whole, hypotenuse(across, along));
+  across = least(across, whole), along = least(along, whole);
+}
 /// Each of the three bounds the others.
-constexpr SplitBall tightened(const SplitBall& v) {
-  const Ball whole = least(v.whole, hypotenuse(v.across, v.along));
-  return {least(v.across, whole), least(v.along, whole), whole};
+constexpr SplitBall tightened(SplitBall v) {
+  tighten(v.across.size, v.along.size, v.whole.size);
+  tighten(v.across.error, v.along.error, v.whole.error);
+  return v;
 }
 constexpr SplitBall split(const Ball& across, const Ball& along) { return {across, along, hypotenuse(across, along)}; }
 
@@ -59,27 +77,5 @@ constexpr SplitBall cross_along_z(double r, const SplitBall& f) { return detail:
 constexpr SplitBall cross_along_x(double r, const SplitBall& f) {
   return detail::tightened({magnitude(r) * f.along, magnitude(r) * f.across, magnitude(r) * f.whole});
 }
-
-/// What a body's rotation does to the points of it: U = dw~ + w~ w~ (gyration.hpp). `entry` is the rounding of one
-/// entry of U beyond what w and dw carry.
-struct SpinBall {
-  SplitBall w{}, dw{};  ///< of angular velocity (rad/s) and angular acceleration (rad/s^2)
-  double entry = 0.0;   ///< rad^2/s^2
-
-  /// U r for r = (x, y, z) with |(x, y)| = side and |z| = height.
-  constexpr SplitBall times(double side, double height) const {
-    const Ball ww = w.whole * w.whole, wz = w.across * w.along, wo = w.across * w.across;
-    const SplitBall from_side{side * (dw.along + ww), side * (dw.across + wz), side * (dw.whole + ww)};
-    const SplitBall from_height = detail::split(height * (dw.across + wz), height * wo);
-    const SplitBall exact = detail::tightened(from_side) + from_height;
-    return detail::tightened(rounded(exact, (side * detail::root2 + height) * entry));
-  }
-  /// Of one entry, and of U r per metre whatever the direction.
-  constexpr Ball strength() const {
-    Ball s = dw.whole + w.whole * w.whole;
-    s.error += 3.0 * entry;
-    return s;
-  }
-};
 
 }  // namespace axial

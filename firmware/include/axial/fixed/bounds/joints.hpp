@@ -1,0 +1,82 @@
+// Joint values in bounds, and the scene that a robot's loads make: what every kernel's run starts from.
+#pragma once
+
+#include <axial/dynamics/passes.hpp>
+#include <axial/fixed/bounds/link.hpp>
+
+namespace axial::bounds {
+
+/// Inertia differences of a loaded link: exact differences of its words.
+template <class Scene, int N>
+constexpr Vec3<Number> loaded_differences(const BoundedLink<Scene, N>& link, const Body& body) {
+  if constexpr (!Scene::template has<Payload>) return link.inertia_differences();
+  const auto& j = body.inertia.of;
+  if (j.xx.is_literal) return link.inertia_differences();
+  return {j.zz, j.xx, j.yy};  // words of one exponent, which is all that their products are told by
+}
+
+namespace detail {
+
+// Joint values as the kernel reads them: words with the exponents of the declared limits, in the looped form moved to
+// the coarsest of them.
+template <int N>
+class JointBounds {
+ public:
+  constexpr JointBounds(const Mechanism<N>& m, const Rounding& r) : r_(r), shared_(m.steps.shared) {
+    double speed = 0.0, acceleration = 0.0;
+    for (const JointRange& j : m.joints)
+      speed = larger(speed, j.speed), acceleration = larger(acceleration, j.acceleration);
+    for (int i = 0; i < N; ++i) {
+      const JointRange& j = m.joints[i];
+      q[i] = {position(m.steps, j.travel), {&r}};
+      qd[i] = read(j.speed, speed), qdd[i] = read(j.acceleration, acceleration);
+    }
+  }
+  Row<Position, N> q{};
+  Row<Number, N> qd{}, qdd{};
+
+ private:
+  const Rounding& r_;
+  bool shared_;
+
+  static constexpr double larger(double a, double b) { return a > b ? a : b; }
+  constexpr Number read(double size, double largest) const {
+    const int own = input_exponent(size, r_), all = input_exponent(largest, r_);
+    return shared_ ? word_of({size, r_.move(own, all)}, all) : word_of({size, 0.0}, own);
+  }
+  // A position has 32 bits in any word; a shorter one is cut off, a shared format moves it.
+  constexpr Number position(const SharedSteps& steps, double travel) const {
+    const int own = input_exponent(travel, r_);
+    if (shared_) return word_of({travel, r_.store(steps.format.length)}, steps.format.length);
+    return word_of({travel, r_.bits < 32 ? Rounding::ulp(own) : 0.0}, own);
+  }
+};
+
+// What the description alone says of formats: the room for a shift, and for a body with its payload.
+template <int N>
+constexpr void note_description(Account<N>& account) {
+  const Mechanism<N>& m = account.mechanism;
+  for (int i = 0; i < N; ++i) {
+    const auto& c = m.links[i];
+    const double travel = m.joints[i].travel,
+                 moment = axial::detail::length_of(c.hx, c.hy, c.hz) + m.loads.payload_moment;
+    LinkSizes& widest = account.widest[i];
+    widest.of[place_of(quantity::Length{}).index()] = travel > 0.0 ? travel : 1.0;
+    widest.of[place_of(quantity::Mass{}).index()] = magnitude(c.mass) + m.loads.payload_mass;
+    widest.of[place_of(quantity::FirstMoment{}).index()] = 2.0 * moment;
+    widest.of[place_of(quantity::RotationalInertia{}).index()] =
+        2.0 * (axial::detail::norm_of(c) + m.loads.payload_inertia);
+  }
+}
+
+// Calls f with the scene whose loads there are.
+template <class F>
+constexpr auto with_loads(const LoadRange& l, const F& f) {
+  const bool payload = l.payload_mass > 0.0, wrench = l.tip_force > 0.0 || l.tip_moment > 0.0;
+  if (payload && wrench) return f(BoundedScene<true, true>{});
+  if (payload) return f(BoundedScene<true, false>{});
+  return wrench ? f(BoundedScene<false, true>{}) : f(BoundedScene<false, false>{});
+}
+
+}  // namespace detail
+}  // namespace axial::bounds

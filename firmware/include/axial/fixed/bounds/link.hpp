@@ -1,0 +1,346 @@
+// Links of bounds: what a kernel sees of a robot when it computes how large its quantities get and how exact they are.
+// `sum` is the only place that rounds: it notes what has to fit, or adds the rounding that its terms make.
+#pragma once
+
+#include <axial/dynamics/loads.hpp>
+#include <axial/dynamics/passes.hpp>
+#include <axial/fixed/bounds/composite.hpp>
+#include <axial/fixed/bounds/loads.hpp>
+#include <axial/fixed/bounds/pose.hpp>
+#include <axial/fixed/bounds/quantities.hpp>
+#include <axial/fixed/bounds/spin.hpp>
+#include <axial/fixed/bounds/shared_formats.hpp>
+#include <axial/links/link_view.hpp>
+
+namespace axial::bounds {
+
+/// What a kernel in bounds finds out: the size that each quantity of each link has to have room for, and how large and
+/// how exact it is at last. Run once to size the formats, and again to add up errors in them.
+template <int N>
+struct Account {
+  const Mechanism<N>& mechanism;  ///< the robot
+  const Rounding& rounding;       ///< of the arithmetic
+  bool sizing = true;             ///< whether formats are still to be found
+  bool quiet = false;             ///< whether sizes are left unnoted, for another way bounds them better
+  Ranges<N> ranges{};             ///< what is known by now
+  LinkSizes widest[N] = {};       ///< of each link
+
+  /// Formats from the sizes that were noted.
+  constexpr void choose_formats() {
+    for (int i = 0; i < N; ++i)
+      for (int k = 0; k < LinkSizes::count; ++k)
+        if (widest[i].of[k] >= 0.0)
+          ranges.format[i].*all_formats[k] = mechanism.format(rounding, all_formats[k], widest[i].of[k]);
+    for (int i = 0; i < N && !mechanism.steps.shared; ++i)
+      if (mechanism.joints[i].effort_format != JointRange::unknown)
+        ranges.format[i].joint_effort = mechanism.joints[i].effort_format;
+    sizing = false;
+  }
+};
+
+/// What is named by a scene of bounds: everything that costs nothing where it is zero, payload and wrench where they
+/// are there.
+template <bool payload, bool wrench>
+struct BoundedScene {
+  /// Whether the kernel sees a feature.
+  template <class Feature>
+  static constexpr bool has = std::is_same_v<Feature, Gravity> || std::is_same_v<Feature, RotorInertia> ||
+                              std::is_same_v<Feature, Friction> || (std::is_same_v<Feature, Payload> && payload) ||
+                              (std::is_same_v<Feature, TipWrench> && wrench);
+};
+
+/// Link `index` of a robot in bounds.
+template <class SceneType, int N>
+class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, double> {
+  using Access = axial::detail::LinkAccess<BoundedLink, double>;
+
+ public:
+  using Scene = SceneType;                   ///< what the links belong to
+  using Scalar = Number;                     ///< in bounds
+  static constexpr bool unrolled = false;    ///< one type serves all links
+  static constexpr bool branches = true;     ///< the identity where there is no branch
+  static constexpr bool adds_angles = true;  ///< binary angles are exact
+  static constexpr bool ranged = true;       ///< results have formats
+  bool is_last;                              ///< whether it bears payload and tip wrench
+
+  constexpr BoundedLink(Account<N>* account, int index) : is_last(index + 1 == N), account_(account), index_(index) {}
+
+  /// A constant of the link: a literal, or a word of its column.
+  template <axial::detail::Member<double> M>
+  constexpr Number get() const {
+    const auto value = [this](const auto& c) { return is_rotor(M) && !loads().rotors ? 0.0 : c.*M; };
+    return constant(M, value);
+  }
+  /// A constant of its branch, likewise.
+  template <axial::detail::BranchMember<double> M>
+  constexpr Number branch() const {
+    return constant(M, [](const auto& c) { return c.branch.*M; });
+  }
+  /// A constant of its drive, likewise.
+  template <axial::detail::DriveMember<double> M>
+  constexpr Number drive() const {
+    const double value = loads().friction ? mechanism().drives[index_].*M : 0.0;
+    if (!shared()) return literal_of(value);
+    const int exponent = axial::detail::fitting_exponent(mechanism().steps.viscous, rounding().capacity());
+    return word_of({magnitude(value), value < 0.0 || value > 0.0 ? 0.5 * Rounding::ulp(exponent) : 0.0}, exponent);
+  }
+  template <axial::detail::Member<double>>
+  constexpr AnyTurn beyond_45_degrees() const {
+    return {};
+  }
+  template <axial::detail::BranchMember<double>>
+  constexpr AnyTurn branch_beyond_45_degrees() const {
+    return {};
+  }
+  /// A constant turn that is none by quarters is a binary angle to nearest.
+  constexpr Angle with_offset(Angle q) const {
+    const auto& c = constants();
+    const bool by_quarters = c.sin_theta == 0.0 || c.cos_theta == 0.0;
+    q.error = by_quarters ? 0.0 : 0.5 / axial::detail::bam_per_radian;
+    return q;
+  }
+  /// Calls f with the kind of this joint.
+  template <class F>
+  constexpr auto on_joint(const F& f) const {
+    return constants().prismatic ? f(Prismatic{}) : f(Revolute{});
+  }
+
+  constexpr Body body() const {
+    const auto h = this->first_moment();
+    return {this->mass(), {h.x, h.y, h.z, {}}, {this->inertia(), {}}};
+  }
+  /// The joint's screw; a slide's travel is what its limits leave, not the sum of two bounds.
+  constexpr auto z(const Position& q) const {
+    auto screw = Access::z(q);
+    if (constants().prismatic) screw.shift.bound.size = mechanism().joints[index_].travel;
+    return screw;
+  }
+
+  /// Rounding of the arithmetic.
+  constexpr const Rounding& rounding() const { return account_->rounding; }
+  /// Exponent of a quantity of this link.
+  template <class Quantity>
+  constexpr int exponent(Quantity quantity) const {
+    return account_->ranges.format[index_].of(quantity);
+  }
+  /// Rounds a sum into the format of a quantity.
+  template <class Quantity, class First, class... Terms>
+  constexpr auto sum(Quantity quantity, const First& first, const Terms&... terms) const {
+    if constexpr (detail::IsVector<First>::value) {
+      VectorSum sum = vector_of(first);
+      (detail::accumulate(sum, vector_of(terms)), ...);
+      return rounded(quantity, sum);
+    } else {
+      NumberSum sum = term_of(first);
+      (detail::accumulate(sum, term_of(terms)), ...);
+      return rounded(quantity, sum);
+    }
+  }
+  /// Notes a bound that a quantity has to have room for; of lengths the description says more than a sum of bounds.
+  template <class Quantity>
+  constexpr void note(Quantity, const Ball& bound) const {
+    if (!noting_ || account_->quiet) return;
+    constexpr Place place = place_of(Quantity{});
+    if constexpr (std::is_same_v<Quantity, quantity::RotationalInertia>)
+      widen(place, 2.0 * bound.size);  // two diagonal entries may have opposite signs where parameters are regrouped
+    else if constexpr (!std::is_same_v<Quantity, quantity::Length>)
+      widen(place, bound.size);
+    account_->ranges.range[index_].*place.range = bound;
+  }
+  /// Has room for a sum of words that is larger than what is kept of it.
+  template <class Quantity>
+  constexpr void leave_room(Quantity quantity, double size) const {
+    if (noting_ && !account_->quiet) widen(place_of(quantity), size);
+  }
+  /// Calls f without noting sizes: another way bounds them better.
+  template <class F>
+  constexpr void while_quiet(const F& f) const {
+    account_->quiet = true, f(), account_->quiet = false;
+  }
+  /// Two bodies as one: of an entry that is a literal and a word, the literal's rounding.
+  constexpr Body together(const Body& own, const Body& load) const {
+    using namespace quantity;
+    const auto whole = [&](auto q, const Number& a, const Number& b) {
+      Number both = sum(q, a, b);
+      both.constant = a.constant;
+      return both;
+    };
+    const FirstMoment f;
+    const RotationalInertia j;
+    const auto &h = own.first_moment, &g = load.first_moment;
+    const auto &a = own.inertia.of, &b = load.inertia.of;
+    return {sum(Mass{}, own.mass, load.mass),
+            {whole(f, h.x, g.x), whole(f, h.y, g.y), whole(f, h.z, g.z), h.loose + g.loose},
+            {{whole(j, a.xx, b.xx), whole(j, a.yy, b.yy), whole(j, a.zz, b.zz), whole(j, a.xy, b.xy),
+              whole(j, a.xz, b.xz), whole(j, a.yz, b.yz)},
+             own.inertia.loose + load.inertia.loose}};
+  }
+  /// A link's own body in the formats of the link: literals to nearest, its norm that of the matrix' rows.
+  constexpr CompositeBody formatted(const Body& body) const {
+    using namespace quantity;
+    const ConstantVector& h = body.first_moment;
+    const ConstantInertia& j = body.inertia;
+    const double length = detail::hypotenuse(h.side(), h.height());
+    const Ball moment = Ball{length, 0.0} + h.unknown();
+    BoundedVector first{{moment, moment, moment}, h.x.exponent, h.x.is_literal, &rounding()};
+    const double step =
+        j.of.xx.is_literal && !account_->sizing ? 0.5 * Rounding::ulp(exponent(RotationalInertia{})) : 0.0;
+    const Ball inertia{j.norm() + j.loose.size, j.error() + 3.0 * step};
+    const Ball axis{j.of.zz.bound.size + j.loose.size, j.of.zz.bound.error + j.loose.error + step};
+    note(RotationalInertia{}, inertia);
+    return {body.mass, sum(FirstMoment{}, first), word_of(inertia, exponent(RotationalInertia{})), axis};
+  }
+  /// The same of a composite body.
+  constexpr CompositeBody formatted(const CompositeBody& body) const {
+    using namespace quantity;
+    const int to = exponent(RotationalInertia{});
+    Ball inertia = body.inertia.bound, axis = body.axis;
+    const double step = account_->sizing ? 0.0 : rounding().move(body.inertia.exponent, to);
+    inertia.error += 3.0 * step, axis.error += step;
+    note(RotationalInertia{}, inertia);
+    return {body.mass, sum(FirstMoment{}, body.first_moment), word_of(inertia, to), axis};
+  }
+  /// A force less another.
+  template <class F, class G>
+  constexpr auto without(const F& force, const G& other) const {
+    return ForceVector{sum(quantity::Moment{}, force.moment, -other.moment),
+                       sum(quantity::Force{}, force.force, -other.force)};
+  }
+  /// Rounding in the formats of the link that carries this one. What a root sends nobody reads.
+  constexpr BoundedLink outer() const {
+    const int parent = mechanism().parent(index_);
+    BoundedLink link(account_, parent < 0 ? index_ : parent);
+    link.noting_ = parent >= 0;
+    return link;
+  }
+  /// Results are bounds already.
+  ///@{
+  template <class V>
+  static constexpr const V& shape(const V& v) {
+    return v;
+  }
+  static constexpr ForceVector<BoundedVector, BoundedVector> shape(const ForceVector<ZeroVec3, ZeroVec3>&) {
+    return {};
+  }
+  /// The looped form keeps forces in the format of forces, whatever column of an inertia they come from.
+  constexpr ForceVector<BoundedVector, BoundedVector> shape(
+      const ForceVector<BoundedVector, BoundedVector>& force) const {
+    note(quantity::Moment{}, force.moment.bound.whole), note(quantity::Force{}, force.force.bound.whole);
+    if (!shared()) return force;
+    return {sum(quantity::Moment{}, force.moment), sum(quantity::Force{}, force.force)};
+  }
+  ///@}
+
+ private:
+  Account<N>* account_;
+  int index_;
+  bool noting_ = true;
+
+  constexpr const Mechanism<N>& mechanism() const { return account_->mechanism; }
+  constexpr const LoadRange& loads() const { return mechanism().loads; }
+  constexpr bool shared() const { return mechanism().steps.shared; }
+  constexpr const TreeLinkConstants<double>& constants() const { return mechanism().links[index_]; }
+  constexpr void widen(const Place& place, double size) const {
+    double& widest = account_->widest[index_].of[place.index()];
+    if (size > widest) widest = size;
+  }
+  static constexpr bool is_rotor(axial::detail::Member<double> member) {
+    return member == &LinkConstants<double>::rotor;
+  }
+
+  // A table holds words, but where all its links have the same 0, 1 or -1.
+  template <class Member, class Value>
+  constexpr Number constant(Member member, const Value& value) const {
+    const double own = value(constants());
+    if (!shared() || is_common(value, own)) return literal_of(own);
+    const auto columns = axial::detail::column_exponents(mechanism(), rounding(), mechanism().steps.format);
+    const int exponent = columns.of(member);
+    const bool rounds = own < 0.0 || own > 0.0;
+    return {{magnitude(own), rounds ? 0.5 * Rounding::ulp(exponent) : 0.0}, own, exponent, false};
+  }
+  template <class Value>
+  constexpr bool is_common(const Value& value, double own) const {
+    bool common = own == 0.0 || own == 1.0 || own == -1.0;
+    for (const auto& link : mechanism().links)
+      common = common && value(link) == own;
+    return common;
+  }
+
+  template <class Quantity>
+  constexpr BoundedVector rounded(Quantity quantity, const VectorSum& sum) const {
+    const int to = exponent(quantity);
+    SplitBall bound = axial::detail::tightened(sum.bound);
+    if (!account_->sizing)
+      bound = detail::with_rounding(bound, detail::root2 * sum.across.rounding(to, rounding()),
+                                    sum.along.rounding(to, rounding()));
+    note(quantity, bound.whole);
+    return {bound, to, false, &rounding()};
+  }
+  template <class Quantity>
+  constexpr Number rounded(Quantity quantity, const NumberSum& sum) const {
+    const int to = exponent(quantity);
+    Ball bound = sum.bound;
+    if (!account_->sizing) bound.error += sum.terms.rounding(to, rounding());
+    note(quantity, bound);
+    return word_of(bound, to);
+  }
+};
+
+/// A motion in bounds.
+using BoundedMotion = MotionVector<BoundedVector, BoundedVector>;
+
+/// The links of a robot in bounds.
+template <class SceneType, int N>
+class BoundedLinks {
+ public:
+  using Scene = SceneType;                 ///< what the links belong to
+  using Scalar = Number;                   ///< in bounds
+  using Dense = Number;                    ///< what passes keep
+  static constexpr bool unrolled = false;  ///< a loop walks over them
+  static constexpr int capacity = N;       ///< number of links
+
+  constexpr explicit BoundedLinks(Account<N>& account) : account_(&account) {}
+  static constexpr int size() { return N; }      ///< number of links
+  static constexpr int last() { return N - 1; }  ///< index of the last link
+  /// Link i as kernels see it.
+  constexpr auto link(int i) const { return BoundedLink<Scene, N>(account_, i); }
+  /// Index of the link that carries joint i, negative for the base.
+  constexpr int parent_index(int i) const { return account_->mechanism.parent(i); }
+  /// Results are bounds: efforts and momenta as their links rounded them.
+  template <class Values>
+  static constexpr void write(Values& values, int i, const Number& x) {
+    values[i] = x;
+  }
+  /// Differences wait for who knows their exponent.
+  static constexpr void write_difference(Row<NumberSum, N>& values, int i, const NumberSum& x, const Number& y) {
+    values[i] = x + y;
+  }
+  /// A column of the Jacobian as it is stored: an arm's motion is a length.
+  ///@{
+  constexpr BoundedMotion stored(const MotionVector<BoundedVector, VectorSum>& column) const {
+    return {column.angular, link(0).sum(quantity::Length{}, column.linear)};
+  }
+  static constexpr BoundedMotion stored(const MotionVector<ZeroVec3, BoundedVector>& column) {
+    return {{}, column.linear};
+  }
+  ///@}
+  /// Frame 0 in the world.
+  constexpr auto base_pose() const { return constant_pose(account_->mechanism.loads.base_offset, account_->rounding); }
+  /// Acceleration of the base that stands for gravity: constants of the model, in a table words.
+  constexpr BoundedVector base_acceleration() const {
+    const LoadRange& l = account_->mechanism.loads;
+    const bool words = account_->mechanism.steps.shared;
+    const int exponent = account_->mechanism.base_format().linear_acceleration;
+    BoundedVector g{detail::split({l.gravity_across, 0.0}, {l.gravity_along, 0.0}), exponent, !words,
+                    &account_->rounding};
+    const double step = words && !account_->sizing ? 0.5 * Rounding::ulp(exponent) : 0.0;
+    g.bound = detail::with_rounding(g.bound, l.gravity_across > 0.0 ? detail::root2 * step : 0.0,
+                                    l.gravity_along > 0.0 ? step : 0.0);
+    return g;
+  }
+
+ private:
+  Account<N>* account_;
+};
+
+}  // namespace axial::bounds

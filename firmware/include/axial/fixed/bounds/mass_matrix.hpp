@@ -1,0 +1,75 @@
+// Sizes, formats and errors of the mass matrix: composite bodies and their kernel, run on bounds.
+#pragma once
+
+#include <axial/dynamics/mass_matrix.hpp>
+#include <axial/fixed/bounds/joints.hpp>
+
+namespace axial {
+namespace bounds {
+
+/// Rows of a mass matrix in bounds: the largest error of the entries up to the diagonal, each rounded into its
+/// exponent.
+template <int N, class Exponent>
+struct MatrixRows {
+  const Rounding& rounding;  ///< of the arithmetic
+  const Exponent& exponent;  ///< of entry (i, j)
+  double error[N] = {};      ///< of row i
+
+  /// Sets an entry, as the kernel does.
+  constexpr void set(int i, int j, const Number& value) {
+    const double own = value.bound.error + rounding.move(value.exponent, exponent(i, j));
+    if (own > error[i]) error[i] = own;
+  }
+};
+
+namespace detail {
+
+template <class Scene, int N, class Rows>
+constexpr void rows(Account<N>& account, Rows& rows) {
+  const BoundedLinks<Scene, N> links(account);
+  const GivenLoads in = given_loads(account.mechanism.loads, account.rounding);
+  const JointBounds<N> at(account.mechanism, account.rounding);
+  crba::entries(links, in, joint_screws(links, in, at.q), rows);
+}
+template <int N, class Rows>
+constexpr void rows_with_loads(Account<N>& account, Rows& all) {
+  with_loads(account.mechanism.loads, [&](auto scene) { rows<decltype(scene)>(account, all); });
+}
+
+template <int N>
+constexpr Ranges<N> composite_bodies(const Mechanism<N>& m, const Rounding& r) {
+  Account<N> account{m, r};
+  note_description(account);
+  const auto none = [](int, int) { return 0; };
+  MatrixRows<N, decltype(none)> ignored{r, none};
+  rows_with_loads(account, ignored);
+  account.choose_formats();
+  rows_with_loads(account, ignored);
+  return account.ranges;
+}
+
+}  // namespace detail
+
+/// Errors of the rows of the matrix whose entries have the exponents `exponent(i, j)`, in the formats of `ranges`.
+template <int N, class Exponent>
+constexpr Row<double, N> mass_matrix_errors(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& ranges,
+                                            const Exponent& exponent) {
+  const Mechanism<N> in_formats = r.tabled ? axial::detail::sharing(m, r, ranges) : m;
+  Account<N> account{in_formats, r, false, false, ranges};
+  MatrixRows<N, Exponent> all{r, exponent};
+  detail::rows_with_loads(account, all);
+  Row<double, N> errors;
+  for (int i = 0; i < N; ++i)
+    errors[i] = all.error[i];
+  return errors;
+}
+
+}  // namespace bounds
+
+/// Ranges and formats of the mass matrix by composite bodies: joint_inertia of joint i is the diagonal's.
+template <int N>
+constexpr Ranges<N> composite_body_ranges(const Mechanism<N>& m, const Rounding& r) {
+  return detail::ranges_by(m, r, [&r](const Mechanism<N>& of) { return bounds::detail::composite_bodies(of, r); });
+}
+
+}  // namespace axial

@@ -1,0 +1,75 @@
+// Sizes, formats and errors of inverse dynamics: its own kernel, run on bounds.
+#pragma once
+
+#include <axial/dynamics/inverse_dynamics.hpp>
+#include <axial/fixed/bounds/joints.hpp>
+
+namespace axial {
+namespace bounds {
+
+/// The base at rest.
+///@{
+template <class S, int N>
+constexpr BoundedVector no_motion(const BoundedLinks<S, N>&) {
+  return {};
+}
+template <class S, int N, class Input>
+constexpr BoundedVector base_angular_velocity(const BoundedLinks<S, N>&, const Input&) {
+  return {};
+}
+template <class S, int N, class Input>
+constexpr BoundedVector base_angular_acceleration(const BoundedLinks<S, N>&, const Input&) {
+  return {};
+}
+///@}
+
+/// Friction at any speed: viscous, and the larger of the two directions' dry effort, a literal that is rounded into the
+/// format of the effort.
+template <class S, int N>
+constexpr NumberSum friction_effort(const BoundedLink<S, N>& link, const Number& qd) {
+  const Number forward = link.template drive<&DriveConstants<double>::coulomb_forward>();
+  const Number backward = link.template drive<&DriveConstants<double>::coulomb_backward>();
+  const double dry = forward.bound.size > backward.bound.size ? forward.bound.size : backward.bound.size;
+  return link.template drive<&DriveConstants<double>::viscous>() * qd + literal_of(dry);
+}
+
+namespace detail {
+
+// One run of the kernel.
+template <class Scene, int N>
+constexpr void run(Account<N>& account) {
+  const BoundedLinks<Scene, N> links(account);
+  const GivenLoads in = given_loads(account.mechanism.loads, account.rounding);
+  const JointBounds<N> at(account.mechanism, account.rounding);
+  const auto screws = joint_screws(links, in, at.q);
+  Row<ForceVector<BoundedVector, BoundedVector>, N> borne{};
+  rnea::bear(links, in, at.q, screws, at.qd, at.qdd, [&](int i, const auto& force, const auto&) { borne[i] = force; });
+  for (int i = 0; i < N; ++i) {
+    LinkRange& range = account.ranges.range[i];
+    range.moment = borne[i].moment.bound.whole, range.force = borne[i].force.bound.whole;
+  }
+}
+template <int N>
+constexpr Ranges<N> newton_euler(const Mechanism<N>& m, const Rounding& r) {
+  Account<N> account{m, r};
+  note_description(account);
+  const auto run_all = [&account] {
+    with_loads(account.mechanism.loads, [&account](auto scene) { run<decltype(scene)>(account); });
+  };
+  run_all();
+  account.choose_formats();
+  run_all();
+  return account.ranges;
+}
+
+}  // namespace detail
+}  // namespace bounds
+
+/// Ranges, formats and errors of inverse dynamics (and of its bias and gravity parts): its own kernel, run on bounds.
+template <int N>
+constexpr Ranges<N> newton_euler_ranges(const Mechanism<N>& mechanism, const Rounding& rounding) {
+  return detail::ranges_by(mechanism, rounding,
+                           [&rounding](const Mechanism<N>& m) { return bounds::detail::newton_euler(m, rounding); });
+}
+
+}  // namespace axial

@@ -1,0 +1,35 @@
+// Poses in bounds: rows of a rotation are vectors in a link's frame, positions in the world are known by their norms.
+#pragma once
+
+#include <axial/fixed/bounds/vector.hpp>
+#include <axial/spatial/pose.hpp>
+
+namespace axial::bounds {
+
+/// A rotation by its rows.
+using Rotation = Mat3<BoundedVector, BoundedVector, BoundedVector>;
+/// A pose in the world.
+using BoundedPose = Pose<Rotation, BoundedVector>;
+
+namespace detail {
+// A direction in the world of which each component is one of three rows' components, each off by `error` at most.
+constexpr BoundedVector direction(const Rotation& r, double x, double y, double z) {
+  const Ball any{1.0, hypotenuse(hypotenuse(x, y), z)};
+  const bool literal = r.x.is_literal && r.y.is_literal && r.z.is_literal;
+  return {{any, any, any}, r.x.exponent, literal, r.x.rounding};
+}
+constexpr BoundedVector anywhere(const Ball& norm, int exponent, const Rounding* rounding) {
+  return {{norm, norm, norm}, exponent, false, rounding};
+}
+}  // namespace detail
+
+/// A constant pose of the model: directions and a point that are literals.
+constexpr BoundedPose constant_pose(double offset, const Rounding& r) {
+  const SplitBall unit{{1.0, 0.0}, {1.0, 0.0}, {1.0, 0.0}};
+  const BoundedVector row{unit, r.bits - 2, true, &r};
+  BoundedVector position = detail::anywhere({offset, 0.0}, 0, &r);
+  position.is_literal = true;
+  return {{row, row, row}, position};
+}
+
+}  // namespace axial::bounds

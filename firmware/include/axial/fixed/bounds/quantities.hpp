@@ -1,0 +1,57 @@
+// Where a quantity of a link stands: among its formats and among its ranges.
+#pragma once
+
+#include <axial/fixed/bounds/mechanism.hpp>
+
+namespace axial::bounds {
+
+/// The largest size of each quantity of a link, in the order of `all_formats`; negative until one is noted.
+class LinkSizes {
+ public:
+  static constexpr int count = static_cast<int>(sizeof(all_formats) / sizeof(all_formats[0]));  ///< quantities
+
+  constexpr LinkSizes() {
+    for (double& size : of)
+      size = -1.0;
+  }
+  double of[count]{};  ///< SI
+};
+
+/// The members of LinkFormat and LinkRange that hold a quantity.
+struct Place {
+  int LinkFormat::*format;  ///< its exponent
+  Ball LinkRange::*range;   ///< its bound
+
+  /// Its place among the sizes.
+  constexpr int index() const {
+    int k = 0;
+    while (all_formats[k] != format)
+      ++k;
+    return k;
+  }
+};
+
+/// Where each quantity stands.
+///@{
+constexpr Place place_of(quantity::AngularVelocity) {
+  return {&LinkFormat::angular_velocity, &LinkRange::angular_velocity};
+}
+constexpr Place place_of(quantity::AngularAcceleration) {
+  return {&LinkFormat::angular_acceleration, &LinkRange::angular_acceleration};
+}
+constexpr Place place_of(quantity::LinearAcceleration) {
+  return {&LinkFormat::linear_acceleration, &LinkRange::linear_acceleration};
+}
+constexpr Place place_of(quantity::Moment) { return {&LinkFormat::moment, &LinkRange::moment}; }
+constexpr Place place_of(quantity::Force) { return {&LinkFormat::force, &LinkRange::force}; }
+constexpr Place place_of(quantity::RotationalInertia) {
+  return {&LinkFormat::rotational_inertia, &LinkRange::rotational_inertia};
+}
+constexpr Place place_of(quantity::FirstMoment) { return {&LinkFormat::first_moment, &LinkRange::first_moment}; }
+constexpr Place place_of(quantity::Mass) { return {&LinkFormat::mass, &LinkRange::mass}; }
+constexpr Place place_of(quantity::JointInertia) { return {&LinkFormat::joint_inertia, &LinkRange::joint_inertia}; }
+constexpr Place place_of(quantity::JointEffort) { return {&LinkFormat::joint_effort, &LinkRange::joint_effort}; }
+constexpr Place place_of(quantity::Length) { return {&LinkFormat::length, &LinkRange::length}; }
+///@}
+
+}  // namespace axial::bounds
