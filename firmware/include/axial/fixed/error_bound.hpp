@@ -120,10 +120,10 @@ template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Jacobian) {
   using Scene = scene_of<S>;
   static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
-  const auto all = bounds::jacobian_bounds(
-      mechanism_of<Scene, detail::with_rotors<Scene, parameters_of<Scene, FullParameters>>>,
-      rounding_in<Scene, detail::ArithmeticOf<Scene, typename T::Word>>(),
-      detail::ranges_for<Scene, typename T::Word, FullParameters, recursion::Kinematics>);
+  const auto all =
+      bounds::jacobian_bounds(mechanism_of<Scene, detail::with_rotors<Scene, parameters_of<Scene, FullParameters>>>,
+                              rounding_in<Scene, detail::ArithmeticOf<Scene, typename T::Word>>(),
+                              detail::ranges_for<Scene, typename T::Word, FullParameters, recursion::Kinematics>);
   return detail::bounds_of(all.columns, [](const auto& column) { return column.linear.bound.whole.error; });
 }
 /// Of accelerations, rad/s^2 or m/s^2.

@@ -1,8 +1,7 @@
 // Joint values in bounds, and the scene that a robot's loads make: what every kernel's run starts from.
 #pragma once
 
-#include <axial/dynamics/passes.hpp>
-#include <axial/fixed/bounds/link.hpp>
+#include <axial/fixed/bounds/links.hpp>
 
 namespace axial::bounds {
 

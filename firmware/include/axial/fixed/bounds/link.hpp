@@ -1,53 +1,15 @@
-// Links of bounds: what a kernel sees of a robot when it computes how large its quantities get and how exact they are.
+// A link of bounds: what a kernel sees of a robot when it computes how large its quantities get and how exact they are.
 // `sum` is the only place that rounds: it notes what has to fit, or adds the rounding that its terms make.
 #pragma once
 
 #include <axial/dynamics/loads.hpp>
-#include <axial/dynamics/passes.hpp>
+#include <axial/fixed/bounds/account.hpp>
 #include <axial/fixed/bounds/composite.hpp>
 #include <axial/fixed/bounds/loads.hpp>
-#include <axial/fixed/bounds/pose.hpp>
-#include <axial/fixed/bounds/quantities.hpp>
 #include <axial/fixed/bounds/spin.hpp>
-#include <axial/fixed/bounds/shared_formats.hpp>
 #include <axial/links/link_view.hpp>
 
 namespace axial::bounds {
-
-/// What a kernel in bounds finds out: the size that each quantity of each link has to have room for, and how large and
-/// how exact it is at last. Run once to size the formats, and again to add up errors in them.
-template <int N>
-struct Account {
-  const Mechanism<N>& mechanism;  ///< the robot
-  const Rounding& rounding;       ///< of the arithmetic
-  bool sizing = true;             ///< whether formats are still to be found
-  bool quiet = false;             ///< whether sizes are left unnoted, for another way bounds them better
-  Ranges<N> ranges{};             ///< what is known by now
-  LinkSizes widest[N] = {};       ///< of each link
-
-  /// Formats from the sizes that were noted.
-  constexpr void choose_formats() {
-    for (int i = 0; i < N; ++i)
-      for (int k = 0; k < LinkSizes::count; ++k)
-        if (widest[i].of[k] >= 0.0)
-          ranges.format[i].*all_formats[k] = mechanism.format(rounding, all_formats[k], widest[i].of[k]);
-    for (int i = 0; i < N && !mechanism.steps.shared; ++i)
-      if (mechanism.joints[i].effort_format != JointRange::unknown)
-        ranges.format[i].joint_effort = mechanism.joints[i].effort_format;
-    sizing = false;
-  }
-};
-
-/// What is named by a scene of bounds: everything that costs nothing where it is zero, payload and wrench where they
-/// are there.
-template <bool payload, bool wrench>
-struct BoundedScene {
-  /// Whether the kernel sees a feature.
-  template <class Feature>
-  static constexpr bool has = std::is_same_v<Feature, Gravity> || std::is_same_v<Feature, RotorInertia> ||
-                              std::is_same_v<Feature, Friction> || (std::is_same_v<Feature, Payload> && payload) ||
-                              (std::is_same_v<Feature, TipWrench> && wrench);
-};
 
 /// Link `index` of a robot in bounds.
 template <class SceneType, int N>
@@ -55,20 +17,23 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   using Access = axial::detail::LinkAccess<BoundedLink, double>;
 
  public:
-  using Scene = SceneType;                   ///< what the links belong to
-  using Scalar = Number;                     ///< in bounds
-  static constexpr bool unrolled = false;    ///< one type serves all links
-  static constexpr bool branches = true;     ///< the identity where there is no branch
-  static constexpr bool adds_angles = true;  ///< binary angles are exact
-  static constexpr bool ranged = true;       ///< results have formats
-  bool is_last;                              ///< whether it bears payload and tip wrench
+  using Scene = SceneType;                       ///< what the links belong to
+  using Scalar = Number;                         ///< in bounds
+  static constexpr bool unrolled = false;        ///< one type serves all links
+  static constexpr bool branches = true;         ///< the identity where there is no branch
+  static constexpr bool adds_angles = true;      ///< binary angles are exact
+  static constexpr bool ranged = true;           ///< results have formats
+  static constexpr bool has_axial_mass = false;  ///< words know none
+  bool is_last;                                  ///< whether it bears payload and tip wrench
 
   constexpr BoundedLink(Account<N>* account, int index) : is_last(index + 1 == N), account_(account), index_(index) {}
 
   /// A constant of the link: a literal, or a word of its column.
   template <axial::detail::Member<double> M>
   constexpr Number get() const {
-    const auto value = [this](const auto& c) { return is_rotor(M) && !loads().rotors ? 0.0 : c.*M; };
+    const auto value = [this](const auto& c) {
+      return M == &LinkConstants<double>::rotor && !loads().rotors ? 0.0 : c.*M;
+    };
     return constant(M, value);
   }
   /// A constant of its branch, likewise.
@@ -244,10 +209,6 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     double& widest = account_->widest[index_].of[place.index()];
     if (size > widest) widest = size;
   }
-  static constexpr bool is_rotor(axial::detail::Member<double> member) {
-    return member == &LinkConstants<double>::rotor;
-  }
-
   // A table holds words, but where all its links have the same 0, 1 or -1.
   template <class Member, class Value>
   constexpr Number constant(Member member, const Value& value) const {
@@ -284,63 +245,6 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     note(quantity, bound);
     return word_of(bound, to);
   }
-};
-
-/// A motion in bounds.
-using BoundedMotion = MotionVector<BoundedVector, BoundedVector>;
-
-/// The links of a robot in bounds.
-template <class SceneType, int N>
-class BoundedLinks {
- public:
-  using Scene = SceneType;                 ///< what the links belong to
-  using Scalar = Number;                   ///< in bounds
-  using Dense = Number;                    ///< what passes keep
-  static constexpr bool unrolled = false;  ///< a loop walks over them
-  static constexpr int capacity = N;       ///< number of links
-
-  constexpr explicit BoundedLinks(Account<N>& account) : account_(&account) {}
-  static constexpr int size() { return N; }      ///< number of links
-  static constexpr int last() { return N - 1; }  ///< index of the last link
-  /// Link i as kernels see it.
-  constexpr auto link(int i) const { return BoundedLink<Scene, N>(account_, i); }
-  /// Index of the link that carries joint i, negative for the base.
-  constexpr int parent_index(int i) const { return account_->mechanism.parent(i); }
-  /// Results are bounds: efforts and momenta as their links rounded them.
-  template <class Values>
-  static constexpr void write(Values& values, int i, const Number& x) {
-    values[i] = x;
-  }
-  /// Differences wait for who knows their exponent.
-  static constexpr void write_difference(Row<NumberSum, N>& values, int i, const NumberSum& x, const Number& y) {
-    values[i] = x + y;
-  }
-  /// A column of the Jacobian as it is stored: an arm's motion is a length.
-  ///@{
-  constexpr BoundedMotion stored(const MotionVector<BoundedVector, VectorSum>& column) const {
-    return {column.angular, link(0).sum(quantity::Length{}, column.linear)};
-  }
-  static constexpr BoundedMotion stored(const MotionVector<ZeroVec3, BoundedVector>& column) {
-    return {{}, column.linear};
-  }
-  ///@}
-  /// Frame 0 in the world.
-  constexpr auto base_pose() const { return constant_pose(account_->mechanism.loads.base_offset, account_->rounding); }
-  /// Acceleration of the base that stands for gravity: constants of the model, in a table words.
-  constexpr BoundedVector base_acceleration() const {
-    const LoadRange& l = account_->mechanism.loads;
-    const bool words = account_->mechanism.steps.shared;
-    const int exponent = account_->mechanism.base_format().linear_acceleration;
-    BoundedVector g{detail::split({l.gravity_across, 0.0}, {l.gravity_along, 0.0}), exponent, !words,
-                    &account_->rounding};
-    const double step = words && !account_->sizing ? 0.5 * Rounding::ulp(exponent) : 0.0;
-    g.bound = detail::with_rounding(g.bound, l.gravity_across > 0.0 ? detail::root2 * step : 0.0,
-                                    l.gravity_along > 0.0 ? step : 0.0);
-    return g;
-  }
-
- private:
-  Account<N>* account_;
 };
 
 }  // namespace axial::bounds

@@ -1,0 +1,44 @@
+// What a kernel run on bounds finds out, and the scene that it sees.
+#pragma once
+
+#include <axial/fixed/bounds/quantities.hpp>
+#include <axial/fixed/bounds/shared_formats.hpp>
+
+namespace axial::bounds {
+
+/// What a kernel in bounds finds out: the size that each quantity of each link has to have room for, and how large and
+/// how exact it is at last. Run once to size the formats, and again to add up errors in them.
+template <int N>
+struct Account {
+  const Mechanism<N>& mechanism;  ///< the robot
+  const Rounding& rounding;       ///< of the arithmetic
+  bool sizing = true;             ///< whether formats are still to be found
+  bool quiet = false;             ///< whether sizes are left unnoted, for another way bounds them better
+  Ranges<N> ranges{};             ///< what is known by now
+  LinkSizes widest[N] = {};       ///< of each link
+
+  /// Formats from the sizes that were noted.
+  constexpr void choose_formats() {
+    for (int i = 0; i < N; ++i)
+      for (int k = 0; k < LinkSizes::count; ++k)
+        if (widest[i].of[k] >= 0.0)
+          ranges.format[i].*all_formats[k] = mechanism.format(rounding, all_formats[k], widest[i].of[k]);
+    for (int i = 0; i < N && !mechanism.steps.shared; ++i)
+      if (mechanism.joints[i].effort_format != JointRange::unknown)
+        ranges.format[i].joint_effort = mechanism.joints[i].effort_format;
+    sizing = false;
+  }
+};
+
+/// What is named by a scene of bounds: everything that costs nothing where it is zero, payload and wrench where they
+/// are there.
+template <bool payload, bool wrench>
+struct BoundedScene {
+  /// Whether the kernel sees a feature.
+  template <class Feature>
+  static constexpr bool has = std::is_same_v<Feature, Gravity> || std::is_same_v<Feature, RotorInertia> ||
+                              std::is_same_v<Feature, Friction> || (std::is_same_v<Feature, Payload> && payload) ||
+                              (std::is_same_v<Feature, TipWrench> && wrench);
+};
+
+}  // namespace axial::bounds

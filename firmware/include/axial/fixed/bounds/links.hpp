@@ -1,0 +1,67 @@
+// The links of a robot in bounds, as kernels walk over them.
+#pragma once
+
+#include <axial/dynamics/passes.hpp>
+#include <axial/fixed/bounds/link.hpp>
+#include <axial/fixed/bounds/pose.hpp>
+
+namespace axial::bounds {
+
+/// A motion in bounds.
+using BoundedMotion = MotionVector<BoundedVector, BoundedVector>;
+
+/// The links of a robot in bounds.
+template <class SceneType, int N>
+class BoundedLinks {
+ public:
+  using Scene = SceneType;                 ///< what the links belong to
+  using Scalar = Number;                   ///< in bounds
+  using Dense = Number;                    ///< what passes keep
+  static constexpr bool unrolled = false;  ///< a loop walks over them
+  static constexpr int capacity = N;       ///< number of links
+
+  constexpr explicit BoundedLinks(Account<N>& account) : account_(&account) {}
+  static constexpr int size() { return N; }      ///< number of links
+  static constexpr int last() { return N - 1; }  ///< index of the last link
+  /// Link i as kernels see it.
+  constexpr auto link(int i) const { return BoundedLink<Scene, N>(account_, i); }
+  /// Index of the link that carries joint i, negative for the base.
+  constexpr int parent_index(int i) const { return account_->mechanism.parent(i); }
+  /// Results are bounds: efforts and momenta as their links rounded them.
+  template <class Values>
+  static constexpr void write(Values& values, int i, const Number& x) {
+    values[i] = x;
+  }
+  /// Differences wait for who knows their exponent.
+  static constexpr void write_difference(Row<NumberSum, N>& values, int i, const NumberSum& x, const Number& y) {
+    values[i] = x + y;
+  }
+  /// A column of the Jacobian as it is stored: an arm's motion is a length.
+  ///@{
+  constexpr BoundedMotion stored(const MotionVector<BoundedVector, VectorSum>& column) const {
+    return {column.angular, link(0).sum(quantity::Length{}, column.linear)};
+  }
+  static constexpr BoundedMotion stored(const MotionVector<ZeroVec3, BoundedVector>& column) {
+    return {{}, column.linear};
+  }
+  ///@}
+  /// Frame 0 in the world.
+  constexpr auto base_pose() const { return constant_pose(account_->mechanism.loads.base_offset, account_->rounding); }
+  /// Acceleration of the base that stands for gravity: constants of the model, in a table words.
+  constexpr BoundedVector base_acceleration() const {
+    const LoadRange& l = account_->mechanism.loads;
+    const bool words = account_->mechanism.steps.shared;
+    const int exponent = account_->mechanism.base_format().linear_acceleration;
+    BoundedVector g{detail::split({l.gravity_across, 0.0}, {l.gravity_along, 0.0}), exponent, !words,
+                    &account_->rounding};
+    const double step = words && !account_->sizing ? 0.5 * Rounding::ulp(exponent) : 0.0;
+    g.bound = detail::with_rounding(g.bound, l.gravity_across > 0.0 ? detail::root2 * step : 0.0,
+                                    l.gravity_along > 0.0 ? step : 0.0);
+    return g;
+  }
+
+ private:
+  Account<N>* account_;
+};
+
+}  // namespace axial::bounds
