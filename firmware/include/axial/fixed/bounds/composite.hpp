@@ -24,6 +24,7 @@ struct CompositeBody {
 /// Two bodies of one link: words of one exponent.
 constexpr CompositeBody operator+(const CompositeBody& a, const CompositeBody& b) {
   const auto both = [](Number x, const Number& y) {
+    if (x.is_literal) x.exponent = y.exponent;
     x.bound = x.bound + y.bound, x.constant += y.constant, x.is_literal = x.is_literal && y.is_literal;
     return x;
   };

@@ -163,7 +163,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     const double step = account_->sizing ? 0.0 : rounding().move(body.inertia.exponent, to);
     inertia.error += 3.0 * step, axis.error += step;
     note(RotationalInertia{}, inertia);
-    return {body.mass, sum(FirstMoment{}, body.first_moment), word_of(inertia, to), axis};
+    return {whole_mass(body.mass), sum(FirstMoment{}, body.first_moment), word_of(inertia, to), axis};
   }
   /// A force less another.
   template <class F, class G>
@@ -190,7 +190,6 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   /// The looped form keeps forces in the format of forces, whatever column of an inertia they come from.
   constexpr ForceVector<BoundedVector, BoundedVector> shape(
       const ForceVector<BoundedVector, BoundedVector>& force) const {
-    note(quantity::Moment{}, force.moment.bound.whole), note(quantity::Force{}, force.force.bound.whole);
     if (!shared()) return force;
     return {sum(quantity::Moment{}, force.moment), sum(quantity::Force{}, force.force)};
   }
@@ -209,6 +208,14 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     double& widest = account_->widest[index_].of[place.index()];
     if (size > widest) widest = size;
   }
+  // The mass stays a literal; with a payload it is the sum of one and a word.
+  constexpr Number whole_mass(const Number& mass) const {
+    if (mass.is_literal) return mass;
+    NumberSum whole = term_of(mass);
+    whole.terms.add_literal();
+    return rounded(quantity::Mass{}, whole);
+  }
+
   // A table holds words, but where all its links have the same 0, 1 or -1.
   template <class Member, class Value>
   constexpr Number constant(Member member, const Value& value) const {

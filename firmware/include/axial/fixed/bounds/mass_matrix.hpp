@@ -36,6 +36,24 @@ constexpr void rows_with_loads(Account<N>& account, Rows& all) {
   with_loads(account.mechanism.loads, [&](auto scene) { rows<decltype(scene)>(account, all); });
 }
 
+// The looped form keeps a joint's unit force, a column of its composite body, in the formats of forces.
+template <int N>
+constexpr void note_unit_forces(Account<N>& account) {
+  const auto widen = [](double& widest, double size) { widest = size > widest ? size : widest; };
+  const Mechanism<N>& m = account.mechanism;
+  double carried[N] = {};
+  for (int i = N; i-- > 0;) {
+    carried[i] += magnitude(m.links[i].mass) + (i + 1 == N ? m.loads.payload_mass : 0.0);
+    if (m.parent(i) >= 0) carried[m.parent(i)] += carried[i];
+    const LinkRange& own = account.ranges.range[i];
+    const bool slides = m.links[i].prismatic;
+    LinkSizes& widest = account.widest[i];
+    widen(widest.of[place_of(quantity::Moment{}).index()], (slides ? own.first_moment : own.rotational_inertia).size);
+    widen(widest.of[place_of(quantity::Force{}).index()], slides ? carried[i] : own.first_moment.size);
+    widen(widest.of[place_of(quantity::JointInertia{}).index()], slides ? carried[i] : 0.0);
+  }
+}
+
 template <int N>
 constexpr Ranges<N> composite_bodies(const Mechanism<N>& m, const Rounding& r) {
   Account<N> account{m, r};
@@ -43,6 +61,7 @@ constexpr Ranges<N> composite_bodies(const Mechanism<N>& m, const Rounding& r) {
   const auto none = [](int, int) { return 0; };
   MatrixRows<N, decltype(none)> ignored{r, none};
   rows_with_loads(account, ignored);
+  note_unit_forces(account);
   account.choose_formats();
   rows_with_loads(account, ignored);
   return account.ranges;
