@@ -28,6 +28,15 @@ struct Account {
         ranges.format[i].joint_effort = mechanism.joints[i].effort_format;
     sizing = false;
   }
+  /// Whether all links of a table have the same 0, 1 or -1, which is then a type.
+  template <class Value>
+  constexpr bool is_common(const Value& value) const {
+    const double first = value(mechanism.links[0]);
+    bool common = first == 0.0 || first == 1.0 || first == -1.0;
+    for (const auto& link : mechanism.links)
+      common = common && value(link) == first;
+    return common;
+  }
 };
 
 /// What is named by a scene of bounds: everything that costs nothing where it is zero, payload and wrench where they

@@ -122,7 +122,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   constexpr void while_quiet(const F& f) const {
     account_->quiet = true, f(), account_->quiet = false;
   }
-  /// Two bodies as one: of an entry that is a literal and a word, the literal's rounding.
+  /// Two bodies as one: where an entry is a literal and a word, the literal is rounded.
   constexpr Body together(const Body& own, const Body& load) const {
     using namespace quantity;
     const auto whole = [&](auto q, const Number& a, const Number& b) {
@@ -220,20 +220,12 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   template <class Member, class Value>
   constexpr Number constant(Member member, const Value& value) const {
     const double own = value(constants());
-    if (!shared() || is_common(value, own)) return literal_of(own);
+    if (!shared() || account_->is_common(value)) return literal_of(own);
     const auto columns = axial::detail::column_exponents(mechanism(), rounding(), mechanism().steps.format);
     const int exponent = columns.of(member);
     const bool rounds = own < 0.0 || own > 0.0;
     return {{magnitude(own), rounds ? 0.5 * Rounding::ulp(exponent) : 0.0}, own, exponent, false};
   }
-  template <class Value>
-  constexpr bool is_common(const Value& value, double own) const {
-    bool common = own == 0.0 || own == 1.0 || own == -1.0;
-    for (const auto& link : mechanism().links)
-      common = common && value(link) == own;
-    return common;
-  }
-
   template <class Quantity>
   constexpr BoundedVector rounded(Quantity quantity, const VectorSum& sum) const {
     const int to = exponent(quantity);
