@@ -164,6 +164,71 @@ TYPED_TEST(Sums, OfALiteralWhoseOwnRoundingCounts) {
                       }),
               0.2);
 }
+// A constant that a word of its own holds 0.45 of a unit short, whatever the sum's exponent.
+template <class S>
+constexpr double awkward = (detail::power_of_two(S::bits - 2) + 12345.45) * detail::power_of_two(-S::bits - 10);
+template <class S>
+using Awkward = Literal<detail::bits_of(awkward<S>), S>;
+TYPED_TEST(Sums, OfALiteralThatItsWordHoldsShort) {
+  using S = TypeParam;
+  constexpr int f = 1, e = f + 10;
+  bounds::Terms terms;
+  terms.add_scaled(awkward<S>, f, reach<f, S>(0));
+  const auto draw = [](std::mt19937_64& random) {
+    const auto raw = static_cast<Word<S>>(S::capacity - static_cast<double>(random() % 400));  // near the end of words
+    const Fx<f, S> a{random() % 2 == 0 ? raw : static_cast<Word<S>>(-raw)};
+    return Drawn{value(round_to<e>(Awkward<S>{} * a)), static_cast<long double>(awkward<S>) * value(a)};
+  };
+  expect_near(nearest(terms.rounding(e, rounding<S>), draw), 0.9);
+}
+TYPED_TEST(Sums, OfProductsOfOneExponent) {
+  using S = TypeParam;
+  constexpr int unit = S::bits - 2, e = S::bits / 2;
+  bounds::Terms terms;
+  terms.add_product(unit + e), terms.add_product(unit + e);
+  expect_near(nearest(terms.rounding(e, rounding<S>),
+                      [](std::mt19937_64& random) {
+                        const auto a = word<unit, S>(random, 2), c = word<unit, S>(random, 2);
+                        const auto b = word<e, S>(random, 2), d = word<e, S>(random, 2);
+                        return Drawn{value(round_to<e>(a * b + c * d)), value(a) * value(b) + value(c) * value(d)};
+                      }),
+              0.9);
+}
+// Products and words meet at the coarsest product's exponent, which may be coarser than the result's.
+TYPED_TEST(Sums, OfFineTermsBesideACoarseProduct) {
+  using S = TypeParam;
+  if (S::high_word) return;
+  constexpr int half = S::bits / 2;
+  bounds::Terms products, words;
+  products.add_product(3), products.add_product(12);
+  words.add_product(3), words.add_word(9);
+  expect_near(nearest(products.rounding(6, rounding<S>),
+                      [](std::mt19937_64& random) {
+                        const auto a = word<1, S>(random, half + 3), b = word<2, S>(random, half + 3);
+                        const auto c = word<6, S>(random, half), d = word<6, S>(random, half);
+                        return Drawn{value(round_to<6>(a * b + c * d)), value(a) * value(b) + value(c) * value(d)};
+                      }),
+              0.45);
+  expect_near(nearest(words.rounding(6, rounding<S>),
+                      [](std::mt19937_64& random) {
+                        const auto a = word<1, S>(random, half + 3), b = word<2, S>(random, half + 3);
+                        const auto c = word<9, S>(random, 2);
+                        return Drawn{value(round_to<6>(a * b + c)), value(a) * value(b) + value(c)};
+                      }),
+              0.9);
+}
+// However its terms come together, a sum rounds the same.
+TYPED_TEST(Sums, RoundWhatTheirHalvesHave) {
+  bounds::Terms whole, first, second;
+  const auto fill = [](bounds::Terms& terms, int k) {
+    terms.add_word(9 + k), terms.add_literal(), terms.add_product(40 - k),
+        terms.add_scaled(third / (1.0 + 7.0 * k), 6 + k, 3.0 + k);
+  };
+  fill(whole, 0), fill(whole, 3), fill(first, 0), fill(second, 3);
+  first.add(second);
+  for (const int exponent : {2, 8, 14, 20, 30})
+    EXPECT_EQ(first.rounding(exponent, rounding<TypeParam>), whole.rounding(exponent, rounding<TypeParam>));
+}
 TYPED_TEST(Sums, ThatVanishRoundNothing) {
   const bounds::Number zero = bounds::word_of({0.0, 0.0}, 9);
   bounds::Terms terms;
