@@ -17,7 +17,7 @@ AXIAL_INLINE constexpr Status solve(const Input& in, const Q& q, const V& qd, co
     return crba::run_solve(links_of<Scene, T, BaseParameters>(), in, q, qd, tau, qdd);
   else if constexpr (route == Route::split_articulated_body)
     return aba::run_split(links_of<Scene, T, FullParameters, recursion::ArticulatedBodiesAtRest>(),
-                          links_of<Scene, T, BaseParameters>(), in, q, qd, tau, qdd);
+                          links_of<Scene, T, BaseParameters, recursion::MotionEfforts>(), in, q, qd, tau, qdd);
   else
     return aba::run(links_of<Scene, T, FullParameters, recursion::ArticulatedBodies>(), in, q, qd, tau, qdd);
 }

@@ -6,6 +6,7 @@ namespace axial {
 /// Which recursion walks over links: a number system with formats has others for each.
 namespace recursion {
 struct NewtonEuler {};              ///< inverse dynamics
+struct MotionEfforts {};            ///< the same where efforts are told from those that drive a motion
 struct CompositeBodies {};          ///< the mass matrix
 struct ArticulatedBodies {};        ///< the classical form
 struct ArticulatedBodiesAtRest {};  ///< of the split form

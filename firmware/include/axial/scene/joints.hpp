@@ -33,6 +33,7 @@ struct Position {};          ///< rad or m
 struct Velocity {};          ///< rad/s or m/s
 struct Acceleration {};      ///< rad/s^2 or m/s^2
 struct Effort {};            ///< N m or N
+struct MotionEffort {};      ///< what a motion inside the limits needs, whatever efforts are declared: N m or N
 struct FreeAcceleration {};  ///< what forward dynamics answers: bounded by efforts, not by a request's limits
 struct Momentum {};          ///< N m s or N s
 struct MomentumRate {};      ///< N m or N

@@ -93,3 +93,33 @@ TEST(Difference, OfTheLargestWordsDoesNotWrap) {
   EXPECT_EQ(detail::difference(most, least), 0xFFFFFFFFLL);
   EXPECT_EQ(detail::difference(least, most), -0xFFFFFFFFLL);
 }
+
+// A bias may be finer than the effort that it is taken from: exact in its units, to one unit in those of the effort.
+TEST(Difference, TakesAFinerBias) {
+  const Fx<20, S> tau{INT32_MAX};
+  const Fx<24, S> bias{INT32_MIN};
+  EXPECT_EQ(detail::exact_difference(tau, bias), (std::int64_t{INT32_MAX} << 4) - INT32_MIN);
+  EXPECT_EQ(detail::difference(tau, bias), std::int64_t{INT32_MAX} - (INT32_MIN >> 4));
+}
+
+TEST(Divided, LeavesRoomForADifferenceOfFinerWords) {
+  constexpr int finer = 24, doublings = 30;
+  constexpr int most = detail::magnification_limit<doublings>(10, finer);
+  static_assert(most == 16, "bits behind 33 and the finer ones, and those on the way down");
+  constexpr std::int64_t small = 0x12345, large = std::int64_t{1} << (16 + finer);
+  EXPECT_EQ((detail::divided<14, 24, S, finer, doublings>(small, -most).raw), small << (most - 10));
+  EXPECT_EQ((detail::divided<14, 24, S, finer, doublings>(-large, 0).raw), -(large >> 10));
+}
+
+TEST(Headroom, IsKeptWhileABitIsSpared) {
+  for (const std::int32_t word : {(1 << 30) - 1, -(1 << 30)}) {
+    Headroom room(0);
+    room(X{word});
+    EXPECT_TRUE(room.kept()) << word;
+  }
+  for (const std::int32_t word : {1 << 30, -(1 << 30) - 1}) {
+    Headroom room(0);
+    room(X{word});
+    EXPECT_FALSE(room.kept()) << word;
+  }
+}

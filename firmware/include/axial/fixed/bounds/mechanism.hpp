@@ -34,6 +34,7 @@ struct LinkRange {
   Ball joint_inertia{}, angular_gain{}, linear_gain{}, joint_effort{}, joint_acceleration{}, length{}, rotation{};
   ///@}
   bool turns_across = false;  ///< whether the link turns about more than its joint's axis
+  double least = 0.0;         ///< inertia that its joint feels, at least; below it has a status, kg m^2 or kg
   double drive = 0.0;         ///< effort that drives a joint besides the bias, at most
   double share = 0.0;         ///< of a joint in qdd^T M qdd, at most
 };
@@ -91,6 +92,7 @@ template <int N>
 struct Ranges {
   LinkRange range[N] = {};    ///< of the quantities of each link
   LinkFormat format[N] = {};  ///< of the same quantities
+  int halvings = 0;           ///< of a drive that is solved for first, where formats are those of the declared motion
 };
 
 /// What one step for all links makes of a robot: one format a quantity, constants in columns of one exponent each.

@@ -28,16 +28,36 @@ AXIAL_INLINE constexpr int halvings(std::int64_t x, std::integer_sequence<int, K
   return (0 + ... + static_cast<int>(half_of<limit, K> < size));
 }
 
-template <int E, class S>
-AXIAL_INLINE constexpr std::int64_t difference(const Fx<E, S>& a, const Fx<E, S>& b) {
-  return std::int64_t{a.raw} - std::int64_t{b.raw};
+/// tau - bias in units of tau's word, |result| < 2^32; the bias may be finer.
+template <int E, int F, class S>
+AXIAL_INLINE constexpr std::int64_t difference(const Fx<E, S>& tau, const Fx<F, S>& bias) {
+  return std::int64_t{tau.raw} - (bias.raw >> (F - E));
+}
+/// The same in units of the bias, exact.
+template <int E, int F, class S>
+AXIAL_INLINE constexpr std::int64_t exact_difference(const Fx<E, S>& tau, const Fx<F, S>& bias) {
+  static_assert(F - E < 31);
+  return integer::multiply(static_cast<std::int32_t>(tau.raw), std::int32_t{1} << (F - E)) - bias.raw;
 }
 
-/// x / 2^shift from exponent E at exponent F; shift from -most_doublings to most_halvings.
-template <int F, int E, class S>
+/// Left shift that leaves every shift of `divided` one to the right, as far as 33 bits and `finer` leave room for it.
+constexpr int room_of(int doublings, int down, int finer) {
+  const int wanted = doublings - down;
+  return wanted < 0 ? 0 : smaller(wanted, 30 - finer);
+}
+/// Of so many doublings, those that `divided` has bits for on the way from an exponent to one that is lower by `down`.
+template <int doublings>
+constexpr int magnification_limit(int down, int finer) {
+  return smaller(down + room_of(doublings, down, finer), doublings);
+}
+/// x / 2^shift from exponent E at exponent F, |x| < 2^(33 + finer); shift from
+/// -magnification_limit<doublings>(E - F, finer) to most_halvings.
+template <int F, int E, class S, int finer = 0, int doublings = most_doublings>
 AXIAL_INLINE constexpr Fx<F, S> divided(std::int64_t x, int shift) {
-  constexpr int room = 24;  // 33 bits and these are still a double word
-  static_assert(E - F + room >= most_doublings && E - F + room + most_halvings < 63);
+  constexpr int room = room_of(doublings, E - F, finer);
+  static_assert(
+      E - F + room + most_halvings < 63,
+      "axial: declared efforts and what forward dynamics makes of them differ by more than fixed point can hold");
   return {static_cast<typename S::Word>(shifted_by(x * (std::int64_t{1} << room), shift + (E - F + room)))};
 }
 
@@ -67,13 +87,22 @@ AXIAL_INLINE constexpr int halvings_of(const Links& links, const Tau& tau, const
   return shift;
 }
 
-/// (tau - bias) / 2^shift of all joints, in the formats of the links.
+/// Doublings of a drive that is halved Links::halvings() times at first: back to itself, and more where it is small.
+template <class Links>
+constexpr int doublings_of() {
+  return Links::halvings() > 0 ? detail::smaller(Links::halvings() + 8, 40) : detail::most_doublings;
+}
+
+/// (tau - bias) / 2^shift of all joints, in the formats of the links for a drive that is halved `Links::halvings()`
+/// times.
 template <class Links, class Tau, class Bias>
 AXIAL_INLINE constexpr auto drive_over(const Links& links, const Tau& tau, const Bias& bias, int shift) {
   return map_links(links, [&](auto i) AXIAL_INLINE {
-    using From = decltype(tau[i]);
-    constexpr int to = decltype(links.link(i))::format.joint_effort;
-    return detail::divided<to, From::exponent, typename Links::Scalar>(detail::difference(tau[i], bias[i]), shift);
+    using Fine = decltype(bias[i]);
+    using S = typename Links::Scalar;
+    constexpr int to = decltype(links.link(i))::format.joint_effort, from = Fine::exponent + Links::halvings();
+    constexpr int finer = Fine::exponent - decltype(tau[i])::exponent;
+    return detail::divided<to, from, S, finer, doublings_of<Links>()>(detail::exact_difference(tau[i], bias[i]), shift);
   });
 }
 
@@ -92,6 +121,8 @@ class Headroom {
   AXIAL_INLINE constexpr void operator()(const V&... vectors) {
     (see(vectors), ...);
   }
+  /// Whether every component has a bit to spare: what would not fit its format is seen by that.
+  AXIAL_INLINE constexpr bool kept() const { return seen_ >> 30 == 0; }
   /// Bits that every component has left, but for those that turns and the rounding of the first solve may take.
   AXIAL_INLINE constexpr int magnification() const {
     constexpr int spare = 4;  // the sign; a component from a norm; sums on the way; rounding

@@ -12,4 +12,17 @@ AXIAL_INLINE constexpr auto resistance(const Fx<E, S>& d, const Scale&) {
   return Resistance{inverse_of(d), std::false_type{}, std::true_type{}};
 }
 
+/// Of a link's joint: formats may be made for a usual resistance rather than the least. Of what a joint feels less it
+/// has a status.
+template <class Link, int E, class S, class Scale>
+AXIAL_INLINE constexpr auto resistance_at(const Link& link, const Fx<E, S>& d, const Scale& scale) {
+  if constexpr (Link::usually_resisted) {
+    bool lost = false;
+    const auto inverse = inverse_of(link.resisting(lost, d));
+    return Resistance{inverse, lost, std::true_type{}};
+  } else {
+    return resistance(d, scale);
+  }
+}
+
 }  // namespace axial

@@ -1,4 +1,5 @@
-// The split form's answer in fixed point: words of proved ranges, solved once more where they have bits to spare.
+// The split form's answer in fixed point: in formats that hold whatever efforts can do, or where those lose too much in
+// the declared motion, of a drive that is magnified as far as it leaves room.
 #pragma once
 
 #include <axial/dynamics/split_form.hpp>
@@ -19,7 +20,9 @@ template <class Links, class Screws, class Structure, class Tau, class Bias>
 AXIAL_INLINE constexpr Solved<Links> solved(const Links& links, const Screws& screws, const Structure& structure,
                                             const Tau& tau, const Bias& bias, int halvings, Headroom& room) {
   Solved<Links> result;
-  result.lost = respond(links, screws, structure, drive_over(links, tau, bias, halvings), room,
+  const auto drive = drive_over(links, tau, bias, halvings);
+  if constexpr (Links::halvings() > 0) for_each_link(links, [&](auto i) AXIAL_INLINE { room(drive[i]); });
+  result.lost = respond(links, screws, structure, drive, room,
                         [&](auto i, const auto& own) AXIAL_INLINE { result.raw[i] = own.raw; });
   return result;
 }
@@ -61,13 +64,73 @@ AXIAL_INLINE constexpr Status answer_in_ranges(const Links& links, const Screws&
   return status_of<Links>(lost, halvings > 0);
 }
 
+AXIAL_INLINE constexpr int least_of(int a, int b) { return select(detail::is_less(a, b), a, b); }
+
+/// Solves of a drive that is halved Links::halvings() times at first: the first of them is right in few bits, so that
+/// each is counted on for twelve doublings.
+template <class Links>
+constexpr int solves_of() {
+  constexpr int bits = 12;
+  return 2 + (Links::halvings() - 1) / bits;
+}
+/// Doublings of the first drive that words have bits for on the way from efforts to the formats of the links.
+template <class Links, class Tau, class Bias, int... I>
+constexpr int most_magnified(std::integer_sequence<int, I...>) {
+  constexpr int wanted = doublings_of<Links>();
+  int most = wanted;
+  ((most =
+        least_of(most, detail::magnification_limit<wanted>(Bias::exponent(I) + Links::halvings() -
+                                                               decltype(Links::link(Index<I>{}))::format.joint_effort,
+                                                           Bias::exponent(I) - Tau::exponent(I)))),
+   ...);
+  return most;
+}
+
+/// In fixed point, in formats for the declared motion: a first solve of the drive halved so often that whatever efforts
+/// do fits; then solves of as much more of it as the one before left room for. One in which a vector comes within a bit
+/// of its format does not count, and leaves a status.
+template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
+AXIAL_INLINE constexpr Status answer_magnified(const Links& links, const Screws& screws, const Structure& structure,
+                                               const Tau& tau, const Bias& bias, A& qdd) {
+  using S = typename Links::Scalar;
+  using Words = Stored<typename S::Word>;
+  constexpr int most =
+      most_magnified<Links, EffortsOf<typename Links::Scene, Words>,
+                     Joints<typename Links::Scene, Words, role::MotionEffort>>(typename Links::Indices{});
+  const int halvings = halvings_of(links, tau, bias);
+  Solved<Links> best;
+  int magnified = 0, more = 0, lost = -1;
+  for (int k = 0; k < solves_of<Links>(); ++k) {  // a loop, so that the code is there once
+    Headroom room(magnified + more);
+    const Solved<Links> next = solved(links, screws, structure, tau, bias, halvings - magnified - more, room);
+    const bool good = room.kept();
+    lost = first_found(first_found(lost, !is_negative(next.lost), next.lost), !good, 0);
+    magnified += select(good, more, 0);
+    for_each_link(links, [&](auto i) AXIAL_INLINE { best.raw[i] = select(good, next.raw[i], best.raw[i]); });
+    more = least_of(select(good, room.magnification(), 0), most - magnified);
+  }
+  for_each_link(links, [&](auto i) AXIAL_INLINE {
+    constexpr int up = A::exponent(i) - decltype(links.link(i))::format.joint_acceleration + Links::halvings();
+    const int shift = up + halvings - magnified;
+    const int held = least_of(select(detail::is_less(shift, -31), -31, shift), 30);
+    bool spilt = false;
+    const auto whole = detail::rescaled_word<S, false>(static_cast<typename S::Word>(best.raw[i]), held);
+    qdd.values[i] = {detail::held_in_word<S>(spilt, whole)};
+    lost = first_found(lost, spilt, static_cast<int>(i));
+  });
+  return status_of<Links>(lost, halvings > 0);
+}
+
 template <class Word, bool nearest, bool high, bool checked>
 struct SplitAnswer<Arithmetic<Word, nearest, high, checked>> {
   /// Writes the accelerations under tau - bias.
   template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
   AXIAL_INLINE static constexpr Status of(const Links& links, const Screws& screws, const Structure& structure,
                                           const Tau& tau, const Bias& bias, A& qdd) {
-    return answer_in_ranges(links, screws, structure, tau, bias, qdd);
+    if constexpr (Links::halvings() > 0)
+      return answer_magnified(links, screws, structure, tau, bias, qdd);
+    else
+      return answer_in_ranges(links, screws, structure, tau, bias, qdd);
   }
 };
 

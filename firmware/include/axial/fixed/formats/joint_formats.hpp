@@ -69,6 +69,8 @@ struct RoleExponent {
   static constexpr const LinkParameters& link(int i) { return robot_of<S>::chain.links[i]; }
   static constexpr int fitting(double size) { return fitting_exponent(size, joint_rounding<Word>.capacity()); }
   static constexpr double motion_effort(int i) { return motion_ranges_of<S, Word>.range[i].joint_effort.size; }
+  /// Accelerations that efforts can give, over the declared ones, at most: what is beyond has a status.
+  static constexpr double largest_excess = 16384.0;
 
   static constexpr int of(role::Position, int i) {
     const double low = magnitude(link(i).position_min), high = magnitude(link(i).position_max);
@@ -80,8 +82,17 @@ struct RoleExponent {
     const double declared = link(i).effort_limit, own = motion_effort(i);
     return joint_rounding<Word>.exponent(is_bounded(declared) && declared > own ? declared : own);
   }
+  /// Where formats are those of the declared motion: as fine as motions allow, up to what a difference of both has bits
+  /// for.
+  static constexpr int of(role::MotionEffort, int i) {
+    constexpr int finest = 24;
+    if (free_ranges_of<S, Word>.halvings == 0) return of(role::Effort{}, i);
+    return smaller(joint_rounding<Word>.exponent(motion_effort(i)), of(role::Effort{}, i) + finest);
+  }
   static constexpr int of(role::FreeAcceleration, int i) {
-    return joint_rounding<Word>.exponent(excess_of<S, Word> * free_ranges_of<S, Word>.range[i].joint_acceleration.size);
+    const double free = excess_of<S, Word> * free_ranges_of<S, Word>.range[i].joint_acceleration.size;
+    const double declared = link(i).acceleration_limit * largest_excess;
+    return joint_rounding<Word>.exponent(free_ranges_of<S, Word>.halvings > 0 && declared < free ? declared : free);
   }
   static constexpr int of(role::Momentum, int i) {
     return joint_rounding<Word>.exponent(momentum_ranges_of<S, Word>.range[i].joint_effort.size);

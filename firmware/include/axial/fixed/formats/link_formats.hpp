@@ -33,6 +33,12 @@ constexpr auto analysed(recursion::NewtonEuler) {
 }
 
 template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::MotionEfforts) {
+  return newton_euler_ranges(loaded_mechanism<Scene, Parameters, typename S::Word, role::MotionEffort>(),
+                             rounding_in<Scene, S>());
+}
+
+template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::CompositeBodies) {
   return composite_body_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
 }
@@ -112,6 +118,14 @@ struct FormatRounding {
     constexpr int exponent = Table::value.format[I].of(Quantity{});
     return saturated<exponent>(lost, lazy_sum(terms...));
   }
+  static constexpr bool usually_resisted = Table::value.halvings > 0;  ///< whether less than `resisting` is possible
+  /// What a joint feels, at least as much as formats are made for; `lost` says that it feels less.
+  template <int E>
+  AXIAL_INLINE static constexpr Fx<E, S> resisting(bool& lost, const Fx<E, S>& d) {
+    constexpr Fx<E, S> least{static_cast<typename S::Word>(Table::value.range[I].least * power_of_two(E))};
+    lost = d < least;
+    return select(lost, least, d);
+  }
   /// Drive u of a joint, 0 where its share u^2 / D of qdd^T M qdd is beyond what the formats are made for.
   /// `magnified` says how often u is doubled.
   template <int E, int F, class M>
@@ -169,7 +183,8 @@ struct FormatRounding {
   // u^2 <= D share: the share at the exponent that u^2 has beyond D's, less some bits.
   template <int E, int F, int less>
   AXIAL_INLINE static constexpr std::int32_t share() {
-    constexpr double raw = Table::value.range[I].share * power_of_two(2 * F - E - less) * 0.999;
+    constexpr int scale = 2 * (F - Table::value.halvings) - E - less;
+    constexpr double raw = Table::value.range[I].share * power_of_two(scale) * 0.999;
     constexpr double most = 2147483647.0;
     return static_cast<std::int32_t>(raw < most ? raw : most);
   }
@@ -200,10 +215,12 @@ struct Formats {
   };
   template <int I>
   using Of = FormatRounding<S, Table, I>;
-  /// Whether forward dynamics solves twice.
+  /// Whether forward dynamics solves twice in formats that hold whatever efforts can do.
   static constexpr bool second_solve() {
     return second_solve_pays(mechanism_of<Scene, Parameters>, rounding_of<S>(), Table::value);
   }
+  /// Halvings of a drive that forward dynamics solves for first, before any that the drive itself needs.
+  static constexpr int halvings() { return Table::value.halvings; }
   /// What drives joint i at most without halvings, as a raw value.
   static constexpr std::int64_t drive_limit(int i, int exponent) {
     return static_cast<std::int64_t>(Table::value.range[i].drive * power_of_two(exponent));

@@ -5,6 +5,7 @@
 #include <axial/fixed/ranges/composite_bodies.hpp>
 #include <axial/fixed/bounds/shared_formats.hpp>
 #include <axial/fixed/bounds/split_ball.hpp>
+#include <axial/fixed/ranges/usual_inertia.hpp>
 
 namespace axial {
 namespace detail {
@@ -28,6 +29,15 @@ constexpr double least_inertia(const TreeLinkConstants<double>& c) {
   return det > 0.0 && trace > 0.0 ? 4.0 * det / (trace * trace) : 0.0;
 }
 
+/// What each joint feels whatever the position.
+template <int N>
+constexpr PerJoint<N> least_inertias(const Mechanism<N>& m) {
+  PerJoint<N> least;
+  for (int i = 0; i < N; ++i)
+    least.of[i] = least_joint_inertia(m, i);
+  return least;
+}
+
 inline constexpr double unknown_size = 1e300;
 
 /// The structure driven by efforts: bounds by the sum G = qdd^T M qdd = sum of u_j^2 / D_j, which no recursion
@@ -36,11 +46,13 @@ inline constexpr double unknown_size = 1e300;
 template <int N>
 class ArticulatedAnalysis {
  public:
-  /// `given` are the efforts left to the joints; `moving` the ranges of the motion whose bias travels with them, or
-  /// null at rest.
+  /// `given` are the efforts left to the joints, `least` the inertias that they feel at least; `moving` the ranges of
+  /// the motion whose bias travels with them, or null at rest.
   constexpr ArticulatedAnalysis(const Mechanism<N>& mechanism, const Rounding& rounding, const double (&given)[N],
-                                const Ranges<N>* moving)
+                                const PerJoint<N>& least, const Ranges<N>* moving)
       : m_(mechanism), r_(rounding), bodies_(composite_ranges(mechanism)) {
+    for (int i = 0; i < N; ++i)
+      all_.range[i].least = least.of[i];
     set_inertia_formats(m_, bodies_, r_, all_);
     drive(given);
     for (int i = N; i-- > 0;)
@@ -68,7 +80,7 @@ class ArticulatedAnalysis {
   constexpr void drive(const double (&given)[N]) {
     double reaction[N] = {}, sum = 0.0;
     for (int i = N; i-- > 0;) {
-      const double least = least_joint_inertia(m_, i);
+      const double least = all_.range[i].least;
       all_.range[i].drive = given[i];
       drive_[i] = given[i] + reaction[i];
       all_.range[i].share = 2.0 * drive_[i] * drive_[i] / least;
@@ -91,7 +103,7 @@ class ArticulatedAnalysis {
     own.moment.size = square_root(b.inertia) * root + given, own.force.size = square_root(b.mass) * root + given;
     own.joint_effort.size = given + square_root(own.joint_inertia.size * outboard_[i]);
     // |K| <= sqrt(|I^c|) sqrt(s) / (s + rotor) for s = I_ss, s >= least.
-    const double least = c.prismatic ? c.mass : c.jzz;
+    const double least = larger_of(c.prismatic ? c.mass : c.jzz, own.least - rotor(i));
     const double steep = least > rotor(i) ? square_root(least) / (least + rotor(i)) : 0.5 / square_root(rotor(i));
     own.angular_gain.size = larger_of(square_root(b.inertia) * steep, 1.0);
     own.linear_gain.size = larger_of(square_root(b.mass) * steep, 1.0);
@@ -104,7 +116,7 @@ class ArticulatedAnalysis {
     const int p = m_.parent(i);
     const LinkRange base{};
     const LinkRange& up = p < 0 ? base : all_.range[p];
-    const double turn = up.angular_acceleration.size, least = least_joint_inertia(m_, i);
+    const double turn = up.angular_acceleration.size, least = all_.range[i].least;
     const double carried = up.linear_acceleration.size + m_.reach(i) * turn;
     const double spins = least_inertia(c) > 0.0 ? whole_ / square_root(least_inertia(c)) : unknown_size;
     const double free = energy_share(i) / square_root(least);
@@ -212,7 +224,9 @@ constexpr double excess_of_drive(const Mechanism<N>& m, const Rounding& r, const
 template <int N>
 constexpr Ranges<N> articulated_ranges(const Mechanism<N>& m, const Rounding& r) {
   const Ranges<N> motion = newton_euler_ranges(m, r);
-  return detail::ArticulatedAnalysis<N>(m, r, detail::given_efforts(m, motion, true).all, &motion).ranges();
+  return detail::ArticulatedAnalysis<N>(m, r, detail::given_efforts(m, motion, true).all, detail::least_inertias(m),
+                                        &motion)
+      .ranges();
 }
 
 }  // namespace axial

@@ -2,7 +2,7 @@
 // effort, and the energy norms of M and of its inverse say what such changes can do. doc/ranges.md is the proof.
 #pragma once
 
-#include <axial/fixed/ranges/articulated_bodies.hpp>
+#include <axial/fixed/ranges/declared_motion.hpp>
 
 namespace axial {
 namespace detail {
@@ -61,8 +61,7 @@ class ForwardErrorAnalysis {
     const LinkRange& own = all_.range[i];
     Speed& speed = speed_[i];
     const double carried = up.shift + m_.reach(i) * up.turn, rotor = m_.loads.rotors ? c.rotor : 0.0;
-    speed.joint = 1.0 / square_root(least_joint_inertia(m_, i)) + own.angular_gain.size * up.turn +
-                  own.linear_gain.size * carried;
+    speed.joint = 1.0 / square_root(own.least) + own.angular_gain.size * up.turn + own.linear_gain.size * carried;
     if (rotor > 0.0) speed.joint = least(speed.joint, 1.0 / square_root(rotor));
     const double centre = c.mass > 0.0 ? length_of(c.hx, c.hy, c.hz) / c.mass : 0.0;
     const double inertia = own_inertia(c, motion.range[i].turns_across);
@@ -153,24 +152,18 @@ class ForwardErrorAnalysis {
 }  // namespace detail
 
 /// How far the second, magnified solve of the split form may be from the first, in units of the first's accelerations
-/// (dynamics/split_form.hpp); in 32-bit words.
+/// (fixed/dynamics/split_answer.hpp); in 32-bit words.
 inline constexpr std::int32_t second_solve_tolerance = 1024;
-
-/// Whether a second solve pays: where efforts alone could drive a joint at more than 2^10 times the acceleration that
-/// it declares, its formats have that many bits to spare in most states. In 32-bit words.
-template <int N>
-constexpr bool second_solve_pays(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& ranges) {
-  bool pays = false;
-  for (int i = 0; i < N; ++i)
-    pays = pays || ranges.range[i].joint_acceleration.size > 1024.0 * m.joints[i].acceleration;
-  return pays && r.bits == 32;
-}
 
 /// Fills in the errors of the joint accelerations of the split form, the drive being halved as often as the
 /// declared efforts and the bias may need (excess_of_drive).
 template <int N>
 constexpr void certify_forward(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& motion, Ranges<N>& ranges) {
-  const detail::ForwardErrorAnalysis<N> errors(m, r, ranges, motion);
+  Ranges<N> first = ranges;  // a halved drive in the formats is the whole one in coarser ones
+  for (LinkFormat& format : first.format)
+    for (const auto& quantity : detail::driven_quantities)
+      format.*quantity.format -= ranges.halvings;
+  const detail::ForwardErrorAnalysis<N> errors(m, r, first, motion);
   const double excess = detail::excess_of_drive(m, r, motion);
   double doublings = 1.0;
   while (doublings < excess)
@@ -178,14 +171,18 @@ constexpr void certify_forward(const Mechanism<N>& m, const Rounding& r, const R
   const double tolerance = second_solve_pays(m, r, ranges) ? second_solve_tolerance : 0.0;
   for (int i = 0; i < N; ++i)
     ranges.range[i].joint_acceleration.error =
-        doublings * (errors.of(i) + tolerance * r.ulp(ranges.format[i].joint_acceleration));
+        doublings * (errors.of(i) + tolerance * r.ulp(first.format[i].joint_acceleration));
 }
 
 /// Ranges of the split form: the structure at rest under tau - bias. Errors are not filled in.
 template <int N>
 constexpr Ranges<N> articulated_at_rest_sizes(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& motion) {
   const auto given = detail::usual_drive(m, r, motion);
-  return detail::ArticulatedAnalysis<N>(m, r, given.all, nullptr).ranges();
+  const auto least = detail::least_inertias(m);
+  const Ranges<N> ranges = detail::ArticulatedAnalysis<N>(m, r, given.all, least, nullptr).ranges();
+  if (!declared_formats_pay(m, r, ranges)) return ranges;
+  const auto usual = detail::resisting(m, least);
+  return fitted_to_declared_motion(m, r, detail::ArticulatedAnalysis<N>(m, r, given.all, usual, nullptr).ranges());
 }
 
 /// Ranges and errors of the split form.

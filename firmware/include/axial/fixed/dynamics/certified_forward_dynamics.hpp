@@ -1,0 +1,228 @@
+// Forward dynamics in fixed point with a certificate of each answer: its residual by inverse dynamics, and the
+// structure's answers to one drive a joint as an approximate inverse of the mass matrix.
+#pragma once
+
+#include <axial/fixed/dynamics/enclosure.hpp>
+#include <axial/fixed/dynamics/forward_dynamics.hpp>
+#include <axial/fixed/dynamics/inverse_dynamics.hpp>
+#include <axial/fixed/error_bound.hpp>
+
+namespace axial {
+
+/// Accelerations, how far each can be from the exact one, and what there is to say about them.
+template <class S, class T>
+struct CertifiedDynamics : ForwardDynamics<S, T> {
+  FreeAccelerations<S, T> bound{};  ///< of each acceleration, in its format; the largest word where nothing is known
+};
+
+namespace detail {
+
+/// What a scene's enclosure is made of that no state changes, in words: accelerations in those of requests, efforts in
+/// those of motions.
+template <class S, class T>
+struct Certificate {
+  using Scene = scene_of<S>;
+  using Structure = decltype(links_of<Scene, T, FullParameters, recursion::ArticulatedBodiesAtRest>());
+  using Needs = Joints<Scene, T, role::MotionEffort>;
+  using Requests = Accelerations<robot_of<S>, T>;
+  using Answers = FreeAccelerations<S, T>;
+  static constexpr int size = joint_count<S>;
+
+  std::int32_t need_error[size] = {}, twice_error[size] = {};  ///< of inverse dynamics, and of a difference of two
+  int column_shift[size] = {}, widest = 0;           ///< of the structure's accelerations to those of requests
+  int drive_shift[size] = {};                        ///< of the structure's efforts to those of motions
+  std::int64_t inside[size] = {}, tight[size] = {};  ///< declared acceleration; a bound that is of use
+
+  template <int... I>
+  static constexpr Certificate made(std::integer_sequence<int, I...>) {
+    constexpr int accelerations[] = {decltype(Structure::link(Index<I>{}))::format.joint_acceleration...};
+    constexpr int efforts[] = {decltype(Structure::link(Index<I>{}))::format.joint_effort...};
+    constexpr auto& needs = ranges_for<Scene, typename T::Word, BaseParameters, recursion::MotionEfforts>;
+    Certificate c;
+    double largest = 0.0;
+    for (const auto& link : robot_of<S>::chain.links)
+      largest = link.acceleration_limit > largest ? link.acceleration_limit : largest;
+    for (int i = 0; i < size; ++i) {
+      const double unit = power_of_two(Requests::exponent(i));
+      c.need_error[i] = rounded_up(needs.range[i].joint_effort.error * power_of_two(Needs::exponent(i)));
+      c.twice_error[i] = 2 * c.need_error[i];
+      c.column_shift[i] = Requests::exponent(i) - accelerations[i];
+      c.widest = i == 0 || c.column_shift[i] > c.widest ? c.column_shift[i] : c.widest;
+      c.drive_shift[i] = Needs::exponent(i) - efforts[i];
+      c.inside[i] = static_cast<std::int64_t>(robot_of<S>::chain.links[i].acceleration_limit * unit);
+      c.tight[i] = static_cast<std::int64_t>(largest * unit / 128.0);
+    }
+    return c;
+  }
+
+ private:
+  static constexpr std::int32_t rounded_up(double x) {
+    constexpr double most = 1073741823.0;
+    return x < most ? static_cast<std::int32_t>(x) + 1 : static_cast<std::int32_t>(most);
+  }
+};
+template <class S, class T>
+inline constexpr auto certificate_of = Certificate<S, T>::made(std::make_integer_sequence<int, joint_count<S>>{});
+
+/// Accelerations of the structure under a drive of joint `j` alone, as large as formats leave room for; returns the
+/// exponent of that drive's word.
+template <class Links, class Screws, class Structure>
+AXIAL_INLINE constexpr int unit_response(const Links& links, const Screws& screws, const Structure& structure, int j,
+                                         std::int32_t* answer) {
+  constexpr int first = smaller(12, 26 - Links::halvings()), start = first < 4 ? 4 : first, most = 28, solves = 3;
+  int magnified = 0;
+  for (int k = 0; k < solves; ++k) {
+    Headroom room(magnified);
+    const auto drive = map_links(links, [&](auto i) AXIAL_INLINE {
+      constexpr int to = decltype(links.link(i))::format.joint_effort;
+      return Fx<to, typename Links::Scalar>{select(static_cast<int>(i) == j, 1 << (start + magnified), 0)};
+    });
+    static_cast<void>(aba::respond(links, screws, structure, drive, room,
+                                   [&](auto i, const auto& own) AXIAL_INLINE { answer[i] = own.raw; }));
+    if (k + 1 < solves) magnified = aba::least_of(magnified + room.magnification(), most - start);
+  }
+  return start + magnified;
+}
+
+/// Column j of the approximate inverse from such an answer: accelerations inside the limits, for their words have 31
+/// bits there.
+template <class S, class T>
+AXIAL_INLINE constexpr void set_column(Enclosure<joint_count<S>>& system, int j, const std::int32_t* answer,
+                                       int drive) {
+  constexpr const auto& c = certificate_of<S, T>;
+  constexpr int size = joint_count<S>, bits = 30;
+  std::int64_t wide[size] = {}, seen = 0;
+  for (int i = 0; i < size; ++i) {
+    const int behind = c.widest - c.column_shift[i], right = behind > bits ? smaller(behind - bits, 31) : 0;
+    wide[i] = integer::multiply(answer[i] >> right, std::int32_t{1} << (behind > bits ? 0 : bits - behind));
+    seen |= wide[i] ^ (wide[i] >> 63);
+  }
+  const auto top = static_cast<std::uint32_t>(seen >> bits);
+  const int down = 31 - integer::detail::leading_zeros((top << 1) | 1U);
+  for (int i = 0; i < size; ++i)
+    system.inverse[i][j] = static_cast<std::int32_t>(wide_shifted_by(wide[i], down));
+  system.shift[j] = drive + c.drive_shift[j] + bits - c.widest - down;
+}
+
+/// The answer in the words of requests, held within what is declared; false where it was beyond.
+template <class S, class T>
+AXIAL_INLINE constexpr bool requested(const CertifiedDynamics<S, T>& answer, typename Certificate<S, T>::Requests& x) {
+  using C = Certificate<S, T>;
+  bool inside = true;
+  for (int i = 0; i < C::size; ++i) {
+    const int up = C::Requests::exponent(i) - C::Answers::exponent(i);
+    const std::int64_t most = certificate_of<S, T>.inside[i];
+    const std::int64_t raw = up > 0 ? std::int64_t{answer[i].raw} * (std::int64_t{1} << (up > 31 ? 31 : up))
+                                    : std::int64_t{answer[i].raw >> (up < -31 ? 31 : -up)};
+    const bool below = is_less(raw, -most), above = is_less(most, raw);
+    const auto held = static_cast<std::int32_t>(below ? -most : above ? most : raw);
+    x.values[i] = {held};
+    inside = inside & !below & !above;
+  }
+  return inside;
+}
+
+/// The corrected answer and its bound; `known` says whether there is one.
+template <class S, class T>
+AXIAL_INLINE constexpr bool publish(CertifiedDynamics<S, T>& answer, const Enclosure<joint_count<S>>& system,
+                                    const typename Certificate<S, T>::Requests& x, bool known) {
+  using C = Certificate<S, T>;
+  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+  bool tight = known;
+  for (int i = 0; i < C::size; ++i) {
+    constexpr int finest = 31;
+    const int down = C::Requests::exponent(i) - C::Answers::exponent(i);
+    const int right = down < 0 ? 0 : down > finest ? finest : down, left = down < 0 ? smaller(-down, finest) : 0;
+    const std::int64_t bound = ((system.bound[i] >> right) + (right > 0 ? 2 : 0)) * (std::int64_t{1} << left);
+    const std::int64_t value = ((x[i].raw + system.correction[i]) >> right) * (std::int64_t{1} << left);
+    const bool fits = is_less(bound, most) & is_less(wide_magnitude(value), most) & known;
+    answer.bound.values[i] = {static_cast<std::int32_t>(fits ? bound : most)};
+    answer.values[i] = {static_cast<std::int32_t>(fits ? value : answer[i].raw)};
+    tight = tight & fits & !is_less(certificate_of<S, T>.tight[i], system.bound[i]);
+  }
+  return tight;
+}
+
+/// What status an answer has that the plain solve calls `plain`.
+AXIAL_INLINE constexpr Status certified_status(Status plain, bool inside, bool tight) {
+  const int short_of =
+      select(inside, static_cast<int>(Status::Code::inaccurate), static_cast<int>(Status::Code::acceleration_limit));
+  const int found = select(tight, static_cast<int>(plain.code), short_of);
+  const bool passes = plain.ok() | (plain.code == Status::Code::rescaled);
+  return {static_cast<Status::Code>(select(passes, found, static_cast<int>(plain.code))),
+          select(passes, -1, plain.joint)};
+}
+
+/// The system at a state: columns by the structure; what the mass matrix makes of them, and of x, by inverse dynamics,
+/// which is there once.
+template <class S, class T>
+AXIAL_INLINE constexpr void fill(Enclosure<joint_count<S>>& system, const Positions<robot_of<S>, T>& q,
+                                 const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,
+                                 const typename Certificate<S, T>::Requests& x, const Inputs<S, T>& in) {
+  using C = Certificate<S, T>;
+  constexpr const auto& c = certificate_of<S, T>;
+  const auto links = links_of<scene_of<S>, T, FullParameters, recursion::ArticulatedBodiesAtRest>();
+  const auto needs_links = links_of<scene_of<S>, T, BaseParameters, recursion::MotionEfforts>();
+  const auto at = links.read(q);
+  const auto screws = joint_screws(links, in, at);
+  const auto structure = aba::structure_at_rest(links, in, screws);
+  typename C::Needs needs{}, bias{};
+  for (int k = -1; k <= C::size; ++k) {
+    typename C::Requests moving = x;
+    if (k < C::size) moving = {};
+    if (k >= 0 && k < C::size) {
+      std::int32_t column[C::size] = {};
+      const int drive = unit_response(links, screws, structure, k, column);
+      set_column<S, T>(system, k, column, drive);
+      for (int i = 0; i < C::size; ++i)
+        moving.values[i] = {system.inverse[i][k]};
+    }
+    rnea::efforts(needs_links, in, at, screws, needs_links.read(qd), needs_links.read(moving), needs);
+    if (k < 0) bias = needs;
+    if (k >= 0 && k < C::size) {
+      std::int64_t made[C::size] = {};
+      for (int i = 0; i < C::size; ++i)
+        made[i] = std::int64_t{needs[i].raw} - bias[i].raw;
+      system.set_defects(k, made, c.twice_error);
+    }
+  }
+  const auto given = links.read(tau);
+  const auto left = links.read(needs);
+  for_each_link(links, [&](auto i) AXIAL_INLINE {
+    system.residual[i] = exact_difference(given[i], left[i]);
+    system.residual_error[i] = c.need_error[i];
+  });
+}
+
+}  // namespace detail
+
+/// Forward dynamics in 32 bits with a bound of each acceleration's error. The plain answer's residual by inverse
+/// dynamics, of proved error, is solved for once more, which refines the answer, and bounds what is left of it whatever
+/// the solve lost to rounding (enclosure.hpp).
+/// In and out as forward_dynamics(), and `bound`: |exact - acceleration| in its format, where the robot is what it
+/// declares and the inputs are what their words say. Status: that of the plain answer; else inaccurate where a bound is
+/// above a 128th of the largest declared acceleration, and acceleration_limit where it is so because the answer is
+/// beyond what is declared. The largest word stands for a bound that is not known.
+/// Cost: forward dynamics, and for each joint an inverse dynamics and three solves.
+template <class S, class T>
+[[nodiscard]] constexpr CertifiedDynamics<S, T> certified_forward_dynamics(const Positions<robot_of<S>, T>& q,
+                                                                           const Velocities<robot_of<S>, T>& qd,
+                                                                           const EffortsOf<S, T>& tau,
+                                                                           const Inputs<S, T>& in = {}) {
+  static_assert(std::is_same_v<T, Fixed32>, "axial: answers are certified in Fixed32");
+  using C = detail::Certificate<S, T>;
+  CertifiedDynamics<S, T> answer{};
+  static_cast<ForwardDynamics<S, T>&>(answer) = forward_dynamics<S>(q, qd, tau, in);
+  typename C::Requests x{};
+  const bool inside = detail::requested<S>(answer, x);
+
+  detail::Enclosure<C::size> system;
+  detail::fill<S, T>(system, q, qd, tau, x, in);
+  const Status::Code plain = answer.status.code;
+  const bool known = system.enclose() & ((plain == Status::Code::ok) | (plain == Status::Code::rescaled));
+  const bool tight = detail::publish<S, T>(answer, system, x, known);
+  answer.status = detail::certified_status(answer.status, inside, tight);
+  return answer;
+}
+
+}  // namespace axial

@@ -1,0 +1,126 @@
+// The enclosure of a linear system against its exact solution: whatever approximate inverse it is given, an answer of
+// true is a proof.
+#include <gtest/gtest.h>
+#include <axial/fixed.hpp>
+#include <axial/fixed/dynamics/enclosure.hpp>
+#include <cmath>
+#include <host_sim/exhaustive/fixed_states.hpp>
+
+using namespace axial;
+
+namespace {
+
+constexpr int n = 3;
+using System = detail::Enclosure<n>;
+
+double uniform(exhaustive::Random& random) { return static_cast<double>(random.between(-1000000, 1000000)) * 1e-6; }
+
+/// x of M x = b by Cramer's rule.
+void solve(const double (&m)[n][n], const double (&b)[n], double (&x)[n]) {
+  const auto det = [](const double(&a)[n][n]) {
+    return a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) - a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
+           a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
+  };
+  for (int k = 0; k < n; ++k) {
+    double with[n][n];
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        with[i][j] = j == k ? b[i] : m[i][j];
+    x[k] = det(with) / det(m);
+  }
+}
+
+/// A system whose inverse is off by `off`, whose products and residual are off by as much as they may be, one way or
+/// the other; `error` is the exact solution.
+System drawn(exhaustive::Random& random, double off, std::int32_t slack, double (&error)[n]) {
+  constexpr int shift = 28;
+  double m[n][n], b[n];
+  System system;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      m[i][j] = (i == j ? 1.0 : 0.0) + 0.3 * uniform(random);
+  for (int j = 0; j < n; ++j) {
+    double unit[n] = {}, column[n];
+    unit[j] = 1.0;
+    solve(m, unit, column);
+    system.shift[j] = shift;
+    std::int64_t made[n];
+    std::int32_t made_error[n];
+    for (int i = 0; i < n; ++i)
+      system.inverse[i][j] =
+          static_cast<std::int32_t>(std::ldexp(column[i] * (1.0 + off * uniform(random)), shift - 1));
+    system.shift[j] = shift - 1;
+    for (int i = 0; i < n; ++i) {
+      double sum = 0.0;
+      for (int k = 0; k < n; ++k)
+        sum += m[i][k] * system.inverse[k][j];
+      made_error[i] = slack + 1;
+      made[i] = std::llround(sum) + random.between(-slack, slack);
+    }
+    system.set_defects(j, made, made_error);
+  }
+  for (int i = 0; i < n; ++i) {
+    b[i] = 1e6 * uniform(random);
+    system.residual_error[i] = slack + 1;
+    system.residual[i] = std::llround(b[i]) + (random.between(0, 1) == 0 ? slack : -slack);
+  }
+  solve(m, b, error);
+  return system;
+}
+
+}  // namespace
+
+TEST(Enclosure, HoldsTheExactSolution) {
+  exhaustive::Random random(5);
+  int proved = 0;
+  double nearest = 0.0;
+  for (int k = 0; k < 20000; ++k) {
+    const double off = k % 4 == 0 ? 0.0 : std::pow(0.1, k % 4);
+    double error[n];
+    System system = drawn(random, off, static_cast<std::int32_t>(k % 3) * 500, error);
+    if (!system.enclose()) continue;
+    ++proved;
+    for (int i = 0; i < n; ++i) {
+      const double apart = std::fabs(error[i] - static_cast<double>(system.correction[i]));
+      EXPECT_LE(apart, static_cast<double>(system.bound[i]) + 1e-3) << k;
+      nearest = std::fmax(nearest, apart / static_cast<double>(system.bound[i]));
+    }
+  }
+  EXPECT_GT(proved, 15000);
+  EXPECT_GT(nearest, 0.8) << "bounds as loose as this leave room for a missing term";
+}
+
+// The inverse of one unknown is off by so much that the residual does not shrink to a half.
+TEST(Enclosure, ProvesNothingByAPoorInverse) {
+  for (const int percent : {-60, -45, 45, 60, 300}) {
+    detail::Enclosure<1> one;
+    one.inverse[0][0] = (1 << 20) / 100 * (100 + percent), one.shift[0] = 20;
+    const std::int64_t made[] = {one.inverse[0][0]};
+    const std::int32_t error[] = {0};
+    one.set_defects(0, made, error);
+    one.residual[0] = 1000000;
+    EXPECT_EQ(one.enclose(), std::abs(percent) < 50) << percent;
+  }
+}
+
+TEST(Enclosure, ProvesNothingOfWordsThatDoNotFit) {
+  detail::Enclosure<1> one;
+  one.inverse[0][0] = 1 << 20, one.shift[0] = 20;
+  const std::int64_t made[] = {1 << 20};
+  const std::int32_t error[] = {0};
+  one.set_defects(0, made, error);
+  detail::Enclosure<1> large = one, steep = one;
+  EXPECT_TRUE(one.enclose());
+  large.residual[0] = std::int64_t{1} << 31;
+  EXPECT_FALSE(large.enclose());
+  steep.shift[0] = 13;
+  steep.set_defects(0, made, error);
+  EXPECT_FALSE(steep.enclose());
+}
+
+TEST(WideShift, IsADivisionRoundedDown) {
+  for (const std::int64_t x :
+       {INT64_MAX, INT64_MIN, std::int64_t{-1}, std::int64_t{0}, std::int64_t{0x123456789abcdef}})
+    for (int shift = 0; shift < 64; ++shift)
+      EXPECT_EQ(detail::wide_shifted_by(x, shift), x >> shift) << x << " by " << shift;
+}
