@@ -2,9 +2,9 @@
 #pragma once
 
 #include <axial/fixed/bounds/newton_euler.hpp>
-#include <axial/fixed/ranges/composite_bodies.hpp>
 #include <axial/fixed/bounds/shared_formats.hpp>
 #include <axial/fixed/bounds/split_ball.hpp>
+#include <axial/fixed/ranges/composite_bodies.hpp>
 #include <axial/fixed/ranges/usual_inertia.hpp>
 
 namespace axial {

@@ -2,7 +2,7 @@
 // position could bring is far smaller. A joint that feels less has a status (`FormatRounding::resisting`).
 #pragma once
 
-#include <axial/fixed/ranges/mechanism.hpp>
+#include <axial/fixed/bounds/mechanism.hpp>
 #include <axial/scalar/sincos.hpp>
 #include <axial/spatial/branch_screw.hpp>
 
