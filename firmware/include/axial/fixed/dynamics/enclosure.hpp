@@ -25,7 +25,7 @@ template <int N>
 struct Enclosure {
   static_assert(N <= 8, "axial: an answer of up to 8 joints is certified");
   static constexpr int defect_bits = 26;  ///< behind the point of `defect`
-  static constexpr int least_shift = 14, largest_shift = 46;
+  static constexpr int least_shift = 6, largest_shift = 46;
   static constexpr std::int64_t least_weight = 16, weights = std::int64_t{1} << 30;  ///< of |b - M x|
   static constexpr std::int64_t defects = std::int64_t{8} << defect_bits;            ///< of 1 - M B
 
