@@ -112,6 +112,11 @@ class Untuned {
   }
 };
 
+/// Whether the words of a robot's efforts resolve what its slowest joint's acceleration takes. Where they do not,
+/// answers are right, but have no certificate and say so.
+template <class R>
+inline constexpr bool certifiable = true;
+
 /// Forward dynamics of one robot.
 template <class R>
 void expect_right_forward_dynamics() {
@@ -139,9 +144,11 @@ void expect_right_forward_dynamics() {
   std::printf("%s, %d joints: %d states, error %.1e, %d with a status; certified %.1e, error %.1e, %d without", R::name,
               State::size, inside, worst, flagged, worst_bound, worst_certified, uncertified);
   EXPECT_LE(flagged, allowed_flags * inside);
-  EXPECT_LE(uncertified, allowed_flags * inside);
-  EXPECT_LE(worst_bound, allowed_bound);
-  EXPECT_LE(worst_bound, 100.0 * worst_certified);
+  if constexpr (certifiable<R>) {
+    EXPECT_LE(uncertified, allowed_flags * inside);
+    EXPECT_LE(worst_bound, allowed_bound);
+    EXPECT_LE(worst_bound, 100.0 * worst_certified);
+  }
   const double climbed = exhaustive::climb<State>(seed, 1000, 3 * State::size, see);
   std::printf("; a search finds %.1e\n", climbed);
   EXPECT_LE(worst, allowed_error);

@@ -9,6 +9,7 @@
 #include <axial/fixed/control/encoder.hpp>
 #include <axial/fixed/control/fall_back.hpp>
 #include <axial/fixed/control/payload_words.hpp>
+#include <axial/fixed/dynamics/certified_forward_dynamics.hpp>
 #include <axial/fixed/dynamics/forward_dynamics.hpp>
 #include <axial/fixed/dynamics/inverse_dynamics.hpp>
 #include <axial/fixed/dynamics/kinematics.hpp>

@@ -72,6 +72,29 @@ TEST(CertifiedForwardDynamics, BoundsItsErrorByATenThousandthOfTheDeclaredAccele
   EXPECT_LE(bound, 30.0 * worst);
 }
 
+// The residual's own error is that of inverse dynamics in words of the declared motion.
+TEST(CertifiedForwardDynamics, KnowsWhatItsInverseDynamicsIsOff) {
+  using C = detail::Certificate<LightTip, T>;
+  constexpr const auto& certificate = detail::certificate_of<LightTip, T>;
+  const auto links = links_of<scene_of<LightTip>, T, BaseParameters, recursion::MotionEfforts>();
+  exhaustive::Random random(4);
+  double nearest = 0.0;
+  for (int k = 0; k < 3000; ++k) {
+    const State state = in_limits(random);
+    C::Needs needs{};
+    rnea::run(links, Inputs<LightTip, T>{}, state.q, state.qd, state.qdd, needs);
+    const auto wanted = inverse_dynamics<LightTip>(exhaustive::in_double<LightTip, T>(state.q),
+                                                   exhaustive::in_double<LightTip>(state.qd),
+                                                   exhaustive::in_double<LightTip>(state.qdd));
+    for (int i = 0; i < State::size; ++i) {
+      const double off = std::fabs(needs[i].raw - std::ldexp(wanted[i], C::Needs::exponent(i)));
+      EXPECT_LE(off, certificate.need_error[i]) << "joint " << i;
+      nearest = std::fmax(nearest, off / certificate.need_error[i]);
+    }
+  }
+  EXPECT_GT(nearest, 0.05);
+}
+
 TEST(CertifiedForwardDynamics, SaysWhatItDoesNotKnow) {
   State state{};
   state.qd[1].raw = INT32_MAX;

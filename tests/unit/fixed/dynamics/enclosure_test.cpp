@@ -103,6 +103,21 @@ TEST(Enclosure, ProvesNothingByAPoorInverse) {
   }
 }
 
+// What M makes of the inverse is known within `slack` only: M may be 1 +- slack, and x its quotient.
+TEST(Enclosure, HoldsWhatItsProductsAreOff) {
+  for (const int eighths : {-2, -1, 1, 2}) {
+    detail::Enclosure<1> one;
+    one.inverse[0][0] = 1 << 20, one.shift[0] = 20;
+    const std::int64_t made[] = {1 << 20};
+    const std::int32_t slack[] = {2 << 17};
+    one.set_defects(0, made, slack);
+    one.residual[0] = 1000000;
+    ASSERT_TRUE(one.enclose());
+    const double exact = 1e6 / (1.0 + eighths / 8.0);
+    EXPECT_LE(std::fabs(exact - static_cast<double>(one.correction[0])), static_cast<double>(one.bound[0]) + 1.0);
+  }
+}
+
 TEST(Enclosure, ProvesNothingOfWordsThatDoNotFit) {
   detail::Enclosure<1> one;
   one.inverse[0][0] = 1 << 20, one.shift[0] = 20;
@@ -113,7 +128,7 @@ TEST(Enclosure, ProvesNothingOfWordsThatDoNotFit) {
   EXPECT_TRUE(one.enclose());
   large.residual[0] = std::int64_t{1} << 31;
   EXPECT_FALSE(large.enclose());
-  steep.shift[0] = 13;
+  steep.shift[0] = detail::Enclosure<1>::least_shift - 1;
   steep.set_defects(0, made, error);
   EXPECT_FALSE(steep.enclose());
 }

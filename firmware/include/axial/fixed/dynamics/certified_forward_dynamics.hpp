@@ -135,7 +135,8 @@ AXIAL_INLINE constexpr bool publish(CertifiedDynamics<S, T>& answer, const Enclo
     const int right = down < 0 ? 0 : down > finest ? finest : down, left = down < 0 ? smaller(-down, finest) : 0;
     const std::int64_t bound = ((system.bound[i] >> right) + (right > 0 ? 2 : 0)) * (std::int64_t{1} << left);
     const std::int64_t value = ((x[i].raw + system.correction[i]) >> right) * (std::int64_t{1} << left);
-    const bool fits = is_less(bound, most) & is_less(wide_magnitude(value), most) & known;
+    const bool bound_fits = is_less(bound, most), value_fits = is_less(wide_magnitude(value), most);
+    const bool fits = bound_fits & value_fits & known;
     answer.bound.values[i] = {static_cast<std::int32_t>(fits ? bound : most)};
     answer.values[i] = {static_cast<std::int32_t>(fits ? value : answer[i].raw)};
     tight = tight & fits & !is_less(certificate_of<S, T>.tight[i], system.bound[i]);

@@ -40,7 +40,8 @@ struct Enclosure {
 
   /// Sets defect(., j) by what M makes of column j: `made`, each within `error`.
   constexpr void set_defects(int j, const std::int64_t (&made)[N], const std::int32_t (&error)[N]) {
-    proved = proved & !is_less(shift[j], least_shift) & is_less(shift[j], largest_shift);
+    const bool below = is_less(shift[j], least_shift), within = is_less(shift[j], largest_shift);
+    proved = proved & !below & within;
     constexpr int room = defect_bits - least_shift;
     for (int i = 0; i < N; ++i) {
       const std::int64_t wanted = i == j ? std::int64_t{1} << (shift[j] & 63) : 0;

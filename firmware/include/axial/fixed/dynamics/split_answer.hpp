@@ -121,6 +121,7 @@ AXIAL_INLINE constexpr Status answer_magnified(const Links& links, const Screws&
   return status_of<Links>(lost, halvings > 0);
 }
 
+/// How words answer: in one solve or two where formats have the room, or magnified step by step.
 template <class Word, bool nearest, bool high, bool checked>
 struct SplitAnswer<Arithmetic<Word, nearest, high, checked>> {
   /// Writes the accelerations under tau - bias.

@@ -227,33 +227,5 @@ struct Formats {
   }
 };
 
-/// Joint values as kernels read them: with their formats, or angles.
-template <class Robot, class S, class Values, class Role>
-struct FixedView {
-  const Values& values;
-  template <int I>
-  AXIAL_INLINE constexpr auto operator[](Index<I>) const {
-    return Fx<Values::exponent(I), S>{values.values[I].raw};
-  }
-};
-template <class Robot, class S, class Values>
-struct FixedView<Robot, S, Values, role::Position> {
-  const Values& values;
-  template <int I>
-  AXIAL_INLINE constexpr auto operator[](Index<I>) const {
-    if constexpr (Robot::chain.links[I].type == JointType::revolute)
-      return Bam<S>{values.values[I].raw};
-    else
-      return position<Values::exponent(I)>(values.values[I].raw);
-  }
-
- private:
-  template <int E>
-  AXIAL_INLINE static constexpr auto position(std::int32_t raw) {
-    constexpr int dropped = 32 - S::bits;  // a position has 32 bits in any word
-    return Fx<E - dropped, S>{static_cast<typename S::Word>(raw >> dropped)};
-  }
-};
-
 }  // namespace detail
 }  // namespace axial

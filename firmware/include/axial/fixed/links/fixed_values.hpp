@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/fixed/formats/link_formats.hpp>
+#include <axial/fixed/links/fixed_view.hpp>
 #include <axial/scene/status.hpp>
 #include <axial/spatial/pose.hpp>
 
