@@ -174,10 +174,23 @@ template <class Scene, class Recursion>
 inline constexpr bool knows_axial_masses = !Scene::template has<Payload> && !Scene::template has<Underwater> &&
                                            !std::is_same_v<Recursion, recursion::ArticulatedBodies> &&
                                            !std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>;
+// Whether no link declares a rotor: then a scene that leaves them out is the one that names them.
+template <class Robot>
+constexpr bool has_no_rotor() {
+  bool none = true;
+  for (const LinkParameters& link : Robot::chain.links)
+    none = none && link.rotor_inertia == 0.0;
+  return none;
+}
+/// Base parameters of a fixed base, with the rotors that the scene has.
+template <class Scene, class Parameters>
+inline constexpr bool regroups_all = std::is_same_v<Parameters, BaseParametersAndRotors> ||
+                                     (std::is_same_v<Parameters, BaseParameters> &&
+                                      has_no_rotor<typename Scene::Robot>() && !Scene::template has<BaseMotion> &&
+                                      !Scene::template has<FloatingBase>);
 template <class Scene, class Parameters, class Recursion>
-using with_axial_masses =
-    std::conditional_t<std::is_same_v<Parameters, BaseParametersAndRotors> && knows_axial_masses<Scene, Recursion>,
-                       BaseParametersAndAxialMasses, Parameters>;
+using with_axial_masses = std::conditional_t<regroups_all<Scene, Parameters> && knows_axial_masses<Scene, Recursion>,
+                                             BaseParametersAndAxialMasses, Parameters>;
 }  // namespace detail
 
 /// The door for number systems: what kernels of a recursion walk over for a scene and numbers T. Here for numbers that

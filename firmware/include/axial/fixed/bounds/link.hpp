@@ -26,6 +26,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   static constexpr bool has_axial_mass = false;  ///< words know none
   bool is_last;                                  ///< whether it bears payload and tip wrench
 
+  /// Link `index` of the robot that the account is of, which the link refers to.
   constexpr BoundedLink(Account<N>* account, int index) : is_last(index + 1 == N), account_(account), index_(index) {}
 
   /// A constant of the link: a literal, or a word of its column.
@@ -49,6 +50,8 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     const int exponent = axial::detail::fitting_exponent(mechanism().steps.viscous, rounding().capacity());
     return word_of({magnitude(value), value < 0.0 || value > 0.0 ? 0.5 * Rounding::ulp(exponent) : 0.0}, exponent);
   }
+  /// Of constant turns bounds know nothing that their kernels would do otherwise.
+  ///@{
   template <axial::detail::Member<double>>
   constexpr AnyTurn beyond_45_degrees() const {
     return {};
@@ -57,6 +60,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   constexpr AnyTurn branch_beyond_45_degrees() const {
     return {};
   }
+  ///@}
   /// A constant turn that is none by quarters is a binary angle to nearest.
   constexpr Angle with_offset(Angle q) const {
     const auto& c = constants();
@@ -70,6 +74,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     return constants().prismatic ? f(Prismatic{}) : f(Revolute{});
   }
 
+  /// Inertia of the link by itself.
   constexpr Body body() const {
     const auto h = this->first_moment();
     return {this->mass(), {h.x, h.y, h.z, {}}, {this->inertia(), {}}};

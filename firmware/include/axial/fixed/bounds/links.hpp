@@ -20,6 +20,7 @@ class BoundedLinks {
   static constexpr bool unrolled = false;  ///< a loop walks over them
   static constexpr int capacity = N;       ///< number of links
 
+  /// Links that note in `account` what a kernel finds out.
   constexpr explicit BoundedLinks(Account<N>& account) : account_(&account) {}
   static constexpr int size() { return N; }      ///< number of links
   static constexpr int last() { return N - 1; }  ///< index of the last link

@@ -135,16 +135,17 @@ constexpr SinCos<Number> sincos(const Angle& angle) {
 
 namespace axial {
 /// Structural scalars meet numbers in bounds as they meet any other number.
-///@{
 template <>
 struct NumberTraits<bounds::Number> {
-  static constexpr bool is_number = true;
+  static constexpr bool is_number = true;  ///< kernels compute with it
+  /// A constant of the model.
   static constexpr bounds::Number constant(double value) { return bounds::literal_of(value); }
 };
+/// Sums overload.
 template <>
 struct NumberTraits<bounds::NumberSum> {
-  static constexpr bool is_number = true;
+  static constexpr bool is_number = true;  ///< kernels compute with it
+  /// A constant of the model as a sum.
   static constexpr bounds::NumberSum constant(double value) { return bounds::term_of(bounds::literal_of(value)); }
 };
-///@}
 }  // namespace axial

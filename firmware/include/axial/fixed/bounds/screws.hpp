@@ -5,6 +5,7 @@
 #include <axial/fixed/bounds/vector.hpp>
 #include <axial/links/link_constants.hpp>
 #include <axial/spatial/spatial_vector.hpp>
+#include <utility>
 
 namespace axial::bounds {
 
