@@ -28,7 +28,6 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
 
   /// Link `index` of the robot that the account is of, which the link refers to.
   constexpr BoundedLink(Account<N>* account, int index) : is_last(index + 1 == N), account_(account), index_(index) {}
-
   /// A constant of the link: a literal, or a word of its column.
   template <axial::detail::Member<double> M>
   constexpr Number get() const {
@@ -50,7 +49,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     const int exponent = axial::detail::fitting_exponent(mechanism().steps.viscous, rounding().capacity());
     return word_of({magnitude(value), value < 0.0 || value > 0.0 ? 0.5 * Rounding::ulp(exponent) : 0.0}, exponent);
   }
-  /// Of constant turns bounds know nothing that their kernels would do otherwise.
+  /// Nothing is known of a constant turn.
   ///@{
   template <axial::detail::Member<double>>
   constexpr AnyTurn beyond_45_degrees() const {
@@ -73,7 +72,6 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   constexpr auto on_joint(const F& f) const {
     return constants().prismatic ? f(Prismatic{}) : f(Revolute{});
   }
-
   /// Inertia of the link by itself.
   constexpr Body body() const {
     const auto h = this->first_moment();
@@ -220,7 +218,6 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     whole.terms.add_literal();
     return rounded(quantity::Mass{}, whole);
   }
-
   // A table holds words, but where all its links have the same 0, 1 or -1.
   template <class Member, class Value>
   constexpr Number constant(Member member, const Value& value) const {

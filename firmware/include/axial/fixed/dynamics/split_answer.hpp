@@ -64,6 +64,7 @@ AXIAL_INLINE constexpr Status answer_in_ranges(const Links& links, const Screws&
   return status_of<Links>(lost, halvings > 0);
 }
 
+/// The smaller of two shifts, without a branch.
 AXIAL_INLINE constexpr int least_of(int a, int b) { return select(detail::is_less(a, b), a, b); }
 
 /// Solves of a drive that is halved Links::halvings() times at first: the first of them is right in few bits, so that
