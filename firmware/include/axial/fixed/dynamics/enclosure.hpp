@@ -46,8 +46,10 @@ struct Enclosure {
     for (int i = 0; i < N; ++i) {
       const std::int64_t wanted = i == j ? std::int64_t{1} << (shift[j] & 63) : 0;
       const std::int64_t off = wide_magnitude(wanted - made[i]) + error[i];
-      proved = proved & is_less(off, std::int64_t{1} << (62 - room));
-      defect[i][j] = wide_shifted_by(off << room, (shift[j] - least_shift) & 63) + 1;
+      const bool fits = is_less(off, std::int64_t{1} << (62 - room));
+      const std::int64_t kept = off & -static_cast<std::int64_t>(fits);
+      proved = proved & fits;
+      defect[i][j] = wide_shifted_by(kept << room, (shift[j] - least_shift) & 63) + 1;
     }
   }
   /// With M B = 1 - R the error is B f, where f = r + R f. If w >= |r| and |R| w <= w / 2, then |f| <= 2 w, hence
