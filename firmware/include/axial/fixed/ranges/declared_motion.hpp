@@ -70,16 +70,17 @@ constexpr PerJoint<N> resisting(const Mechanism<N>& m, PerJoint<N> least) {
 }
 
 /// What a drive makes, which is in proportion to it.
-struct Driven {
+struct DrivenQuantity {
   Ball LinkRange::*size;
   int LinkFormat::*format;
 };
-inline constexpr Driven driven_quantities[] = {{&LinkRange::angular_acceleration, &LinkFormat::angular_acceleration},
-                                               {&LinkRange::linear_acceleration, &LinkFormat::linear_acceleration},
-                                               {&LinkRange::moment, &LinkFormat::moment},
-                                               {&LinkRange::force, &LinkFormat::force},
-                                               {&LinkRange::joint_effort, &LinkFormat::joint_effort},
-                                               {&LinkRange::joint_acceleration, &LinkFormat::joint_acceleration}};
+inline constexpr DrivenQuantity driven_quantities[] = {
+    {&LinkRange::angular_acceleration, &LinkFormat::angular_acceleration},
+    {&LinkRange::linear_acceleration, &LinkFormat::linear_acceleration},
+    {&LinkRange::moment, &LinkFormat::moment},
+    {&LinkRange::force, &LinkFormat::force},
+    {&LinkRange::joint_effort, &LinkFormat::joint_effort},
+    {&LinkRange::joint_acceleration, &LinkFormat::joint_acceleration}};
 
 }  // namespace detail
 
