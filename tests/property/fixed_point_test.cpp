@@ -98,6 +98,8 @@ TYPED_TEST(FixedForms, PosesAndJacobiansStayInsideTheirBound) {
   using Checked = typename TypeParam::Checked;
   using Robot = typename TypeParam::Robot;
   constexpr auto bound = error_bound<Checked>(algorithm::forward_kinematics);
+  constexpr auto column_bound = error_bound<Checked>(algorithm::jacobian);
+  double nearest = 0.0;
   constexpr int length = length_exponent<Checked, Fixed32>;
   constexpr bool coarse = Checked::template has<HighWord> || Checked::template has<RoundDown>;
   constexpr double direction = coarse ? 2e-8 : 1e-8;
@@ -112,10 +114,39 @@ TYPED_TEST(FixedForms, PosesAndJacobiansStayInsideTheirBound) {
       EXPECT_NEAR(real(fixed.frames[i].position.z, length), exact.frames[i].position.z, bound[i]);
       EXPECT_NEAR(real(fixed.frames[i].rotation.y.x, direction_exponent<Fixed32>), exact.frames[i].rotation.y.x,
                   direction);
-      EXPECT_NEAR(real(columns[i].linear.y, length), exact_columns[i].linear.y, 2.0 * bound.worst());
+      EXPECT_NEAR(real(columns[i].linear.y, length), exact_columns[i].linear.y, column_bound[i]);
+      EXPECT_NEAR(real(columns[i].linear.z, length), exact_columns[i].linear.z, column_bound[i]);
+      if (column_bound[i] > 0.0)
+        nearest = std::fmax(nearest,
+                            std::fabs(real(columns[i].linear.y, length) - exact_columns[i].linear.y) / column_bound[i]);
     }
     EXPECT_NEAR(real(fixed.tool.position.y, length), exact.tool.position.y, 2.0 * bound.worst());
   }
+  EXPECT_GT(nearest, 0.02) << "a bound as loose as this says little";
+}
+
+TYPED_TEST(FixedForms, MomentaAndTheirDriftsStayInsideTheirBounds) {
+  using Checked = typename TypeParam::Checked;
+  using Robot = typename TypeParam::Robot;
+  constexpr auto momentum_bound = error_bound<Checked>(algorithm::Momentum{});
+  constexpr auto drift_bound = error_bound<Checked>(algorithm::MomentumDrift{});
+  double nearest_momentum = 0.0, nearest_drift = 0.0;
+  for (int k = 0; k < 300; ++k) {
+    const State<Robot> state(this->generator);
+    const auto fixed = momentum_terms<Checked>(state.q, state.qd);
+    const auto exact = momentum_terms<Robot>(state.q_real, state.qd_real);
+    for (int i = 0; i < this->size; ++i) {
+      const double p = std::fabs(real(fixed.momentum[i], fixed.momentum.exponent(i)) - exact.momentum[i]);
+      const double d = std::fabs(real(fixed.drift[i], fixed.drift.exponent(i)) - exact.drift[i]);
+      EXPECT_LE(p, momentum_bound[i] + 1e-14) << i;
+      EXPECT_LE(d, drift_bound[i] + 1e-14) << i;
+      nearest_momentum = std::fmax(nearest_momentum, momentum_bound[i] > 0.0 ? p / momentum_bound[i] : 0.0);
+      nearest_drift = std::fmax(nearest_drift, drift_bound[i] > 0.0 ? d / drift_bound[i] : 0.0);
+    }
+  }
+  std::printf("momenta come to %.3f of their bounds, drifts to %.3f\n", nearest_momentum, nearest_drift);
+  EXPECT_GT(nearest_momentum, 0.02) << "a bound as loose as this says little";
+  EXPECT_GT(nearest_drift, 0.02) << "a bound as loose as this says little";
 }
 
 TYPED_TEST(FixedForms, MassMatrixStaysInsideItsBound) {

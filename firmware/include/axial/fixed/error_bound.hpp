@@ -24,6 +24,14 @@ struct ErrorBound {
   }
 };
 
+namespace algorithm {
+/// What momentum_terms() answers, for error_bound() alone: it has a bound each.
+///@{
+struct Momentum {};       ///< M(q) qd
+struct MomentumDrift {};  ///< what changes it besides the drives
+///@}
+}  // namespace algorithm
+
 namespace detail {
 
 template <class Scene, class Word, class Default, class Recursion>
@@ -115,7 +123,32 @@ template <class S, class T = Fixed32>
   return detail::bounds_of(detail::ranges_for<scene_of<S>, typename T::Word, FullParameters, recursion::Kinematics>,
                            [](const LinkRange& r) { return r.length.error; });
 }
-/// Of the tool's Jacobian, one a column: of its linear part in m (a slide's in 1); `algorithm::Jacobian` has no other.
+/// Of the joints' momenta, N m s or N s.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr auto error_bound(algorithm::Momentum) {
+  static_assert((detail::check_bound<S, recursion::Momenta>(), true));
+  return detail::bounds_of(detail::ranges_for<scene_of<S>, typename T::Word, BaseParameters, recursion::Momenta>,
+                           [](const LinkRange& r) { return r.joint_effort.error; });
+}
+/// Of their drifts, N m or N.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr auto error_bound(algorithm::MomentumDrift) {
+  using Scene = scene_of<S>;
+  using Word = typename T::Word;
+  static_assert((detail::check_bound<S, recursion::Momenta>(), true));
+  int exponents[joint_count<S>] = {}, least = MomentumRatesOf<Scene, T>::exponent(0);
+  for (int i = 0; i < joint_count<S>; ++i)
+    exponents[i] = MomentumRatesOf<Scene, T>::exponent(i), least = detail::smaller(least, exponents[i]);
+  for (int& exponent : exponents)
+    exponent = Scene::template has<Looped> ? least : exponent;  // links that share formats round at one
+  const auto drifts =
+      bounds::drift_bounds(mechanism_of<Scene, detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>>,
+                           rounding_in<Scene, detail::ArithmeticOf<Scene, Word>>(),
+                           detail::ranges_for<Scene, Word, BaseParameters, recursion::NewtonEuler>,
+                           detail::ranges_for<Scene, Word, BaseParameters, recursion::Momenta>, exponents);
+  return detail::bounds_of(drifts, [](const Ball& drift) { return drift.error; });
+}
+/// Of the tool's Jacobian, one per column: the norm of its linear part, in m (of a slide's in 1).
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Jacobian) {
   using Scene = scene_of<S>;

@@ -29,9 +29,8 @@ struct ConstantInertia {
 
   /// A bound of the known entries' spectral norm: the largest row sum.
   constexpr double norm() const {
-    const double xy = of.xy.bound.size, xz = of.xz.bound.size, yz = of.yz.bound.size;
-    const double x = of.xx.bound.size + xy + xz, y = of.yy.bound.size + xy + yz, z = of.zz.bound.size + xz + yz;
-    return x > y ? (x > z ? x : z) : (y > z ? y : z);
+    const auto size = [](const Number& x) { return x.bound.size; };
+    return axial::detail::largest_row({size(of.xx), size(of.yy), size(of.zz), size(of.xy), size(of.xz), size(of.yz)});
   }
   /// Sum of the entries' errors, which bounds that of the norm.
   constexpr double error() const {

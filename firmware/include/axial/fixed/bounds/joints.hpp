@@ -24,7 +24,7 @@ class JointBounds {
   constexpr JointBounds(const Mechanism<N>& m, const Rounding& r) : r_(r), shared_(m.steps.shared) {
     double speed = 0.0, acceleration = 0.0;
     for (const JointRange& j : m.joints)
-      speed = larger(speed, j.speed), acceleration = larger(acceleration, j.acceleration);
+      speed = axial::detail::larger(speed, j.speed), acceleration = axial::detail::larger(acceleration, j.acceleration);
     for (int i = 0; i < N; ++i) {
       const JointRange& j = m.joints[i];
       q[i] = {position(m.steps, j.travel), {&r}};
@@ -38,7 +38,6 @@ class JointBounds {
   const Rounding& r_;
   bool shared_;
 
-  static constexpr double larger(double a, double b) { return a > b ? a : b; }
   constexpr Number read(double size, double largest) const {
     const int own = input_exponent(size, r_), all = input_exponent(largest, r_);
     return shared_ ? word_of({size, r_.move(own, all)}, all) : word_of({size, 0.0}, own);

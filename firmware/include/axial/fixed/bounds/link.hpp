@@ -202,7 +202,6 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   Account<N>* account_;
   int index_;
   bool noting_ = true;
-
   constexpr const Mechanism<N>& mechanism() const { return account_->mechanism; }
   constexpr const LoadRange& loads() const { return mechanism().loads; }
   constexpr bool shared() const { return mechanism().steps.shared; }

@@ -48,16 +48,20 @@ class BoundedLinks {
   ///@}
   /// Frame 0 in the world.
   constexpr auto base_pose() const { return constant_pose(account_->mechanism.loads.base_offset, account_->rounding); }
-  /// Acceleration of the base that stands for gravity: constants of the model, in a table words.
+  /// Acceleration of the base that stands for gravity: constants of the model, in a table words; a run-time input has
+  /// the exponent of its declared size.
   constexpr BoundedVector base_acceleration() const {
     const LoadRange& l = account_->mechanism.loads;
-    const bool words = account_->mechanism.steps.shared;
-    const int exponent = account_->mechanism.base_format().linear_acceleration;
-    BoundedVector g{detail::split({l.gravity_across, 0.0}, {l.gravity_along, 0.0}), exponent, !words,
-                    &account_->rounding};
-    const double step = words && !account_->sizing ? 0.5 * Rounding::ulp(exponent) : 0.0;
-    g.bound = detail::with_rounding(g.bound, l.gravity_across > 0.0 ? detail::root2 * step : 0.0,
-                                    l.gravity_along > 0.0 ? step : 0.0);
+    const Rounding& r = account_->rounding;
+    BoundedVector g{detail::split({l.gravity_across, 0.0}, {l.gravity_along, 0.0}), 0, true, &r};
+    if (l.gravity_given) {
+      g.exponent = detail::input_exponent(l.gravity_along, r), g.is_literal = false;
+    } else if (account_->mechanism.steps.shared) {
+      g.exponent = account_->mechanism.base_format().linear_acceleration, g.is_literal = false;
+      const double step = account_->sizing ? 0.0 : 0.5 * Rounding::ulp(g.exponent);
+      g.bound = detail::with_rounding(g.bound, l.gravity_across > 0.0 ? detail::root2 * step : 0.0,
+                                      l.gravity_along > 0.0 ? step : 0.0);
+    }
     return g;
   }
 

@@ -1,7 +1,7 @@
 // Ranges: what bounds the quantities of every link, and in which formats they are kept. doc/ranges.md is the proof.
 #pragma once
 
-#include <axial/fixed/bounds/ball.hpp>
+#include <axial/fixed/bounds/split_ball.hpp>
 #include <axial/links/link_view.hpp>
 
 namespace axial {
@@ -22,6 +22,7 @@ struct LoadRange {
   double tip_force = 0.0, tip_moment = 0.0;     ///< N, N m
   double base_offset = 0.0, tool_offset = 0.0;  ///< m, of frame 0 in the world and of the tool on the last link
   bool rotors = false, friction = false, springs = false;  ///< whether the scene names them
+  bool gravity_given = false;                              ///< whether gravity is a run-time input, a word
 };
 
 /// Bounds of the quantities of one link: how large they can be and how exact they are.
@@ -153,12 +154,9 @@ struct Mechanism {
 
 namespace detail {
 
-/// A bound of the spectral norm of a symmetric 3x3 matrix: its largest row sum.
+/// A bound of the spectral norm of a link's inertia.
 constexpr double norm_of(const TreeLinkConstants<double>& c) {
-  const double x = magnitude(c.jxx) + magnitude(c.jxy) + magnitude(c.jxz);
-  const double y = magnitude(c.jyy) + magnitude(c.jxy) + magnitude(c.jyz);
-  const double z = magnitude(c.jzz) + magnitude(c.jxz) + magnitude(c.jyz);
-  return x > y ? (x > z ? x : z) : (y > z ? y : z);
+  return largest_row({c.jxx, c.jyy, c.jzz, c.jxy, c.jxz, c.jyz});
 }
 constexpr double length_of(double x, double y, double z) { return square_root(x * x + y * y + z * z); }
 
@@ -178,7 +176,8 @@ constexpr LoadRange load_range() {
   LoadRange loads;
   if (Scene::template has<Gravity>)
     loads.gravity_across = length_of(g.x, g.y, 0.0), loads.gravity_along = magnitude(g.z);
-  if (Scene::template has<RuntimeGravity>) loads.gravity_across = loads.gravity_along = length_of(g.x, g.y, g.z);
+  loads.gravity_given = Scene::template has<RuntimeGravity>;
+  if (loads.gravity_given) loads.gravity_across = loads.gravity_along = length_of(g.x, g.y, g.z);
   loads.rotors = Scene::template has<RotorInertia>;
   loads.friction = Scene::template has<Friction>;
   const auto &base = Robot::chain.base.pose.position, &tool = Robot::chain.tool.pose.position;

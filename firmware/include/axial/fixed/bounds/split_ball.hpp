@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/fixed/bounds/ball.hpp>
+#include <axial/spatial/mat3.hpp>
 
 namespace axial {
 
@@ -28,6 +29,12 @@ constexpr double hypotenuse(double a, double b) {
   if (!(a > 0.0 || a < 0.0)) return b < 0.0 ? -b : b;
   if (!(b > 0.0 || b < 0.0)) return a < 0.0 ? -a : a;
   return root_bound(a * a + b * b);
+}
+/// The largest row sum of a symmetric 3x3 matrix, which bounds its spectral norm.
+constexpr double largest_row(const Sym3<double>& s) {
+  const double xy = magnitude(s.xy), xz = magnitude(s.xz), yz = magnitude(s.yz);
+  const double x = magnitude(s.xx) + xy + xz, y = magnitude(s.yy) + xy + yz, z = magnitude(s.zz) + xz + yz;
+  return x > y ? (x > z ? x : z) : (y > z ? y : z);
 }
 constexpr Ball least(const Ball& a, const Ball& b) { return {least(a.size, b.size), least(a.error, b.error)}; }
 constexpr Ball hypotenuse(const Ball& a, const Ball& b) {

@@ -34,21 +34,13 @@ AXIAL_INLINE constexpr auto stored_at(const MotionVector<W, V>& motion) {
 
 /// The members of PlainValues over arithmetic S, for links that have a type each.
 template <class SceneType, class S>
-struct FixedValues {
-  static constexpr Status::Code lost_code = Status::Code::saturated;  ///< ranges are proved: no joint is near singular
-
-  /// Values that carry no format: none at all.
-  template <class Values>
-  AXIAL_INLINE static constexpr const Values& read(const Values& values) {
-    return values;
-  }
+struct FixedValues : WordValues<SceneType, S> {
+  using WordValues<SceneType, S>::read;
   /// Words with their formats, indexed as the links are.
   template <class R, class Word, class Role>
   AXIAL_INLINE static constexpr auto read(const Joints<R, Stored<Word>, Role>& values) {
     return detail::FixedView<robot_of<R>, S, Joints<R, Stored<Word>, Role>, Role>{values};
   }
-  /// Efforts to fill, in the format of the scene.
-  AXIAL_INLINE static constexpr auto no_efforts() { return EffortsOf<SceneType, Stored<typename S::Word>>{}; }
   /// values[i] = x, rounded into the format of the values.
   template <class Values, class I, class X>
   AXIAL_INLINE static constexpr void write(Values& values, I, const X& x) {

@@ -3,6 +3,7 @@
 
 #include <axial/fixed/formats/joint_formats.hpp>
 #include <axial/links/link_view.hpp>
+#include <axial/scene/status.hpp>
 
 namespace axial {
 namespace detail {
@@ -36,4 +37,19 @@ struct FixedView<Robot, S, Values, role::Position> {
 };
 
 }  // namespace detail
+
+/// What joint values in fixed point have in common, whoever shares formats.
+template <class SceneType, class S>
+struct WordValues {
+  static constexpr Status::Code lost_code = Status::Code::saturated;  ///< ranges are proved: no joint is near singular
+
+  /// Values that carry no format: none at all.
+  template <class Values>
+  AXIAL_INLINE static constexpr const Values& read(const Values& values) {
+    return values;
+  }
+  /// Efforts to fill, in the format of the scene.
+  AXIAL_INLINE static constexpr auto no_efforts() { return EffortsOf<SceneType, Stored<typename S::Word>>{}; }
+};
+
 }  // namespace axial

@@ -100,21 +100,13 @@ struct SharedView<Links, Values, role::Position> {
 
 /// The members of PlainValues over arithmetic S, for links that share their formats.
 template <class Links, class SceneType, class S>
-struct SharedValues {
-  static constexpr Status::Code lost_code = Status::Code::saturated;  ///< ranges are proved: no joint is near singular
-
-  /// Values that carry no format: none at all.
-  template <class Values>
-  AXIAL_INLINE static constexpr const Values& read(const Values& values) {
-    return values;
-  }
+struct SharedValues : WordValues<SceneType, S> {
+  using WordValues<SceneType, S>::read;
   /// Words in the formats that all links share.
   template <class R, class Word, class Role>
   AXIAL_INLINE static constexpr auto read(const Joints<R, Stored<Word>, Role>& values) {
     return detail::SharedView<Links, Joints<R, Stored<Word>, Role>, Role>{values};
   }
-  /// Efforts to fill, in the format of the scene.
-  AXIAL_INLINE static constexpr auto no_efforts() { return EffortsOf<SceneType, Stored<typename S::Word>>{}; }
   /// From the format that all joints share into joint i's own, which is as fine or finer: nothing is lost.
   template <class Values, int E>
   AXIAL_INLINE static constexpr void write(Values& values, int i, const Fx<E, S>& x) {
