@@ -1,4 +1,5 @@
 #include <host_sim/counts/states.hpp>
+#include <oracle/as_float.hpp>
 #include <oracle/convert.hpp>
 #include <oracle/random_chain.hpp>
 #include <oracle/recursive.hpp>
@@ -18,7 +19,7 @@ State seeded_state(const oracle::Chain<oracle::quad>& chain, const std::vector<a
   }
   const auto q = oracle::convert<oracle::quad>(s.q), qd = oracle::convert<oracle::quad>(s.qd);
   for (const auto& exact : oracle::recursive_inverse_dynamics(chain, q, qd, desired))
-    s.tau.push_back(static_cast<double>(static_cast<float>(exact)));
+    s.tau.push_back(oracle::as_float(exact));
   s.qdd = oracle::recursive_forward_dynamics(chain, q, qd, oracle::convert<oracle::quad>(s.tau));
   return s;
 }

@@ -52,7 +52,11 @@ void add(Model& model, const axial::LinkParameters& link) {
 }
 void add(Model& model, const axial::Link& link) { add(model, link.parameters()); }
 
-double as_float(double x) { return static_cast<double>(static_cast<float>(x)); }
+// Stored on the way: GCC 12 forgets the rounding where it vectorises two such casts beside each other (-O2).
+double as_float(double x) {
+  const volatile auto nearest = static_cast<float>(x);
+  return static_cast<double>(nearest);
+}
 
 }  // namespace
 

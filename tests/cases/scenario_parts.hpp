@@ -3,10 +3,11 @@
 
 #include <cases/scenarios.hpp>
 #include <cmath>
+#include <oracle/as_float.hpp>
 
 namespace cases::parts {
 
-inline double as_float(double x) { return static_cast<double>(static_cast<float>(x)); }
+using oracle::as_float;
 inline double power_of_two(int exponent) { return std::ldexp(1.0, exponent); }
 inline std::string power(int exponent) { return "2^" + std::to_string(exponent); }
 inline std::string named(const char* family, const char* kind, int n) {

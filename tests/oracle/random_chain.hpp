@@ -1,6 +1,7 @@
 // Seeded random chains and states for tests. Every number is a float, so that float, double and quad solve one problem.
 #pragma once
 
+#include <oracle/as_float.hpp>
 #include <oracle/chain.hpp>
 #include <random>
 
@@ -13,7 +14,7 @@ class RandomChains {
   /// Uniform in [low, high], rounded to float. Independent of the standard library's distributions.
   double uniform(double low, double high) {
     const double unit = static_cast<double>(engine_()) / 4294967296.0;
-    return static_cast<double>(static_cast<float>(low + (high - low) * unit));
+    return as_float(low + (high - low) * unit);
   }
   int below(int count) { return static_cast<int>(engine_() % static_cast<unsigned>(count)); }
 

@@ -2,6 +2,7 @@
 // the largest acceleration: over the families of arm_families.hpp, by the rule that the compiler applies to a robot's
 // type (elimination_loss.hpp), applied here to run-time models, so that hundreds of arms need no compiler each.
 #include <gtest/gtest.h>
+#include <oracle/as_float.hpp>
 #include "arm_families.hpp"
 
 using namespace axial;
@@ -68,7 +69,7 @@ Errors errors(const property::Description& arm, property::Arms& random, int kind
     if (kind >= 4) {
       tau = inverse_dynamics(bodies, q, qd, tau);
       for (int i = 0; i < n; ++i)
-        tau[i] = static_cast<double>(static_cast<float>(tau[i]));
+        tau[i] = oracle::as_float(tau[i]);
     }
     Joints<ByBodies, float> qf{}, qdf{}, tauf{};
     Joints<ByElimination, float> qe{}, qde{}, taue{};
