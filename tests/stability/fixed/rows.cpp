@@ -13,8 +13,8 @@ struct Entry {
   Row (*row)(const Scenario&);
 };
 constexpr Entry entries[] = {{"S01_straight_N10", 3e-4, fixed_row<Rods>},
-                             {"S04_heavytip_2^0", 2e-2, fixed_row<Arm<HeavyTip>>},
-                             {"S05_lighttip_2^-10", 6e-2, fixed_row<Arm<LightTip>>},
+                             {"S04_heavytip_2^0", 5e-5, fixed_row<Arm<HeavyTip>>},
+                             {"S05_lighttip_2^-10", 3e-5, fixed_row<Arm<LightTip>>},
                              {"S06_zyx_eps2^-11_rot2^-10", 1e-3, fixed_row<Wrist>},
                              {"S08_rotor_2^10", 8e-8, fixed_row<Arm<LargeRotors>>},
                              {"S10_speed_2^5", 4e-5, fixed_row<Arm<Fast>>},
