@@ -1,21 +1,9 @@
 // A program and what it stands for, as a script of Gappa.
 #pragma once
 
-#include <host_sim/prove/formula.hpp>
-#include <host_sim/prove/program.hpp>
-
-#include <map>
+#include <host_sim/prove/scales.hpp>
 
 namespace prove {
-
-/// Binary exponents of the nodes' units: what a node stands for is value 2^-scale.
-using Scales = std::map<int, int>;
-
-/// From those of inputs and results to those of all other nodes: a shift keeps what a word stands for, a sum's terms
-/// and the sum have one unit, a product's constant is the formula's. `values` are those of the formula's terms in the
-/// run. Where two ways lead to a node and disagree, the first one holds.
-Scales scales_of(const Program& program, const Formula& formula, const std::vector<long double>& values,
-                 const Scales& known);
 
 /// A real variable: off by at most `within` from a term of the formula or, where there is none, from an input.
 struct RealVariable {
