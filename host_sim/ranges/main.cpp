@@ -18,10 +18,11 @@ void print(const std::string& robot, const Choice& choice, const std::vector<Row
   std::printf("%s, %s: %d bits, rounded %s, %s; |quantity| <= bound, kept as an integer times 2^-exponent\n",
               robot.c_str(), choice.algorithm.c_str(), choice.word, choice.nearest ? "to nearest" : "down",
               choice.high_word ? "upper words of products" : "exact products");
-  host_sim::Table table({"link", "quantity", "bound", "unit", "exponent", "resolution", "certified error"});
+  host_sim::Table table({"link", "quantity", "bound", "unit", "exponent", "resolution", "halvings", "certified error"});
   for (const Row& row : rows)
     table.add({std::to_string(row.link), row.quantity, significant(row.bound, 4), row.unit,
-               std::to_string(row.exponent), significant(row.resolution()), row.error ? significant(*row.error) : ""});
+               std::to_string(row.exponent), significant(row.resolution()), std::to_string(row.halvings),
+               row.error ? significant(*row.error) : ""});
   std::fputs((table.text() + "\n").c_str(), stdout);
 }
 
@@ -36,6 +37,7 @@ nlohmann::ordered_json object(const Row& row, const Choice& choice) {
           {"unit", row.unit},
           {"bound", row.bound},
           {"exponent", row.exponent},
+          {"halvings", row.halvings},
           {"error", row.error ? nlohmann::ordered_json(*row.error) : nlohmann::ordered_json()}};
 }
 

@@ -12,6 +12,13 @@ using axial::Ball;
 using axial::LinkFormat;
 using axial::LinkRange;
 
+/// Whether a drive makes the quantity, which is in proportion to it.
+bool is_driven(Ball LinkRange::*range) {
+  for (const auto& quantity : axial::detail::driven_quantities)
+    if (quantity.size == range) return true;
+  return false;
+}
+
 /// A quantity that a recursion keeps; its unit for a revolute joint, and for a prismatic one. Without a format of its
 /// own it has that of sines and cosines.
 struct Quantity {
@@ -84,7 +91,8 @@ std::vector<Row> rows_of(const axial::Ranges<N>& ranges, const axial::LinkParame
       const bool is_load = quantity.range == &LinkRange::moment || quantity.range == &LinkRange::force;
       const std::string unit = revolute ? quantity.unit : quantity.prismatic_unit;
       rows.push_back({robot, i, quantity.name, is_load ? unit + per : unit, ball.size, exponent,
-                      ball.error > 0.0 ? std::optional<double>(ball.error) : std::nullopt});
+                      ball.error > 0.0 ? std::optional<double>(ball.error) : std::nullopt,
+                      is_driven(quantity.range) ? ranges.halvings : 0});
     }
   return rows;
 }

@@ -17,8 +17,9 @@ struct Choice {
 };
 
 /// One quantity of one link: |quantity| <= bound, the norm where it is a vector, and it is kept as an integer times
-/// 2^-exponent. `error` bounds the difference between the computed and the exact one; absent where no analysis gives
-/// it.
+/// 2^-exponent; where forward dynamics has formats for the declared motion, the solve that must hold everything that
+/// efforts can do keeps it 2^halvings times smaller. `error` bounds the difference between the computed and the exact
+/// one; absent where no analysis gives it.
 struct Row {
   std::string robot;
   int link;  ///< from 0, as in C++
@@ -26,8 +27,11 @@ struct Row {
   double bound;
   int exponent;
   std::optional<double> error;
+  int halvings = 0;
 
   double resolution() const { return std::ldexp(1.0, -exponent); }
+  /// Where the quantity may reach its bound.
+  double coarsest_resolution() const { return std::ldexp(1.0, halvings - exponent); }
 };
 
 /// Names of the algorithms whose recursion has an analysis.

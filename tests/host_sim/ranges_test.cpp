@@ -44,7 +44,8 @@ TEST(Ranges, TheFirstLinkTurnsAsItsJointIsAllowed) {
   EXPECT_EQ(found.at({0, "angular velocity"}).unit, "rad/s");
 }
 
-// Motion is kept as fine as its word allows; what is sent on may be kept for a larger sum or for a declared effort.
+// Motion is kept as fine as its word allows; what is sent on may be kept for a larger sum or for a declared effort, and
+// in formats for the declared motion all that efforts can do fits after the halvings that the row names.
 TEST(Ranges, FormatsHoldTheirBoundsAndWasteLittle) {
   const auto is_motion = [](const Row& row) {
     return row.unit == "rad/s" || row.unit == "rad/s^2" || row.unit == "m/s^2";
@@ -55,7 +56,7 @@ TEST(Ranges, FormatsHoldTheirBoundsAndWasteLittle) {
         for (const Row& row : ranges::rows(robot, {algorithm, word, true, false})) {
           SCOPED_TRACE(robot + " " + algorithm + " " + row.quantity + " of link " + std::to_string(row.link));
           const double capacity = std::ldexp(1.0, word - 1);
-          EXPECT_LT(row.bound, capacity * row.resolution());
+          EXPECT_LT(row.bound, capacity * row.coarsest_resolution());
           if (is_motion(row)) {
             EXPECT_GT(row.bound, capacity / 16.0 * row.resolution());
           }

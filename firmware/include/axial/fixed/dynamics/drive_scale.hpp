@@ -90,7 +90,7 @@ AXIAL_INLINE constexpr int halvings_of(const Links& links, const Tau& tau, const
 /// Doublings of a drive that is halved Links::halvings() times at first: back to itself, and more where it is small.
 template <class Links>
 constexpr int doublings_of() {
-  return Links::halvings() > 0 ? detail::smaller(Links::halvings() + 8, 40) : detail::most_doublings;
+  return Links::halvings() > 0 ? detail::doublings_after(Links::halvings()) : detail::most_doublings;
 }
 
 /// (tau - bias) / 2^shift of all joints, in the formats of the links for a drive that is halved `Links::halvings()`

@@ -89,6 +89,9 @@ AXIAL_INLINE constexpr auto lazy_sum(const X& x, const Y& y, const Rest&... rest
     return lazy_sum(x + y, rest...);
 }
 
+/// Doublings of a drive that is halved so often at first: back to itself, and more where it is small.
+constexpr int doublings_after(int halvings) { return smaller(halvings + 8, 40); }
+
 /// Rounding of link I, in its own formats: see Plain for what kernels say to it. `Table` holds the ranges.
 template <class S, class Table, int I>
 struct FormatRounding {
@@ -131,7 +134,7 @@ struct FormatRounding {
   template <int E, int F, class M>
   AXIAL_INLINE static constexpr Fx<F, S> admitted(bool& lost, const Fx<E, S>& d, const Fx<F, S>& u, M magnified) {
     std::int32_t v = u.raw;
-    if constexpr (!is_zero_v<M>) v = v >> magnified;
+    if constexpr (!is_zero_v<M>) v = v >> within_word(magnified);
     const bool beyond = S::bits == 32 ? is_less(by_upper_words(d.raw, share<E, F, 2>()), by_upper_words(v, v) >> 2)
                                       : is_less(std::int64_t{d.raw} * share<E, F, 0>(), std::int64_t{v} * v);
     lost = lost | beyond;
@@ -187,6 +190,11 @@ struct FormatRounding {
     constexpr double raw = Table::value.range[I].share * power_of_two(scale) * 0.999;
     constexpr double most = 2147483647.0;
     return static_cast<std::int32_t>(raw < most ? raw : most);
+  }
+  // Doublings as a shift of a word.
+  AXIAL_INLINE static constexpr int within_word(int doublings) {
+    if constexpr (doublings_after(Table::value.halvings) > 31) return select(is_less(doublings, 31), doublings, 31);
+    return doublings;
   }
   AXIAL_INLINE static constexpr std::int64_t by_upper_words(std::int32_t a, std::int32_t b) {
     return integer::multiply_high(a, b);
