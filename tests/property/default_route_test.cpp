@@ -105,7 +105,7 @@ TEST(DefaultRoute, EliminatesWhereThatLosesLittle) {
   for (int f = 0; f < property::families; ++f)
     for (int k = 0; k < 28; ++k, ++arms) {
       const auto arm = random.arm(static_cast<property::Family>(f), 2 + k % 11);
-      if (loss(arm) > detail::acceptable_loss(static_cast<int>(arm.links.size()))) continue;
+      if (loss(arm) > detail::acceptable_loss(parameters(arm).data(), static_cast<int>(arm.links.size()))) continue;
       ++eliminated;
       for (int kind = 0; kind < kinds; ++kind) {
         const auto worst = errors(arm, random, kind, 40);

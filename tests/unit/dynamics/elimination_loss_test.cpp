@@ -3,6 +3,7 @@
 #include <axial/dynamics/route.hpp>
 #include <axial/robot/chain.hpp>
 #include <cmath>
+#include <vector>
 
 using namespace axial;
 
@@ -38,7 +39,11 @@ double loss() {
 
 double position(int sample, int joint) { return detail::sampled_position(Limited::chain.links, 4, sample, joint); }
 
-constexpr double most(int joints) { return detail::acceptable_loss(joints); }
+double most(int joints, JointType last = JointType::revolute) {
+  std::vector<LinkParameters> links(static_cast<std::size_t>(joints));
+  links.back().type = last;
+  return detail::acceptable_loss(links.data(), joints);
+}
 
 }  // namespace
 
@@ -101,6 +106,11 @@ TEST(EliminationLoss, ThatIsAcceptedGrowsToSevenJoints) {
   EXPECT_DOUBLE_EQ(most(7), 64.0);
   EXPECT_DOUBLE_EQ(most(12), 64.0);
   EXPECT_DOUBLE_EQ(most(2), 128.0 / 7.0);
+}
+
+TEST(EliminationLoss, ThatIsAcceptedIsHalfWhereAJointSlides) {
+  EXPECT_DOUBLE_EQ(most(7, JointType::prismatic), 32.0);
+  EXPECT_DOUBLE_EQ(most(2, JointType::prismatic), 64.0 / 7.0);
 }
 
 TEST(EliminationLoss, IsWithoutBoundWhereAJointHasNoInertiaOfItsOwn) { EXPECT_GE(loss<Hollow>(), 1e300); }
