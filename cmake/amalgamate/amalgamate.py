@@ -13,6 +13,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDERS = {"axial": ROOT / "firmware" / "include", "robots": ROOT}
 ALWAYS = ["axial/axial.hpp", "axial/fixed.hpp", "axial/c_interface/export.hpp", "axial/fixed/c_interface/fixed_calls.hpp"]
+OPTIONS = ("axial/options/begin.hpp", "axial/options/end.hpp")  # around each header's code; here, once around all of it
 INCLUDE = re.compile(r"^\s*#\s*include\s*<([^>]+)>\s*(?://.*)?$")
 OPENS = re.compile(r"^\s*#\s*if")
 CLOSES = re.compile(r"^\s*#\s*endif")
@@ -55,6 +56,8 @@ class Text:
 
     def add(self, line, name, conditional):
         include = INCLUDE.match(line)
+        if include and include[1] in OPTIONS:
+            return
         if include and place(include[1]):
             self.unfold(include[1], name, conditional)
         elif include:
@@ -72,6 +75,12 @@ def trimmed(lines):
     while result and not result[-1].strip():
         result.pop()
     return result
+
+
+def within_options(lines):
+    """The lines, where every header that they include has been read, between what each of the headers stood between."""
+    begin, end = (place(name).read_text().splitlines() for name in OPTIONS)
+    return begin + [""] + lines + ["", *end]
 
 
 def commit():
@@ -99,7 +108,7 @@ def amalgamate(headers, revision):
             f"// Commit: {revision}. Made by ./axial amalgamate from: {', '.join(headers)}.",
             "// Do not edit: change the sources and make it anew.",
             "#pragma once", ""]
-    return "\n".join(head + [f"#include <{name}>" for name in sorted(text.outside)] + [""] + trimmed(text.lines)) + "\n"
+    return "\n".join(head + [f"#include <{name}>" for name in sorted(text.outside)] + [""] + within_options(trimmed(text.lines))) + "\n"
 
 
 def robots():

@@ -14,6 +14,10 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 
+if(NOT DEFINED AXIAL_LIVE_RANGE_FLAG)
+  set(AXIAL_LIVE_RANGE_FLAG -flive-range-shrinkage)  # move definitions to their uses before allocation
+endif()
+
 string(JOIN " " AXIAL_COMMON_FLAGS
   ${AXIAL_CPU_FLAGS}
   ${AXIAL_LIBRARY_FLAGS}
@@ -22,10 +26,11 @@ string(JOIN " " AXIAL_COMMON_FLAGS
   -ffunction-sections      # one section a function and object, so that the linker
   -fdata-sections          # can drop what an image does not use
   # Long straight-line code lives or dies by its registers: what these four save, ./axial size --flags tells
-  # (doc/size.md, "Compiler flags").
+  # (doc/size.md, "Compiler flags"). The headers choose the same where a user's build does not
+  # (firmware/include/axial/options).
   -fno-schedule-insns      # scheduling before register allocation lengthens lifetimes and spills more
   -fno-tree-ter            # keep the order in which the kernels are written
-  -flive-range-shrinkage   # move definitions to their uses before allocation
+  ${AXIAL_LIVE_RANGE_FLAG}
   -frename-registers       # lets what is spilled share registers that fall free later
   -fno-math-errno          # sqrt is the instruction alone, not the instruction and a call that would set errno
   -fstack-usage)           # a .su file beside each object: stack bytes of every function

@@ -114,7 +114,8 @@ def split(command, flags):
     words = shlex.split(command)
     first = next(i for i, word in enumerate(words) if word.startswith("-"))
     inputs = [word for word in words if re.match("-D|-I|-isystem|-std=", word)]
-    return Compilation(tuple(words[:first]), tuple(inputs), flags)
+    # The headers must not choose what is compared here.
+    return Compilation(tuple(words[:first]), (*inputs, "-DAXIAL_USER_OPTIONS"), flags)
 
 
 def straight_line(image, entry):

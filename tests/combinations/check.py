@@ -31,7 +31,7 @@ import factors
 import refusals
 
 COMPILERS = {"gcc": "g++", "clang": "clang++"}
-FLAGS = ["-std=c++17", "-O0", "-ffp-contract=off", "-DAXIAL_INLINE="]
+FLAGS = ["-std=c++17", "-O0", "-ffp-contract=off", "-DAXIAL_INLINE=", "-DAXIAL_USER_OPTIONS"]
 # A user's build may be as strict as ours, whose warnings are GCC's.
 FLAGS_OF = {"gcc": ["-fmax-errors=20", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror"], "clang": []}
 BEGIN, END = "<!-- table not_offered -->", "<!-- end -->"

@@ -12,7 +12,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 FOLDERS = ("firmware", "hal", "robots", "host_sim", "tests", "cmake")
 # As little optimisation as the compiler has: a test runs for milliseconds and is compiled for seconds.
-FLAGS = ["-std=c++17", "-O0", "-DAXIAL_INLINE=", "-ffp-contract=off", "-w"]
+FLAGS = ["-std=c++17", "-O0", "-DAXIAL_INLINE=", "-DAXIAL_USER_OPTIONS", "-ffp-contract=off", "-w"]
 INCLUDES = ["-Ifirmware/include", "-I.", "-Itests", "-Ihost_sim"]
 RUN_SECONDS = 60
 COMPILE_SECONDS = 300

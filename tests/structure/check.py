@@ -14,6 +14,7 @@ LIBRARY = "firmware/include/axial"
 # A layer may include itself and what is listed.
 BELOW_DYNAMICS = {"scalar", "spatial", "robot", "scene", "links"}
 LAYERS = {
+    "options": set(),
     "scalar": set(),
     "spatial": {"scalar"},
     "robot": {"scalar", "spatial"},
@@ -34,7 +35,11 @@ INTRODUCED = re.compile(r"\b(?:struct|class|using)(?:\.\.\.)? (\w+)")  # templat
 C_HEADER = "axial/axial.h"  # what a C source sees; the C interface alone includes it
 OPTIONAL = {"eigen.hpp": {"Eigen/Core"}}  # headers that no other header includes: what else they may include
 FREESTANDING = {"cstddef", "cstdint", "limits", "type_traits", "utility"}
+PAIR = ("axial/options/begin.hpp", "axial/options/end.hpp")  # around every header's own code
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+
+# A line that compiles to something: neither blank, nor a comment, nor a directive or what one goes on with.
+CODE = re.compile(r"^(?<!\\\n)(?!\s*(?://|#|$)).+", re.MULTILINE)
 
 # Folders whose functions answer users; steps of kernels (AXIAL_INLINE) and namespaces of their own are not for users.
 ANSWERING = ("", "closed_form", "control", "dynamics", "simulation")
@@ -59,7 +64,7 @@ def check_library_header(path, layer):
         elif parts[0] == "axial":
             if parts[1] in OPTIONAL:
                 yield f"{path}: {name} is included where a user asks for it, never by the library"
-            if layer is not None and parts[1] != layer and parts[1] not in LAYERS[layer]:
+            if layer is not None and name not in PAIR and parts[1] != layer and parts[1] not in LAYERS[layer]:
                 yield f"{path}: {layer}/ must not include {name}"
         elif name not in FREESTANDING and name not in OPTIONAL.get(path.name, ()):
             yield f"{path}: the library must not include <{name}>"
@@ -73,6 +78,24 @@ def check_library(root):
     for path in sorted((root / LIBRARY).glob("*.hpp")):
         if path.stem != PLUG_IN and any(name.startswith(f"axial/{PLUG_IN}") for name in includes(path)):
             yield f"{path}: only {PLUG_IN}.hpp includes the plug-in"
+
+
+def check_options(root):
+    """Whatever a header compiles stands between its one begin.hpp and its one end.hpp, and what it includes before them: nobody
+    else's code, neither a standard header's nor a user's, is compiled with the library's options."""
+    for path in sorted((root / LIBRARY).rglob("*.hpp")):
+        if path.parent.name == "options":
+            continue
+        pieces = re.split("|".join(rf"^#include <{re.escape(name)}>$" for name in PAIR), path.read_text(), flags=re.MULTILINE)
+        if CODE.search(pieces[0]):
+            yield f"{path}: code in front of #include <{PAIR[0]}>"
+        if len(pieces) == 1:
+            continue
+        found = tuple(name for name in includes(path) if name in PAIR)
+        if found != PAIR:
+            yield f"{path}: includes {', '.join(found)}; once {PAIR[0]} behind its other includes, once {PAIR[1]} as its last line"
+        elif INCLUDE.search(pieces[1]) or pieces[2].strip():
+            yield f"{path}: nothing is included behind {PAIR[0]}, and {PAIR[1]} is the last line"
 
 
 def code_of(path):
@@ -157,6 +180,7 @@ def check_readmes(root):
 
 def violations(root):
     yield from check_library(root)
+    yield from check_options(root)
     yield from check_number_systems(root)
     yield from check_cycles(root)
     yield from check_folder(root, "hal", r"axial/|robots/", "hal never sees dynamics")

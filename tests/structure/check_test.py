@@ -6,6 +6,14 @@ import sys
 import tempfile
 
 CHECK = pathlib.Path(__file__).with_name("check.py")
+BEGIN, END = ("#include <axial/options/%s.hpp>\n" % name for name in ("begin", "end"))
+
+
+def own(code, includes=""):
+    """A header of that code."""
+    return f"#pragma once\n\n{includes}\n{BEGIN}\n{code}\n{END}"
+
+
 BROKEN = {
     "firmware/include/axial/scalar/a.hpp": "#include <axial/robot/b.hpp>\n",
     "firmware/include/axial/robot/b.hpp": "#include <vector>\n",
@@ -15,13 +23,13 @@ BROKEN = {
     "tests/oracle/g.hpp": "#include <axial/dynamics/d.hpp>\n",
     "firmware/include/axial/dynamics/i.hpp": "#include <axial/axial.h>\n",
     "firmware/include/axial/k.hpp": "#include <axial/eigen.hpp>\n",
-    "firmware/include/axial/dynamics/l.hpp": "namespace axial {\nconstexpr int free(int) { return 0; }\n}  // namespace axial\n",
-    "firmware/include/axial/control/m.hpp": "namespace axial {\nstruct S {\n  static constexpr int member();\n};\n}  // namespace axial\n",
-    "firmware/include/axial/n.hpp": "namespace axial {\nauto typeless(int) { return 0; }\n}  // namespace axial\n",
-    "firmware/include/axial/closed_form/o.hpp": (
+    "firmware/include/axial/dynamics/l.hpp": own("namespace axial {\nconstexpr int free(int) { return 0; }\n}  // namespace axial\n"),
+    "firmware/include/axial/control/m.hpp": own("namespace axial {\nstruct S {\n  static constexpr int member();\n};\n}  // namespace axial\n"),
+    "firmware/include/axial/n.hpp": own("namespace axial {\nauto typeless(int) { return 0; }\n}  // namespace axial\n"),
+    "firmware/include/axial/closed_form/o.hpp": own(
         "namespace axial {\nnamespace closed_form {\nconstexpr Long\nbroken(int) { return {}; }\n}  // namespace closed_form\n}  // namespace axial\n"),
-    "firmware/include/axial/fixed/p.hpp": "struct Word {};\n",
-    "firmware/include/axial/dynamics/q.hpp": "constexpr int width(Word) { return 0; }  // Word is the plug-in's\n",
+    "firmware/include/axial/fixed/p.hpp": own("struct Word {};\n"),
+    "firmware/include/axial/dynamics/q.hpp": own("constexpr int width(Word) { return 0; }  // Word is the plug-in's\n"),
     "firmware/include/axial/scene/r.hpp": "#include <axial/links/s.hpp>\n",
     "firmware/include/axial/fixed/one/t.hpp": "#include <axial/fixed/two/u.hpp>\n",
     "firmware/include/axial/fixed/two/u.hpp": "#include <axial/fixed/three/v.hpp>\n",
@@ -29,11 +37,20 @@ BROKEN = {
     "firmware/include/axial/x.hpp": "#include <axial/fixed/p.hpp>\n",
     "firmware/include/axial/fixed/closed_form/y.hpp": "#include <axial/dynamics/d.hpp>\n",
     "orphan/h.hpp": "\n",
+    "firmware/include/axial/scene/without_options.hpp": "#pragma once\nstruct S {};\n",
+    "firmware/include/axial/scene/code_before.hpp": f"struct S {{}};\n{BEGIN}{END}",
+    "firmware/include/axial/scene/never_ended.hpp": f"{BEGIN}struct S {{}};\n",
+    "firmware/include/axial/scene/never_begun.hpp": f"struct S {{}};\n{END}",
+    "firmware/include/axial/scene/begun_twice.hpp": f"{BEGIN}{BEGIN}struct S {{}};\n{END}",
+    "firmware/include/axial/scene/ended_twice.hpp": f"{BEGIN}struct S {{}};\n{END}{END}",
+    "firmware/include/axial/scene/ended_first.hpp": f"{END}struct S {{}};\n{BEGIN}",
+    "firmware/include/axial/scene/includes_within.hpp": f"{BEGIN}#include <cstdint>\nstruct S {{}};\n{END}",
+    "firmware/include/axial/scene/code_behind.hpp": f"{BEGIN}struct S {{}};\n{END}struct T {{}};\n",
 }
 
 
 # Nothing of this is a violation: marked, void, a step, a step's namespace, deleted.
-SOUND = """namespace axial {
+SOUND = own("""namespace axial {
 namespace detail {
 constexpr int hidden(int) { return 0; }
 }  // namespace detail
@@ -46,7 +63,7 @@ struct S {
   constexpr explicit S(int) {}
 };
 }  // namespace axial
-"""
+""", "#include <cstdint>\n// A macro is nobody's code.\n#define AXIAL_SUM(a, b) \\\n  ((a) + (b))\n")
 
 
 def run_on(files):

@@ -160,7 +160,7 @@ class FlagSets(unittest.TestCase):
 
     def test_commands_are_taken_apart(self):
         found = flags.split("/usr/bin/ccache /usr/bin/g++ -DA=1 '-DB=\"\"' -I/x -mthumb -O2 -Wall -std=c++17 -MD -MT a.o -o a.o -c /y/kernel.cpp", ())
-        self.assertEqual(found, (("/usr/bin/ccache", "/usr/bin/g++"), ("-DA=1", '-DB=""', "-I/x", "-std=c++17"), ()))
+        self.assertEqual(found, (("/usr/bin/ccache", "/usr/bin/g++"), ("-DA=1", '-DB=""', "-I/x", "-std=c++17", "-DAXIAL_USER_OPTIONS"), ()))
 
 
 class StraightLine(unittest.TestCase):

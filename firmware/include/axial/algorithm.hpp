@@ -8,6 +8,8 @@
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/separated_torque.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// The algorithms by name. Each has `name` and `run<S>(q, qd, x, in)`, x being accelerations or efforts, over any
@@ -150,3 +152,5 @@ inline constexpr ClosedForm closed_form;
 }  // namespace algorithm
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

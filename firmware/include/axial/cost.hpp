@@ -5,6 +5,8 @@
 #include <axial/algorithm.hpp>
 #include <axial/scalar/counting.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 namespace detail {
@@ -130,3 +132,5 @@ template <class S>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

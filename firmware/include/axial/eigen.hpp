@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 namespace detail {
@@ -76,3 +78,5 @@ template <class S, class T>
 auto as_eigen(const MassMatrix<S, T>&&) = delete;
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

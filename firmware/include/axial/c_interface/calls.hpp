@@ -8,6 +8,8 @@
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::c_interface {
 
 /// Numbers by the names that AXIAL_C_DECLARE takes.
@@ -165,3 +167,5 @@ template <class S, class T>
 struct ExportedCalls : Calls<S, T> {};
 
 }  // namespace axial::c_interface
+
+#include <axial/options/end.hpp>

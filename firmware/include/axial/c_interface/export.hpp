@@ -3,6 +3,8 @@
 
 #include <axial/c_interface/calls.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::c_interface {
 
 /// Joints of a struct that AXIAL_C_DECLARE made, and what it holds them in.
@@ -98,3 +100,5 @@ static_assert(AXIAL_OK == static_cast<int>(Status::Code::ok) &&
   AXIAL_C_FUNCTION axial_status prefix##_tool_pose(const prefix##_joints* q, prefix##_pose* pose) {            \
     AXIAL_C_CALL(prefix##_calls, tool_pose, (q, pose), (*q, *pose));                                           \
   }
+
+#include <axial/options/end.hpp>

@@ -6,6 +6,8 @@
 #include <axial/links/plain_values.hpp>
 #include <axial/links/separated_terms.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace closed_form {
 namespace detail {
@@ -107,3 +109,5 @@ template <class S, class T>
 
 }  // namespace closed_form
 }  // namespace axial
+
+#include <axial/options/end.hpp>

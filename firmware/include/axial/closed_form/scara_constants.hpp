@@ -4,6 +4,8 @@
 #include <axial/links/link_constants.hpp>
 #include <axial/scene/scene.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace closed_form {
 namespace detail {
@@ -66,3 +68,5 @@ constexpr ScaraConstants scara_constants() {
 }  // namespace detail
 }  // namespace closed_form
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/control/momentum_observer.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 // A detector's tuning is the observer's type with also, `static constexpr`
@@ -99,3 +101,5 @@ template <class S, class T, class Tuning>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,10 @@
 
 #include <cstdint>
 
+#include <axial/scalar/inline.hpp>
+
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// What the drives are doing.
@@ -24,12 +28,14 @@ struct FallBackTimes {
 /// The phases and their clock. Requests and ticks are events; every transition stands in one of the members.
 class DrivePhases {
  public:
-  [[nodiscard]] constexpr DrivePhase phase() const { return phase_; }  ///< the present one
+  [[nodiscard]] AXIAL_INLINE constexpr DrivePhase phase() const { return phase_; }  ///< the present one
   [[nodiscard]] constexpr std::uint32_t age() const {
     return ticks_;
   }  ///< ticks in this phase; running: since the last good request
   /// Whether the drives are to be enabled.
-  [[nodiscard]] constexpr bool enabled() const { return phase_ != DrivePhase::idle && phase_ != DrivePhase::disabled; }
+  [[nodiscard]] AXIAL_INLINE constexpr bool enabled() const {
+    return phase_ != DrivePhase::idle && phase_ != DrivePhase::disabled;
+  }
 
   /// A good request: the drives follow it, from whatever phase but `disabled`; false there.
   [[nodiscard]] constexpr bool follow() {
@@ -83,3 +89,5 @@ class DrivePhases {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/control/drive_phase.hpp>
 #include <axial/control/feedforward.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 namespace detail {
@@ -32,8 +34,12 @@ class FallBack {
   /// With times other than the default ones.
   constexpr explicit FallBack(const FallBackTimes& times) : times_(times) {}
 
-  [[nodiscard]] constexpr DrivePhase phase() const { return phases_.phase(); }  ///< what the drives are doing
-  [[nodiscard]] constexpr bool enabled() const { return phases_.enabled(); }    ///< whether they are to be enabled
+  [[nodiscard]] AXIAL_INLINE constexpr DrivePhase phase() const {
+    return phases_.phase();
+  }  ///< what the drives are doing
+  [[nodiscard]] AXIAL_INLINE constexpr bool enabled() const {
+    return phases_.enabled();
+  }  ///< whether they are to be enabled
 
   /// A good request: from now on its torque `tau` (N m or N, as feedforward() gave it, with what a feedback adds) at
   /// its position q (rad or m). False where the drives are disabled, and stay so until rearm().
@@ -98,3 +104,5 @@ class FallBack {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/control/limits.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Memory of a feed-forward, owned by the caller; start with `{}`: the first safe output is no effort.
@@ -88,3 +90,5 @@ template <class S, class T>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/scalar/finite.hpp>
 #include <axial/scene/joints.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// The largest number T not beyond a declared limit, so that the limit itself is inside.
@@ -165,3 +167,5 @@ template <class S, class T>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/dynamics/momentum.hpp>
 #include <axial/links/soundness.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 // A tuning is a type of the caller's with `static constexpr double`
@@ -116,3 +118,5 @@ template <class S, class T, class Tuning>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/control/payload_formats.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::detail {
 
 /// Per unit of mass (kg) and of first moment (kg m, axes of the last link): the payload's row of one joint. In fixed
@@ -63,3 +65,5 @@ constexpr PayloadColumns<S, T> payload_columns(const Positions<robot_of<S>, T>& 
 }
 
 }  // namespace axial::detail
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/scalar/select.hpp>
 #include <axial/scalar/traits.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::detail {
 
 // L D L^T of a symmetric 4x4 and the solution of its equations; pivots too small for the type are reported.
@@ -46,3 +48,5 @@ class Equations {
 };
 
 }  // namespace axial::detail
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/control/payload_equations.hpp>
 #include <axial/control/payload_sums.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 // A tuning is the observer's type with also, `static constexpr double`
@@ -170,3 +172,5 @@ template <class Tuning, class S, class T>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/dynamics/kinematics.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::detail {
 
 /// Gravity of a robot in world axes, m/s^2.
@@ -47,3 +49,5 @@ struct ColumnRounding {
 };
 
 }  // namespace axial::detail
+
+#include <axial/options/end.hpp>

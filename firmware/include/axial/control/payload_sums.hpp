@@ -4,6 +4,8 @@
 #include <axial/control/momentum_observer.hpp>
 #include <axial/control/payload_columns.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::detail {
 
 /// What a residual may be wrong by, N m or N.
@@ -72,3 +74,5 @@ struct PayloadSums {
 };
 
 }  // namespace axial::detail
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/control/feedforward.hpp>
 #include <axial/dynamics/separated_torque.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Memory of a two-rate feed-forward, owned by the caller; start with `{}`.
@@ -44,3 +46,5 @@ template <class S, class T>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -6,6 +6,8 @@
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/spatial/congruence.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace aba {
 
@@ -262,3 +264,5 @@ AXIAL_INLINE constexpr Status run(const Links& links, const Input& in, const Q& 
 
 }  // namespace aba
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/dynamics/reflection.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 namespace detail {
@@ -91,3 +93,5 @@ AXIAL_INLINE constexpr auto free_motion(const Round& round, const I& inertia, co
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/dynamics/floating_base.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A force as plain numbers: moment (N m) about the origin of a frame and force (N), in its axes.
@@ -60,3 +62,5 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -8,6 +8,8 @@
 #include <axial/scalar/finite.hpp>
 #include <axial/scene/status.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 namespace detail {
@@ -98,3 +100,5 @@ template <class T, std::enable_if_t<std::is_floating_point_v<T>, int> = 0>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

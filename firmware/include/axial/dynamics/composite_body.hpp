@@ -6,6 +6,8 @@
 #include <axial/dynamics/reflection.hpp>
 #include <axial/scene/status.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace crba {
 
@@ -184,3 +186,5 @@ AXIAL_INLINE constexpr Status run_solve(const Links& links, const Input& in, con
 
 }  // namespace crba
 }  // namespace axial
+
+#include <axial/options/end.hpp>

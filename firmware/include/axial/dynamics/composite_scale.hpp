@@ -4,6 +4,8 @@
 #include <axial/dynamics/passes.hpp>
 #include <axial/scalar/math.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Mass, a bound of |first moment| and the polar moment (integral of r^2 dm, bounded) of all that a link carries.
@@ -111,3 +113,5 @@ template <class S>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

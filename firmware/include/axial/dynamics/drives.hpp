@@ -4,6 +4,8 @@
 #include <axial/links/links.hpp>
 #include <axial/scalar/select.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// What belongs to the direction of a speed; at rest the speed itself, which is 0 (or NaN). Neither way is branched on.
@@ -92,3 +94,5 @@ AXIAL_INLINE constexpr auto passive_effort(const Link& link, const Q& q, const V
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/scalar/math.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -185,3 +187,5 @@ inline constexpr bool elimination_loses_little = elimination_loss<Scene>() <=
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/dynamics/moving_base.hpp>
 #include <axial/dynamics/water.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Force that the environment exerts on the base, N m and N at the origin of frame 0; zero by type unless the scene
@@ -53,3 +55,5 @@ AXIAL_INLINE constexpr auto with_roots(const Links& links, const Left& left, con
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

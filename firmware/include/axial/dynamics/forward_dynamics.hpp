@@ -7,6 +7,8 @@
 #include <axial/dynamics/route.hpp>
 #include <axial/dynamics/split_form.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 namespace detail {
@@ -92,3 +94,5 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/scalar/select.hpp>
 #include <axial/scene/status.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Accelerations, one a joint, and what the solver has to say about them.
@@ -43,3 +45,5 @@ AXIAL_INLINE constexpr auto with_joint(const Link& link, const M& motion, const 
 
 }  // namespace aba
 }  // namespace axial
+
+#include <axial/options/end.hpp>

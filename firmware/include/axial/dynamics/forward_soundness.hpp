@@ -5,6 +5,8 @@
 #include <axial/dynamics/passes.hpp>
 #include <axial/links/soundness.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -108,3 +110,5 @@ class StateCheck {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -9,6 +9,8 @@
 #include <axial/dynamics/water.hpp>
 #include <axial/spatial/congruence.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace aba {
 
@@ -133,3 +135,5 @@ AXIAL_INLINE constexpr int respond(const Links& links, const Screws& screws, con
 
 }  // namespace aba
 }  // namespace axial
+
+#include <axial/options/end.hpp>

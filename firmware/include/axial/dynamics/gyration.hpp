@@ -4,6 +4,8 @@
 #include <axial/scalar/rounding.hpp>
 #include <axial/spatial/branch_screw.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// k (a - b) for two diagonal entries of U, whose difference is known to vanish where the `third` one does by type:
@@ -88,3 +90,5 @@ AXIAL_INLINE constexpr auto rotational_moment(const J& j, const D& differences, 
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

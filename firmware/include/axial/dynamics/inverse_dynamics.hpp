@@ -10,6 +10,8 @@
 #include <axial/dynamics/water.hpp>
 #include <axial/links/run_time_model.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace rnea {
 
@@ -251,3 +253,5 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

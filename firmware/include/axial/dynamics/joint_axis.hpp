@@ -4,6 +4,8 @@
 #include <axial/links/link_constants.hpp>
 #include <axial/spatial/spatial_vector.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Component of a force along the joint: the moment about its axis, or the force along it.
@@ -29,3 +31,5 @@ AXIAL_INLINE constexpr auto along_axis(Prismatic, const A& qdd) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/dynamics/joint_axis.hpp>
 #include <axial/dynamics/passes.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// The motion that a joint gives to a link which it does not move.
@@ -57,3 +59,5 @@ AXIAL_INLINE constexpr auto along_motion(const M& motion, const F& force) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

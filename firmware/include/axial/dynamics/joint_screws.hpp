@@ -5,6 +5,8 @@
 #include <axial/links/run_time_model.hpp>
 #include <axial/scalar/packed_sincos.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// z-screw of joint i at q (rad or m): one sine-cosine pair for a revolute joint; none where the scene names
@@ -106,3 +108,5 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/dynamics/inverse_dynamics.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace rnea {
 
@@ -113,3 +115,5 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

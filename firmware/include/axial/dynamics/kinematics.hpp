@@ -4,6 +4,8 @@
 #include <axial/dynamics/joint_screws.hpp>
 #include <axial/dynamics/position_soundness.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A pose in the world as plain numbers.
@@ -196,3 +198,5 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

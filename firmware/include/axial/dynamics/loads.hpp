@@ -3,6 +3,8 @@
 
 #include <axial/links/links.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Rigid-body inertia of a payload about the origin of the last link's frame (parallel-axis theorem): 12M 9A.
@@ -91,3 +93,5 @@ AXIAL_INLINE constexpr auto loaded_differences(const Link& link, const Body& bod
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/dynamics/reflection.hpp>
 #include <axial/spatial/congruence.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Symmetric N x N matrix; the lower triangle is stored. Entry (i, j): kg m^2 between revolute joints, kg m mixed, kg
@@ -161,3 +163,5 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

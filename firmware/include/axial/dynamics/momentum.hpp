@@ -4,6 +4,8 @@
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/dynamics/position_soundness.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// What d(momentum)/dt = tau + drift + tau_external is made of.
@@ -150,3 +152,5 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/links/links.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Whether frame 0 moves: as it is told, or freely.
@@ -59,3 +61,5 @@ AXIAL_INLINE constexpr auto base_acceleration(const Links& links, const Input& i
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/links/links.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 namespace detail {
@@ -260,3 +262,5 @@ AXIAL_INLINE constexpr auto inward(const Links& links, const Own& own, const Joi
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

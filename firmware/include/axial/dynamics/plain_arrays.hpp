@@ -8,6 +8,8 @@
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/dynamics/separation.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -86,3 +88,5 @@ template <class S, int Joint, class... A, class = detail::IfAnyIsPlainArray<A...
 ///@}
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/dynamics/forward_soundness.hpp>
 #include <axial/scalar/math.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -77,3 +79,5 @@ struct PositionCheck {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

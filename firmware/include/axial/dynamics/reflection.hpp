@@ -5,6 +5,8 @@
 #include <axial/dynamics/resistance.hpp>
 #include <axial/spatial/inertia.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Column of a 6x6 inertia along a joint, U = I* phi: angular and linear rows.
@@ -244,3 +246,5 @@ AXIAL_INLINE constexpr auto joint_acceleration(const Link& link, const U& free, 
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/dynamics/composite_scale.hpp>
 #include <axial/links/link_view.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Composite inertia that a joint's D is compared with: about the axis (bounded by the polar moment), or the mass.
@@ -143,3 +145,5 @@ AXIAL_INLINE constexpr T where_left(bool left, const Yes& yes, const No& no) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/dynamics/elimination_loss.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Ways from efforts to accelerations. All take the same arguments and agree to rounding.
@@ -89,3 +91,5 @@ constexpr Route chosen_route() {
 template <class S>
 inline constexpr Route forward_dynamics_route = detail::chosen_route<scene_of<S>>();
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/dynamics/separation.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace separation {
 
@@ -170,3 +172,5 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -6,6 +6,8 @@
 #include <axial/dynamics/position_soundness.hpp>
 #include <axial/links/separated_terms.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace separation {
 
@@ -234,3 +236,5 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

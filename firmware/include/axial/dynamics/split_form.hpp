@@ -4,6 +4,8 @@
 #include <axial/dynamics/free_response.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace aba {
 
@@ -46,3 +48,5 @@ AXIAL_INLINE constexpr Status run_split(const Links& links, const BiasLinks& bia
 
 }  // namespace aba
 }  // namespace axial
+
+#include <axial/options/end.hpp>

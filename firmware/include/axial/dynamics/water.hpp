@@ -8,6 +8,8 @@
 #include <axial/dynamics/passes.hpp>
 #include <axial/links/water_view.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A frame's velocity through the water (angular rad/s, linear m/s at its origin) and gravity (m/s^2), in its axes.
@@ -148,3 +150,5 @@ AXIAL_INLINE constexpr auto scale_of_water(const Water& water) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/fixed/closed_form/scara.hpp>
 #include <axial/fixed/links/fixed_links.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// The largest error of each result of an algorithm, for every state inside the declared limits: SI units of the
@@ -169,3 +171,5 @@ template <class S, class T = Fixed32>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

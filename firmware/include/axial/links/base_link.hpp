@@ -4,6 +4,8 @@
 #include <axial/links/links.hpp>
 #include <axial/links/run_time_model.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -43,3 +45,5 @@ AXIAL_INLINE constexpr auto base_link(const Links& links) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/links/link_constants.hpp>
 #include <axial/spatial/branch_screw.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 namespace detail {
@@ -120,3 +122,5 @@ constexpr void regroup_as(TreeLinkConstants<double>* links, int size) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -7,6 +7,8 @@
 #include <axial/links/base_parameters.hpp>
 #include <axial/links/link_constants.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -74,3 +76,5 @@ struct CommonConstants {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/scalar/structural.hpp>
 #include <axial/spatial/pose.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -25,3 +27,5 @@ AXIAL_INLINE constexpr auto constant_pose(Get get) {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

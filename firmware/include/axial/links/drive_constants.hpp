@@ -6,6 +6,8 @@
 
 #include <axial/robot/chain_parameters.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Friction and spring of one joint, on the joint side, SI.
@@ -55,3 +57,5 @@ constexpr DriveConstants<T> converted(const DriveConstants<double>& c) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

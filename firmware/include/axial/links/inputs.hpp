@@ -3,6 +3,8 @@
 
 #include <axial/scene/features.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A payload as a kernel over a scene and its Scalar computes with it.
@@ -27,3 +29,5 @@ AXIAL_INLINE constexpr const SinCos<T>& read_turn(const SinCos<T>& turn) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

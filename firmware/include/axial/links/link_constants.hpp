@@ -3,6 +3,8 @@
 
 #include <axial/robot/chain_parameters.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Kind of a joint as a type.
@@ -102,3 +104,5 @@ constexpr Row converted_row(const TreeLinkConstants<double>& c) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -10,6 +10,8 @@
 #include <axial/scene/joints.hpp>
 #include <axial/spatial/branch_screw.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Index of a link as a type, usable as an int.
@@ -247,3 +249,5 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -8,6 +8,8 @@
 #include <axial/links/table_link.hpp>
 #include <axial/spatial/pose.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Links without formats: results are kept as they come, joint values are as they are.
@@ -222,3 +224,5 @@ AXIAL_INLINE constexpr auto links_of() {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/links/run_time_model.hpp>
 #include <axial/robot/base_body.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// The links of a run-time model: a table, and the body that is fixed to frame 0.
@@ -94,3 +96,5 @@ class Model {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/scene/joints.hpp>
 #include <axial/scene/status.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Joint values, poses and motions over numbers T that carry their own scale. Links of such numbers inherit it; links
@@ -43,3 +45,5 @@ struct PlainValues {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -1,6 +1,8 @@
 // Which recursion a kernel is.
 #pragma once
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Which recursion walks over links: a number system with formats has others for each.
@@ -17,3 +19,5 @@ struct BaseForce {};                ///< what carries the robot
 }  // namespace recursion
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

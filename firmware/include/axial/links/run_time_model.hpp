@@ -3,6 +3,8 @@
 
 #include <axial/scene/scene.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 template <int N, class... Features>
@@ -24,3 +26,5 @@ struct SceneOf<Model<N, Features...>, false> {
 }  // namespace detail
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

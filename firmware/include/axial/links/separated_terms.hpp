@@ -4,6 +4,8 @@
 #include <axial/links/soundness.hpp>
 #include <axial/scene/separated.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -93,3 +95,5 @@ struct JudgedTerms {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

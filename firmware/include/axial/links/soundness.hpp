@@ -5,6 +5,8 @@
 #include <axial/scalar/select.hpp>
 #include <axial/scene/status.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Largest sum of |angle| (rad) for which the sines of all the angles are as exact as sincos.hpp says: powers of two,
@@ -82,3 +84,5 @@ class Soundness<T, std::enable_if_t<std::is_floating_point_v<T> && sizeof(T) <= 
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

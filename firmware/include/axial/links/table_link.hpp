@@ -4,6 +4,8 @@
 #include <axial/links/columns.hpp>
 #include <axial/links/link_view.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -102,3 +104,5 @@ class TableLink : public detail::TableRow<TableLink<SceneType, T, Source, Column
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

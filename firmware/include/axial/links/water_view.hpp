@@ -3,6 +3,8 @@
 
 #include <axial/links/base_link.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -116,3 +118,5 @@ AXIAL_INLINE constexpr auto water_of_base(const Links& links) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

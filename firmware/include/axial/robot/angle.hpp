@@ -3,6 +3,8 @@
 
 #include <axial/scalar/sincos.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A constant angle: its value in radians and its sine-cosine pair.
@@ -31,3 +33,5 @@ struct Angle {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/robot/link.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Fluent description of that body, in axes of frame 0, with the names that a Link has; start with base_body().
@@ -60,3 +62,5 @@ class BaseBody {
 constexpr BaseBody base_body() { return {}; }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -9,6 +9,8 @@
 
 #include <utility>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Part of a chain: axial::accept(axial::as_published) keeps numbers of all its links that no robot should have, as
@@ -146,3 +148,5 @@ constexpr auto chain(const Parts&... parts) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

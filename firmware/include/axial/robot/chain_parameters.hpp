@@ -3,6 +3,8 @@
 
 #include <axial/robot/link_parameters.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Acceleration of free fall in m/s^2, in axes of frame 0 (the fixed frame that the first link's MDH row starts from).
@@ -70,3 +72,5 @@ struct Chain {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

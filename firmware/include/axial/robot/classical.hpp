@@ -3,6 +3,8 @@
 
 #include <axial/robot/chain.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Fluent builder of a link of classical_chain(); start with classical_revolute() or classical_prismatic(). Frame i is
@@ -133,3 +135,5 @@ constexpr auto classical_chain(const Parts&... parts) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

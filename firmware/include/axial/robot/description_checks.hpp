@@ -6,6 +6,8 @@
 #include <axial/robot/principal_moments.hpp>
 #include <axial/robot/problems.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -173,3 +175,5 @@ constexpr Problem link_problem(const LinkParameters& p, const Given& given, int 
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

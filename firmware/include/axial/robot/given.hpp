@@ -1,6 +1,8 @@
 // What has been said of a link so far: which quantities, which of them twice, and whether its numbers are accepted.
 #pragma once
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Says that numbers which no robot should have are kept as their source gives them: `.accept(axial::as_published)` of
@@ -56,3 +58,5 @@ struct Given {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

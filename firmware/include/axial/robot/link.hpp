@@ -3,6 +3,8 @@
 
 #include <axial/robot/link_builder.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Fluent builder of a link of chain(); start with revolute() or prismatic(). Frame i is fixed to link i, its z axis is
@@ -85,3 +87,5 @@ constexpr Link revolute() { return Link(JointType::revolute); }
 constexpr Link prismatic() { return Link(JointType::prismatic); }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

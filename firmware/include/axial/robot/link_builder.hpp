@@ -4,6 +4,8 @@
 #include <axial/robot/given.hpp>
 #include <axial/robot/link_parameters.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Fluent builder of LinkParameters: all but a and alpha, which Self names. Every call returns a changed copy.
@@ -135,3 +137,5 @@ class LinkBuilder {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/robot/angle.hpp>
 #include <axial/robot/water.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// How a joint moves its link: about or along its z axis.
@@ -55,3 +57,5 @@ constexpr bool is_bounded(double limit) { return limit < std::numeric_limits<dou
 }  // namespace detail
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -1,6 +1,8 @@
 // What the compiler says of a description that cannot be right: a function for each rule, named after it.
 #pragma once
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Rules of a description. chain() calls the function of the rule that is broken; none is constexpr, so the compiler
@@ -104,3 +106,5 @@ template <class Of> void base_body_is_given_twice_keep_one() {}  ///< axial: bas
 
 }  // namespace malformed
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -1,6 +1,8 @@
 // Could matter have this inertia? Principal moments of a tensor, and by how much they break what bodies obey.
 #pragma once
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// True where an inertia tensor about a centre of mass (xx yy zz xy xz yz) belongs to a distribution of mass >= 0: its
@@ -79,3 +81,5 @@ struct InertiaDefect {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

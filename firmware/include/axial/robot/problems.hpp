@@ -3,6 +3,8 @@
 
 #include <axial/robot/malformed.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace malformed {
 
@@ -176,3 +178,5 @@ enum class Problem : unsigned char {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/scalar/math.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// In axes of the body's frame; diagonals, about the centre of buoyancy. Only scenes that name Underwater see them.
@@ -89,3 +91,5 @@ constexpr WaterConstants<T> converted(const WaterConstants<double>& c) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/scalar/sincos.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Operations that a kernel's outputs need. Multiplications by +-1 and negations are free, expressions of constants
@@ -198,3 +200,5 @@ struct NumberTraits<Counting> {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/scalar/traits.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// True for numbers, false for NaN and infinities; looks at the bits, so no compiler flag can optimise it away.
@@ -16,3 +18,5 @@ template <class T>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

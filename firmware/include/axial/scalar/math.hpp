@@ -3,6 +3,8 @@
 
 #include <axial/scalar/select.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// |x|.
@@ -31,3 +33,5 @@ constexpr T square_root(T x) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -6,6 +6,8 @@
 
 #include <axial/scalar/sincos.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -81,3 +83,5 @@ AXIAL_INLINE constexpr void sincos(const T (&x)[N], SinCos<T> (&pairs)[N]) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

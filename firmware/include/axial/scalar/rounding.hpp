@@ -3,6 +3,8 @@
 
 #include <axial/scalar/structural.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// What a stored result is: a number system with exponents looks its format up by (quantity, link).
@@ -105,3 +107,5 @@ AXIAL_INLINE constexpr T reciprocal(const T& x) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/scalar/structural.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 namespace detail {
@@ -44,3 +46,5 @@ AXIAL_INLINE constexpr int select(bool condition, int yes, int no) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

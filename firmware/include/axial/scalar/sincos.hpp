@@ -3,6 +3,8 @@
 
 #include <axial/scalar/structural.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// sin and cos of one angle.
@@ -141,3 +143,5 @@ template <class T, std::enable_if_t<std::is_floating_point_v<T>, int> = 0>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

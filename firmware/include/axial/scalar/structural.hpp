@@ -3,6 +3,8 @@
 
 #include <axial/scalar/traits.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// The integer N as a type. `Zero * x` is `Zero`, `Zero + x` is `x`, `One * x` is `x`, `MinusOne * x` is `-x`.
@@ -159,3 +161,5 @@ AXIAL_INLINE constexpr auto literal(Get get) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

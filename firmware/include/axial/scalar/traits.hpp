@@ -7,6 +7,8 @@
 #include <limits>
 #include <type_traits>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Says whether T is a number that kernels compute with, and how a constant of the model becomes one.
@@ -47,3 +49,5 @@ struct Substitute<Stored<Word>> {
 }  // namespace detail
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

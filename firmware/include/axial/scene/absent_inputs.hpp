@@ -4,6 +4,8 @@
 
 #include <axial/scene/features.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Empty classes whose private member has the name of the absent input: "'payload' is a private member of
@@ -70,3 +72,5 @@ struct AbsentInputs
       detail::absent_unless_named<Scene, SineCosines, absent::add_the_feature_axial_SineCosines_to_the_scene> {};
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/robot/principal_moments.hpp>
 #include <axial/scene/scene.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Index of the first link of a robot that no distribution of mass >= 0 has, or -1.
@@ -22,3 +24,5 @@ template <class S>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -6,6 +6,8 @@
 #include <axial/spatial/inertia.hpp>
 #include <axial/spatial/spatial_vector.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 template <class S, class T, class Role = void>
@@ -209,3 +211,5 @@ struct HighWord : Feature<HighWord> {};
 struct RangeCheck : Feature<RangeCheck> {};
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

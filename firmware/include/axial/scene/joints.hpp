@@ -3,6 +3,8 @@
 
 #include <axial/scene/scene.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// N values, one a joint, from the base outwards. A plain aggregate: `Joints<Robot, float> q{0.1F, 0.2F}`.
@@ -13,18 +15,20 @@ struct Joints {
   static constexpr int size = joint_count<S>;  ///< number of joints
   T values[size];                              ///< from the base outwards
 
-  constexpr T& operator[](int i) { return values[i]; }              ///< value of joint i; the index is not checked
-  constexpr const T& operator[](int i) const { return values[i]; }  ///< value of joint i; the index is not checked
+  AXIAL_INLINE constexpr T& operator[](int i) { return values[i]; }  ///< value of joint i; the index is not checked
+  AXIAL_INLINE constexpr const T& operator[](int i) const {
+    return values[i];
+  }  ///< value of joint i; the index is not checked
 };
 
 /// Words without what computes with them: double, so that no second message follows.
 template <class S, class Word>
 struct Joints<S, Stored<Word>, void> {
   static_assert(sizeof(Word) == 0, "axial: fixed point is a plug-in: add #include <axial/fixed.hpp>");
-  static constexpr int size = joint_count<S>;                            ///< number of joints
-  double values[size];                                                   ///< from the base outwards
-  constexpr double& operator[](int i) { return values[i]; }              ///< value of joint i
-  constexpr const double& operator[](int i) const { return values[i]; }  ///< value of joint i
+  static constexpr int size = joint_count<S>;                                         ///< number of joints
+  double values[size];                                                                ///< from the base outwards
+  AXIAL_INLINE constexpr double& operator[](int i) { return values[i]; }              ///< value of joint i
+  AXIAL_INLINE constexpr const double& operator[](int i) const { return values[i]; }  ///< value of joint i
 };
 
 /// What the values of joints can be.
@@ -82,7 +86,9 @@ using MomentumRatesOf = Joints<subject_of<S, T>, T, typename detail::RoleOf<T, r
 
 /// Joint values that are zero by type: a query that leaves them out does not pay for them.
 struct NoMotion {
-  constexpr Zero operator[](int) const { return {}; }  ///< zero, for every joint
+  AXIAL_INLINE constexpr Zero operator[](int) const { return {}; }  ///< zero, for every joint
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/scene/absent_inputs.hpp>
 #include <axial/scene/features.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Robot with exactly the named features (features.hpp; doc/scenes.md is the table of them).
@@ -99,3 +101,5 @@ template <class S, class T>
 struct Inputs : detail::Offered<scene_of<S>, T>, detail::InputsOf<scene_of<S>, T>, AbsentInputs<scene_of<S>> {};
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

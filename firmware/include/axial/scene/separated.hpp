@@ -4,6 +4,8 @@
 #include <axial/scene/joints.hpp>
 #include <axial/scene/status.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Mass matrix, kg m^2 (kg m, kg).
@@ -45,3 +47,5 @@ struct Separated : SeparatedA<S, T>, SeparatedB<S, T>, SeparatedC<S, T>, Separat
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

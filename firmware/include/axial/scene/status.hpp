@@ -1,6 +1,10 @@
 // What an algorithm says besides its numbers.
 #pragma once
 
+#include <axial/scalar/inline.hpp>
+
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Result of a check. `joint` names the joint that it is about, -1 for none.
@@ -27,7 +31,7 @@ struct Status {
   Code code = Code::ok;  ///< what was found
   int joint = -1;        ///< counted from 0 at the base; -1 for none
 
-  [[nodiscard]] constexpr bool ok() const { return code == Code::ok; }  ///< true where nothing was found
+  [[nodiscard]] AXIAL_INLINE constexpr bool ok() const { return code == Code::ok; }  ///< true where nothing was found
 };
 
 /// What a code means, in one English sentence without a full stop; never a null pointer, nothing allocated. A number
@@ -70,3 +74,5 @@ struct Status {
 [[nodiscard]] constexpr const char* status_text(const Status& status) { return status_text(status.code); }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

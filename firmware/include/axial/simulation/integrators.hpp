@@ -4,6 +4,8 @@
 #include <axial/links/soundness.hpp>
 #include <axial/simulation/system.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Where an integrator asks for efforts.
@@ -206,3 +208,5 @@ template <class Method, int N, class... F, class X, class Drive>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/scalar/select.hpp>
 #include <axial/scene/joints.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// State of a robot's joints: q (rad or m), qd (rad/s or m/s), owned by the caller. Time is the number of steps made:
@@ -19,7 +21,7 @@ struct Motion {
   std::uint64_t steps = 0;          ///< made since time 0
 
   /// Seconds after that many steps of h, rounded twice, however many there were.
-  [[nodiscard]] constexpr T time(T h) const { return static_cast<T>(steps) * h; }
+  [[nodiscard]] AXIAL_INLINE constexpr T time(T h) const { return static_cast<T>(steps) * h; }
 };
 
 /// The same with what rounding left of each sum: two more words a joint. In float, steps may then be as small as they
@@ -75,3 +77,5 @@ AXIAL_INLINE constexpr void keep_joint(bool keep, const CompensatedMotion<S, T>&
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

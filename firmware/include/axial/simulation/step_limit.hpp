@@ -5,6 +5,8 @@
 #include <axial/scalar/math.hpp>
 #include <axial/simulation/integrators.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A largest step, and what there is to say about it. Stands where a number T is asked for.
@@ -14,7 +16,7 @@ struct StepLimit {
   Status status{};  ///< not_finite or angle_range; about no joint
 
   /// the seconds
-  [[nodiscard]] constexpr operator T() const { return seconds; }  // NOLINT(google-explicit-constructor)
+  [[nodiscard]] AXIAL_INLINE constexpr operator T() const { return seconds; }  // NOLINT(google-explicit-constructor)
 };
 
 namespace detail {
@@ -191,3 +193,5 @@ template <class Method, int N, class... F, class T, class Stiffness = NoStiffnes
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/dynamics/drives.hpp>
 #include <axial/dynamics/passes.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Stiffness -d tau_i / d q_i (N m/rad, N/m) and damping -d tau_i / d qd_i (N m s/rad, N s/m) of what drives the
@@ -101,3 +103,5 @@ class StiffLinks : public Links {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/simulation/motion.hpp>
 #include <axial/simulation/stiff_links.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 namespace detail {
@@ -66,3 +68,5 @@ constexpr ForwardDynamicsOf<S, T> implicit_accelerations(const System& system, T
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

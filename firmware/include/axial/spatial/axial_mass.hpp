@@ -3,6 +3,8 @@
 
 #include <axial/spatial/vec3.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A mass along z of its frame and none across, kg.
@@ -55,3 +57,5 @@ AXIAL_INLINE constexpr AxialMass<M> operator+(const AxialMass<M>& mass, Zero) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/spatial/congruence.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Rz(gamma) Tz(b) Rx(alpha) Tx(a), tree parameters of Khalil and Kleinfinger 1986. Every operator is that of the two
@@ -41,3 +43,5 @@ AXIAL_INLINE constexpr auto translation(const BranchScrew<Z, X>& branch) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

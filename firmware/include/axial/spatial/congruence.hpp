@@ -5,6 +5,8 @@
 #include <axial/spatial/inertia.hpp>
 #include <axial/spatial/screw.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// What the turns of one screw share (step A): s^2, c^2 - s^2, s c, 2 s c; 2M 3A, off-line for a constant turn.
@@ -178,3 +180,5 @@ AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, 
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

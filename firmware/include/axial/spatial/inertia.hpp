@@ -5,6 +5,8 @@
 #include <axial/spatial/axial_mass.hpp>
 #include <axial/spatial/mat3.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Rigid (or composite) body: mass m (kg), first moment m c (kg m) and inertia about the frame's origin (kg m^2).
@@ -88,3 +90,5 @@ AXIAL_INLINE constexpr auto articulated(const RigidInertia<M, H, J>& body) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

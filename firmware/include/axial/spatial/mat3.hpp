@@ -3,6 +3,8 @@
 
 #include <axial/spatial/vec3.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A general 3x3 matrix, rows of Vec3.
@@ -86,3 +88,5 @@ AXIAL_INLINE constexpr auto transpose_times(const Mat3<A, B, C>& m, const V& v) 
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

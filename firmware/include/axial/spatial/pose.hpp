@@ -4,6 +4,8 @@
 #include <axial/scalar/rounding.hpp>
 #include <axial/spatial/mat3.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Pose of a frame: its axes as columns of `rotation` (dimensionless) and its origin `position` (m), in the frame that
@@ -48,3 +50,5 @@ AXIAL_INLINE constexpr auto operator*(const Pose<R, P>& ab, const Pose<S, Q>& bc
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/spatial/mat3.hpp>
 #include <axial/spatial/spatial_vector.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// The z axis as the axis of a screw: operands stay as they are.
@@ -135,3 +137,5 @@ AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, 
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

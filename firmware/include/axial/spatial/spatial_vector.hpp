@@ -4,6 +4,8 @@
 #include <axial/scalar/rounding.hpp>
 #include <axial/spatial/vec3.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A motion: angular (rad/s or rad/s^2) and linear (m/s or m/s^2) part, both in the axes and at the origin of one
@@ -67,3 +69,5 @@ AXIAL_INLINE constexpr auto operator-(const ForceVector<A, B>& u, const ForceVec
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/scalar/structural.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A Cartesian vector. Elements are numbers or structural scalars.
@@ -83,3 +85,5 @@ AXIAL_INLINE constexpr auto cross_z(const Vec3<A, B, C>& v, const S& s) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/fixed/bounds/quantities.hpp>
 #include <axial/fixed/bounds/shared_formats.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::bounds {
 
 /// What a kernel in bounds finds out: the size that each quantity of each link has to have room for, and how large and
@@ -51,3 +53,5 @@ struct BoundedScene {
 };
 
 }  // namespace axial::bounds
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/fixed/words/round.hpp>
 #include <axial/scalar/math.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A vector or number of at most `size` (its norm), computed within `error` (the norm of the difference). Both are
@@ -96,3 +98,5 @@ constexpr Rounding rounding_of(bool tabled = false) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

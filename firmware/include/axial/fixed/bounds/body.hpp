@@ -4,6 +4,8 @@
 #include <axial/fixed/bounds/vector.hpp>
 #include <axial/spatial/inertia.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::bounds {
 
 /// A constant vector of known components, and whatever may be added to it: a payload's share, the rounding of words.
@@ -61,3 +63,5 @@ constexpr VectorSum cross(const ConstantVector& h, const BoundedVector& v) {
 }
 
 }  // namespace axial::bounds
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/fixed/bounds/body.hpp>
 #include <axial/fixed/bounds/screws.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::bounds {
 
 /// A body that is known by norms: kg, kg m about the frame's origin, and the spectral norm in kg m^2.
@@ -116,3 +118,5 @@ constexpr CompositeBody to_parent(const detail::Screw<Axis, Known>& x, const Com
 }
 
 }  // namespace axial::bounds
+
+#include <axial/options/end.hpp>

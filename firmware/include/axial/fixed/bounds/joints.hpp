@@ -3,6 +3,8 @@
 
 #include <axial/fixed/bounds/links.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::bounds {
 
 /// Inertia differences of a loaded link: exact differences of its words.
@@ -78,3 +80,5 @@ constexpr auto with_loads(const LoadRange& l, const F& f) {
 
 }  // namespace detail
 }  // namespace axial::bounds
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/fixed/bounds/joints.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace bounds {
 
@@ -112,3 +114,5 @@ constexpr Ranges<N> kinematics_ranges(const Mechanism<N>& m, const Rounding& r) 
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -9,6 +9,8 @@
 #include <axial/fixed/bounds/spin.hpp>
 #include <axial/links/link_view.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::bounds {
 
 /// Link `index` of a robot in bounds.
@@ -248,3 +250,5 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
 };
 
 }  // namespace axial::bounds
+
+#include <axial/options/end.hpp>

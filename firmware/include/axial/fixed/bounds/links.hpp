@@ -5,6 +5,8 @@
 #include <axial/fixed/bounds/link.hpp>
 #include <axial/fixed/bounds/pose.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::bounds {
 
 /// A motion in bounds.
@@ -70,3 +72,5 @@ class BoundedLinks {
 };
 
 }  // namespace axial::bounds
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/fixed/bounds/body.hpp>
 #include <axial/fixed/bounds/mechanism.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::bounds {
 
 /// A run-time payload: its declared limits, and the exponents of its words.
@@ -79,3 +81,5 @@ constexpr Body payload_inertia(const Link& link, const Load& load) {
 }
 
 }  // namespace axial::bounds
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/fixed/bounds/joints.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace bounds {
 
@@ -92,3 +94,5 @@ constexpr Ranges<N> composite_body_ranges(const Mechanism<N>& m, const Rounding&
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

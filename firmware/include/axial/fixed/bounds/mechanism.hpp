@@ -4,6 +4,8 @@
 #include <axial/fixed/bounds/split_ball.hpp>
 #include <axial/links/link_view.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// What limits a robot's joint: as its author declared it. Travel is the largest |d + q| of a slide.
@@ -231,3 +233,5 @@ inline constexpr auto mechanism_of =
     detail::mechanism<Scene, Parameters>(std::make_integer_sequence<int, Scene::Robot::chain.size>{});
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/dynamics/momentum.hpp>
 #include <axial/fixed/bounds/newton_euler.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Ranges of momenta, and what the kinetic energy's slope along each joint can be.
@@ -92,3 +94,5 @@ constexpr MomentumRanges<N> momentum_ranges(const Mechanism<N>& mechanism, const
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

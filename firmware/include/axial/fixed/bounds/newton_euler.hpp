@@ -4,6 +4,8 @@
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/fixed/bounds/joints.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace bounds {
 
@@ -73,3 +75,5 @@ constexpr Ranges<N> newton_euler_ranges(const Mechanism<N>& mechanism, const Rou
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

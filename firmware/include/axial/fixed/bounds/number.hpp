@@ -5,6 +5,8 @@
 #include <axial/scalar/rounding.hpp>
 #include <axial/scalar/sincos.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::bounds {
 
 /// A constant of the model or a word: how large it can be, how far from exact, and at which exponent it stands.
@@ -149,3 +151,5 @@ struct NumberTraits<bounds::NumberSum> {
   static constexpr bounds::NumberSum constant(double value) { return bounds::term_of(bounds::literal_of(value)); }
 };
 }  // namespace axial
+
+#include <axial/options/end.hpp>

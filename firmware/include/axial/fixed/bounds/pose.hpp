@@ -4,6 +4,8 @@
 #include <axial/fixed/bounds/vector.hpp>
 #include <axial/spatial/pose.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::bounds {
 
 /// A rotation by its rows.
@@ -33,3 +35,5 @@ constexpr BoundedPose constant_pose(double offset, const Rounding& r) {
 }
 
 }  // namespace axial::bounds
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/fixed/bounds/mechanism.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::bounds {
 
 /// The largest size of each quantity of a link, in the order of `all_formats`; negative until one is noted.
@@ -55,3 +57,5 @@ constexpr Place place_of(quantity::Length) { return {&LinkFormat::length, &LinkR
 ///@}
 
 }  // namespace axial::bounds
+
+#include <axial/options/end.hpp>

@@ -7,6 +7,8 @@
 #include <axial/spatial/spatial_vector.hpp>
 #include <utility>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::bounds {
 
 namespace detail {
@@ -115,3 +117,5 @@ constexpr Number along_joint(Prismatic, const ForceVector<BoundedVector, Bounded
 ///@}
 
 }  // namespace axial::bounds
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/fixed/bounds/mechanism.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -105,3 +107,5 @@ constexpr auto ranges_by(const Mechanism<N>& m, const Rounding& r, Analysis anal
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/fixed/bounds/body.hpp>
 #include <axial/fixed/bounds/screws.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::bounds {
 
 /// The products (wy wz, wx wz, wx wy): what w makes of them, and the rounding of one.
@@ -209,3 +211,5 @@ constexpr VectorSum rotational_moment(const ConstantInertia& inertia, const Vec3
 }
 
 }  // namespace axial::bounds
+
+#include <axial/options/end.hpp>

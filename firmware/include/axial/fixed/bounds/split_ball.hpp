@@ -4,6 +4,8 @@
 #include <axial/fixed/bounds/ball.hpp>
 #include <axial/spatial/mat3.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A vector: its part across the z axis, its part along it, and the whole.
@@ -86,3 +88,5 @@ constexpr SplitBall cross_along_x(double r, const SplitBall& f) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/fixed/bounds/ball.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::bounds {
 
 /// The terms of one component, as far as rounding depends on them. A term that is zero in every state is none: it
@@ -89,3 +91,5 @@ class Terms {
 };
 
 }  // namespace axial::bounds
+
+#include <axial/options/end.hpp>

@@ -6,6 +6,8 @@
 #include <axial/fixed/bounds/split_ball.hpp>
 #include <axial/spatial/branch_screw.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::bounds {
 
 /// A vector of words at one exponent, or of literals.
@@ -142,3 +144,5 @@ constexpr Number axial_part(const BoundedVector& v) {
 }
 
 }  // namespace axial::bounds
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/c_interface/calls.hpp>
 #include <axial/fixed.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::c_interface {
 
 /// Words in C.
@@ -76,3 +78,5 @@ struct ExportedCalls<S, Stored<Word>> : Calls<S, Stored<Word>> {
 };
 
 }  // namespace axial::c_interface
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/fixed/links/fixed_links.hpp>
 #include <axial/fixed/links/separated_terms.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace closed_form {
 namespace detail {
@@ -66,3 +68,5 @@ struct ScaraRounding<S, Stored<Word>>
 }  // namespace detail
 }  // namespace closed_form
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/fixed/control/limits.hpp>
 #include <axial/fixed/words/real_words.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Joint values after a conversion, and the first joint whose value could not be kept as it was.
@@ -121,3 +123,5 @@ template <class T, class SceneOrRobot, class Word, class Role>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/control/collision.hpp>
 #include <axial/fixed/control/momentum_observer.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -21,3 +23,5 @@ struct ResidualValue<S, Stored<Word>, Tuning> {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/fixed/words/integer.hpp>
 #include <axial/scene/status.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// One joint's value after a conversion.
@@ -147,3 +149,5 @@ template <class Drive, class Values, int i>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/control/fall_back.hpp>
 #include <axial/fixed/control/limits.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -18,3 +20,5 @@ struct Blend<Stored<Word>> {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

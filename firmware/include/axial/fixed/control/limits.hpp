@@ -5,6 +5,8 @@
 #include <axial/fixed/limits/fixed_limits.hpp>
 #include <axial/fixed/limits/inputs_check.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -49,3 +51,5 @@ template <class S, class Word>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/fixed/control/limits.hpp>
 #include <axial/fixed/dynamics/momentum.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -51,9 +53,11 @@ struct Residuals<S, Stored<Word>, Tuning> {
   Stored<Word> values[size];                   ///< from the base outwards
   /// of joint i's residual
   [[nodiscard]] static constexpr int exponent(int i) { return detail::residual_formats<S, Word, Tuning>.exponent[i]; }
-  constexpr Stored<Word>& operator[](int i) { return values[i]; }  ///< residual of joint i; the index is not checked
+  AXIAL_INLINE constexpr Stored<Word>& operator[](int i) {
+    return values[i];
+  }  ///< residual of joint i; the index is not checked
   /// Residual of joint i; the index is not checked.
-  constexpr const Stored<Word>& operator[](int i) const { return values[i]; }
+  AXIAL_INLINE constexpr const Stored<Word>& operator[](int i) const { return values[i]; }
 };
 
 namespace detail {
@@ -89,3 +93,5 @@ struct ResidualStep<S, Stored<Word>, Tuning> {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/control/payload_estimator.hpp>
 #include <axial/fixed/control/payload_sums.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::detail {
 
 template <class Word>
@@ -16,3 +18,5 @@ struct ResidualInput<S, Stored<Word>, Tuning> {
 };
 
 }  // namespace axial::detail
+
+#include <axial/options/end.hpp>

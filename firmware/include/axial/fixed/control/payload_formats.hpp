@@ -5,6 +5,8 @@
 #include <axial/fixed/dynamics/kinematics.hpp>
 #include <axial/fixed/limits/position_check.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::detail {
 
 // Declared speeds add up to W; a column (a, b) of the Jacobian has |a| <= 1, |b| <= L, L >= 1 m being
@@ -82,3 +84,5 @@ struct ColumnRounding<S, Stored<Word>> {
 };
 
 }  // namespace axial::detail
+
+#include <axial/options/end.hpp>

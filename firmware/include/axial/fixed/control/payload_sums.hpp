@@ -6,6 +6,8 @@
 #include <axial/fixed/control/payload_formats.hpp>
 #include <axial/fixed/words/scaled.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::detail {
 
 // Whatever the words are that formats hold:
@@ -101,3 +103,5 @@ struct PayloadSums<S, Stored<Word>, Tuning> {
 };
 
 }  // namespace axial::detail
+
+#include <axial/options/end.hpp>

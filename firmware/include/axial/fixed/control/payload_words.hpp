@@ -3,6 +3,8 @@
 
 #include <axial/fixed/control/payload_estimator.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// An estimate in fixed point: value = raw 2^-exponent. What the declared payload has no room for is held at the
@@ -46,3 +48,5 @@ template <class S, class Word = std::int32_t>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

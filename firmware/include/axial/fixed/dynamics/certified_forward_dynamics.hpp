@@ -7,6 +7,8 @@
 #include <axial/fixed/dynamics/inverse_dynamics.hpp>
 #include <axial/fixed/error_bound.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Accelerations, how far each can be from the exact one, and what there is to say about them.
@@ -227,3 +229,5 @@ template <class S, class T>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -6,6 +6,8 @@
 #include <axial/fixed/links/shared_view.hpp>
 #include <axial/spatial/spatial_vector.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 namespace detail {
@@ -154,3 +156,5 @@ class Headroom {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

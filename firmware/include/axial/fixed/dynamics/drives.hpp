@@ -4,6 +4,8 @@
 #include <axial/dynamics/drives.hpp>
 #include <axial/fixed/links/fixed_links.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// What belongs to the direction of a speed, 0 at rest.
@@ -22,3 +24,5 @@ AXIAL_INLINE constexpr auto effort_by_direction(const Link& link, const Fx<E, S>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 
 #include <axial/fixed/words/divide.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -88,3 +90,5 @@ struct Enclosure {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -6,6 +6,8 @@
 #include <axial/fixed/dynamics/split_answer.hpp>
 #include <axial/fixed/limits/state_check.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -18,3 +20,5 @@ struct RouteOver<S, Stored<Word>> {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

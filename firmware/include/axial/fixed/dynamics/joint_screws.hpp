@@ -4,6 +4,8 @@
 #include <axial/dynamics/joint_screws.hpp>
 #include <axial/fixed/links/fixed_links.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -24,3 +26,5 @@ struct PairsOf<S, Stored<Word>> {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

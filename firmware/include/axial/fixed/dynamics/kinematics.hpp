@@ -3,6 +3,8 @@
 
 #include <axial/fixed/links/fixed_links.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Exponents of what kinematics answers in fixed point T: of lengths (m), and of entries of rotations and directions.
@@ -14,3 +16,5 @@ template <class T>
 inline constexpr int direction_exponent = 8 * static_cast<int>(sizeof(typename T::Word)) - 2;
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/fixed/links/fixed_links.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 namespace detail {
@@ -78,3 +80,5 @@ struct MassMatrix<S, Stored<Word>> {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

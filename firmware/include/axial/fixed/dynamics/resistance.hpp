@@ -4,6 +4,8 @@
 #include <axial/dynamics/resistance.hpp>
 #include <axial/fixed/links/fixed_links.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A lower bound of D is proved: a reciprocal of fixed length.
@@ -26,3 +28,5 @@ AXIAL_INLINE constexpr auto resistance_at(const Link& link, const Fx<E, S>& d, c
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/fixed/dynamics/drives.hpp>
 #include <axial/fixed/links/separated_terms.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace separation {
 
@@ -96,3 +98,5 @@ struct TorqueOf<S, Stored<Word>> {
 
 }  // namespace separation
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/dynamics/split_form.hpp>
 #include <axial/fixed/dynamics/drive_scale.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace aba {
 
@@ -138,3 +140,5 @@ struct SplitAnswer<Arithmetic<Word, nearest, high, checked>> {
 
 }  // namespace aba
 }  // namespace axial
+
+#include <axial/options/end.hpp>

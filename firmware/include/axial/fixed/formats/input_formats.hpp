@@ -5,6 +5,8 @@
 #include <axial/fixed/words/round.hpp>
 #include <axial/links/inputs.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Exponents of the words that `Inputs<Scene, Stored<Word>>` holds: value = raw 2^-exponent, SI.
@@ -163,3 +165,5 @@ struct Offered<Scene, Stored<Word>> {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

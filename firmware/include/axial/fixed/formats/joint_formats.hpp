@@ -5,6 +5,8 @@
 #include <axial/fixed/ranges/forward_error.hpp>
 #include <axial/scene/joints.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 namespace detail {
@@ -129,9 +131,15 @@ struct Joints<S, Stored<Word>, Role> {
   Value values[size];                          ///< from the base outwards
 
   /// Exponent of joint i's value; 0 for revolute positions.
-  static constexpr int exponent(int i) { return detail::exponents_of<S, typename Value::Word, Role>.of[i]; }
-  constexpr Value& operator[](int i) { return values[i]; }              ///< value of joint i; the index is not checked
-  constexpr const Value& operator[](int i) const { return values[i]; }  ///< value of joint i; the index is not checked
+  AXIAL_INLINE static constexpr int exponent(int i) {
+    return detail::exponents_of<S, typename Value::Word, Role>.of[i];
+  }
+  AXIAL_INLINE constexpr Value& operator[](int i) { return values[i]; }  ///< value of joint i; the index is not checked
+  AXIAL_INLINE constexpr const Value& operator[](int i) const {
+    return values[i];
+  }  ///< value of joint i; the index is not checked
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

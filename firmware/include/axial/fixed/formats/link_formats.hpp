@@ -8,6 +8,8 @@
 #include <axial/links/recursion.hpp>
 #include <axial/spatial/inertia.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 namespace detail {
@@ -237,3 +239,5 @@ struct Formats {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

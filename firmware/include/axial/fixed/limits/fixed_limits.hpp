@@ -4,6 +4,8 @@
 #include <axial/fixed/formats/joint_formats.hpp>
 #include <axial/fixed/words/round.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Largest magnitude of a speed, an acceleration or an effort, raw.
@@ -140,3 +142,5 @@ template <class S, class Word>
 inline constexpr FixedLimits<S, Word> fixed_limits_of = detail::fixed_limits<S, Word>();
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/fixed/limits/fixed_limits.hpp>
 #include <axial/scene/status.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -95,3 +97,5 @@ constexpr Status check_fixed_inputs(const Inputs<S, Stored<Word>>& in) {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

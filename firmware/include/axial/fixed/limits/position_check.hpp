@@ -4,6 +4,8 @@
 #include <axial/dynamics/position_soundness.hpp>
 #include <axial/fixed/limits/state_check.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -41,3 +43,5 @@ struct PositionCheck<S, Stored<Word>> {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/dynamics/forward_soundness.hpp>
 #include <axial/fixed/limits/inputs_check.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -96,3 +98,5 @@ struct StateCheck<S, Stored<Word>> {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

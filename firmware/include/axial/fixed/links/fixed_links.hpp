@@ -5,6 +5,8 @@
 #include <axial/fixed/links/fixed_table.hpp>
 #include <axial/links/links.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -97,3 +99,5 @@ struct LinksOf<Scene, Stored<Word>, Parameters, Recursion> {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/links/constant_pose.hpp>
 #include <axial/links/table_link.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -208,3 +210,5 @@ struct FixedTableLinks : SharedValues<FixedTableLinks<SceneType, S, ParametersTy
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

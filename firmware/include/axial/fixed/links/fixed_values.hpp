@@ -6,6 +6,8 @@
 #include <axial/scene/status.hpp>
 #include <axial/spatial/pose.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -68,3 +70,5 @@ struct FixedValues : WordValues<SceneType, S> {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 #include <axial/links/link_view.hpp>
 #include <axial/scene/status.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -53,3 +55,5 @@ struct WordValues {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/fixed/links/fixed_values.hpp>
 #include <axial/links/separated_terms.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -57,3 +59,5 @@ template <class S, class T>
 using SeparatedExponents = detail::SeparatedFormat<S, typename T::Word>;
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

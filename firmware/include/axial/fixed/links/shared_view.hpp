@@ -3,6 +3,8 @@
 
 #include <axial/fixed/links/fixed_values.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -125,3 +127,5 @@ struct SharedValues : WordValues<SceneType, S> {
 };
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

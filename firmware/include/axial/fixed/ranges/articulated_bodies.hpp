@@ -7,6 +7,8 @@
 #include <axial/fixed/ranges/composite_bodies.hpp>
 #include <axial/fixed/ranges/usual_inertia.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -230,3 +232,5 @@ constexpr Ranges<N> articulated_ranges(const Mechanism<N>& m, const Rounding& r)
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/fixed/bounds/shared_formats.hpp>
 #include <axial/fixed/bounds/split_ball.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Mass, first moment and inertia (norms) of all that a link carries: about its own origin, and behind its joint's
@@ -63,3 +65,5 @@ constexpr void set_inertia_formats(const Mechanism<N>& m, const CompositeRanges<
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

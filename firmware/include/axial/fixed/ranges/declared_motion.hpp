@@ -4,6 +4,8 @@
 
 #include <axial/fixed/ranges/articulated_bodies.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -122,3 +124,5 @@ constexpr Ranges<N> fitted_to_declared_motion(const Mechanism<N>& m, const Round
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

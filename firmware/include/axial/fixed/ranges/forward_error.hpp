@@ -4,6 +4,8 @@
 
 #include <axial/fixed/ranges/declared_motion.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -195,3 +197,5 @@ constexpr Ranges<N> articulated_at_rest_ranges(const Mechanism<N>& m, const Roun
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/fixed/bounds/mass_matrix.hpp>
 #include <axial/fixed/ranges/composite_bodies.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// Formats on those of composite bodies: second moments are sums of three entries; LinearAcceleration is that of points
@@ -36,3 +38,5 @@ constexpr Ranges<N> separation_ranges_of(const Mechanism<N>& m, const Rounding& 
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -6,6 +6,8 @@
 #include <axial/scalar/sincos.hpp>
 #include <axial/spatial/branch_screw.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -80,3 +82,5 @@ constexpr PerJoint<N> usual_inertia(const Mechanism<N>& m) {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

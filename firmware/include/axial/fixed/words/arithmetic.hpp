@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A stored fixed-point number: the bits alone. Its exponent is known from where it stands (Positions, Efforts, ...).
@@ -133,3 +135,5 @@ constexpr int fitting_exponent(double value, double capacity) {
 }  // namespace detail
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/fixed/words/round.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// 1/x of a positive Fx<E, S>: mantissa 2^(E - exponent), the mantissa with 31 significant bits.
@@ -50,3 +52,5 @@ AXIAL_INLINE constexpr auto quotient(const Inverse<E, S>& inverse, const Literal
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -6,6 +6,8 @@
 #include <axial/scalar/rounding.hpp>
 #include <axial/scalar/select.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A number raw * 2^-E in arithmetic S. Nothing mixes exponents or widens by itself.
@@ -251,3 +253,5 @@ AXIAL_INLINE constexpr Fx<E, S> select(bool condition, const Fx<E, S>& yes, cons
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

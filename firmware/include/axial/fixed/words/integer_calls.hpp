@@ -6,6 +6,8 @@
 
 #include <axial/scalar/inline.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::integer::detail {
 
 /// Defines a product as a procedure. Arguments and results lie where the procedure call standard has them, but of the
@@ -51,3 +53,5 @@ AXIAL_INLINE inline std::uint64_t call(std::uint64_t sum, std::int32_t a, std::i
 }
 
 }  // namespace axial::integer::detail
+
+#include <axial/options/end.hpp>

@@ -5,6 +5,8 @@
 
 #include <axial/scalar/inline.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::integer::detail {
 
 AXIAL_INLINE constexpr std::uint32_t low_half(std::uint32_t a) { return a & 0xFFFFU; }
@@ -128,3 +130,5 @@ AXIAL_INLINE inline std::int32_t high_word_by_assembler(std::int32_t a, std::int
 #endif
 
 }  // namespace axial::integer::detail
+
+#include <axial/options/end.hpp>

@@ -6,6 +6,8 @@
 #include <axial/fixed/words/integer_product.hpp>
 #include <axial/scalar/inline.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::integer::detail {
 
 #if AXIAL_LONG_MULTIPLY == 0 && defined(__ARM_ARCH_6M__)
@@ -66,3 +68,5 @@ class Multiplier {
 };
 
 }  // namespace axial::integer::detail
+
+#include <axial/options/end.hpp>

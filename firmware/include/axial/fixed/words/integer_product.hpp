@@ -26,6 +26,8 @@
 #include <axial/fixed/words/integer_calls.hpp>
 #endif
 
+#include <axial/options/begin.hpp>
+
 namespace axial::integer {
 
 /// What the caller knows of two factors. Narrow ones, |a|, |b| <= 2^30, save 3 instructions a product on a Cortex-M0
@@ -128,3 +130,5 @@ AXIAL_INLINE constexpr std::uint32_t multiply_high_unsigned(std::uint32_t a, std
 }
 
 }  // namespace axial::integer
+
+#include <axial/options/end.hpp>

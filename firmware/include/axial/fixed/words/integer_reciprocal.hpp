@@ -6,6 +6,8 @@
 #include <axial/fixed/words/integer_product.hpp>
 #include <axial/scalar/inline.hpp>
 
+#include <axial/options/begin.hpp>
+
 /// 1 where the processor counts leading zeros, 0 where they are looked up. A build may define it to try the other one.
 #ifndef AXIAL_COUNT_LEADING_ZEROS
 #if defined(__ARM_FEATURE_CLZ) || defined(__riscv_zbb) || defined(__x86_64__) || defined(__aarch64__)
@@ -88,3 +90,5 @@ using Reciprocal = detail::ReciprocalWords<std::uint32_t>;
 AXIAL_INLINE constexpr Reciprocal reciprocal(std::int32_t d) { return detail::reciprocal_words<std::uint32_t>(d); }
 
 }  // namespace axial::integer
+
+#include <axial/options/end.hpp>

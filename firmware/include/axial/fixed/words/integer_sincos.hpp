@@ -6,6 +6,8 @@
 #include <axial/fixed/words/integer_multiplier.hpp>
 #include <axial/scalar/inline.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::integer {
 
 /// Sine and cosine with 30 fractional bits.
@@ -52,3 +54,5 @@ AXIAL_INLINE constexpr SinCosWords<Word> sincos_words(Bits bam) {
 AXIAL_INLINE constexpr SinCosBits sincos(std::uint32_t bam) { return detail::sincos_words<std::int32_t>(bam); }
 
 }  // namespace axial::integer
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/fixed/words/integer.hpp>
 #include <axial/scalar/select.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 namespace detail {
 
@@ -150,3 +152,5 @@ constexpr T from_angle(std::int32_t raw) {
 
 }  // namespace detail
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/fixed/words/terms.hpp>
 #include <axial/scalar/sincos.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 namespace detail {
@@ -117,3 +119,5 @@ AXIAL_INLINE constexpr SinCos<Fx<S::unit, S>> sincos(const Bam<S>& angle) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

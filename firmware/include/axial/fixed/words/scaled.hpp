@@ -5,6 +5,8 @@
 #include <axial/fixed/words/wide_sum.hpp>
 #include <axial/scalar/rounding.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// mantissa 2^exponent, 2^30 <= |mantissa| < 2^31, or 0 at exponent -4096. Results are cut, not rounded: an operation
@@ -120,3 +122,5 @@ template <class T>
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -4,6 +4,8 @@
 #include <axial/fixed/words/fx.hpp>
 #include <axial/fixed/words/integer.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial {
 
 /// A double word raw * 2^-E: a sum of products on its way to one rounding. It may wrap; what it is rounded to fits.
@@ -230,3 +232,5 @@ AXIAL_INLINE constexpr auto accumulate(const X& x) {
 }
 
 }  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -3,6 +3,8 @@
 
 #include <axial/fixed/words/integer.hpp>
 
+#include <axial/options/begin.hpp>
+
 namespace axial::integer {
 
 /// An integer high 2^32 + low. No branch: a carry is a comparison of unsigned words by the upper half of their sum.
@@ -30,3 +32,5 @@ struct WideSum {
 };
 
 }  // namespace axial::integer
+
+#include <axial/options/end.hpp>

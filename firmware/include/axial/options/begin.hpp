@@ -1,0 +1,16 @@
+// Begins a header's own code, behind its includes; end.hpp ends it. Without #pragma once: each header has the pair.
+//
+// GCC compiles what stands between them with the options that the published figures are for, whatever the user's own
+// are: unoptimised, forced inlining makes a stack slot of every temporary (doc/any_build.md). The options go with each
+// function and template, wherever it is instantiated; the user's own code keeps the user's. AXIAL_USER_OPTIONS turns
+// this off.
+#if defined(__GNUC__) && !defined(__clang__) && !defined(AXIAL_USER_OPTIONS)
+#pragma GCC push_options
+#ifdef __NO_INLINE__
+#pragma GCC optimize("inline")  // which O2 does not bring back where the user's -O0 took it away
+#endif
+#pragma GCC optimize("O2", "no-schedule-insns", "no-tree-ter", "rename-registers")
+#ifndef __ARM_ARCH_6M__
+#pragma GCC optimize("live-range-shrinkage")  // on a Cortex-M0 it makes fixed point spill
+#endif
+#endif
