@@ -1,12 +1,9 @@
 // Forward dynamics in 32 bits over robots that nobody tuned for: what is asked of states inside the declared limits.
 #pragma once
 
-#include <gtest/gtest.h>
 #include <axial/fixed/dynamics/certified_forward_dynamics.hpp>
-#include <cmath>
-#include <host_sim/exhaustive/fixed_search.hpp>
 
-#include "untuned_robots.hpp"
+#include "untuned_reference.hpp"
 
 namespace property {
 
@@ -14,23 +11,20 @@ namespace property {
 inline constexpr double allowed_error = 1e-3, allowed_flags = 0.02, allowed_bound = 1e-2;
 
 template <class R>
-class Untuned {
-  using T = axial::Fixed32;
-  using Reference = axial::Model<8>;
-  using Values = axial::Joints<Reference, double>;
+class Untuned : UntunedReference<R> {
+  using Base = UntunedReference<R>;
+  using T = typename Base::T;
+  using Values = typename Base::Values;
+  using Base::values, Base::hold_positions, Base::model;
 
  public:
-  /// Counts overflows.
-  using Checked = axial::Scene<R, axial::Gravity, axial::RotorInertia, axial::RangeCheck>;
-  using State = exhaustive::FixedState<Checked, T>;
-  static constexpr int joints = R::chain.size;
+  using Checked = typename Base::Checked;
+  using State = typename Base::State;
+  using Base::joints;
 
   Untuned() {
-    for (const auto& link : R::chain.links) {
-      EXPECT_TRUE(model_.add(link));
+    for (const auto& link : R::chain.links)
       largest_ = std::fmax(largest_, link.acceleration_limit);
-    }
-    model_.set_gravity(R::chain.gravity.x, R::chain.gravity.y, R::chain.gravity.z);
   }
 
   /// What became of a state: errors and bounds over the largest declared acceleration.
@@ -43,8 +37,8 @@ class Untuned {
   Outcome at(State state) const {
     hold_positions(state);
     const Values q = values(state.q, true), qd = values(state.qd), qdd = values(state.qdd);
-    set_efforts(state, inverse_dynamics(model_, q, qd, qdd));
-    const Values exact = forward_dynamics(model_, q, qd, values(state.tau));
+    set_efforts(state, inverse_dynamics(model(), q, qd, qdd));
+    const Values exact = forward_dynamics(model(), q, qd, values(state.tau));
     Outcome outcome;
     const std::uint64_t before = axial::range_overflows;
     const auto got = axial::forward_dynamics<Checked>(state.q, state.qd, state.tau);
@@ -68,7 +62,7 @@ class Untuned {
   bool honest(State state) const {
     hold_positions(state);
     const std::uint64_t before = axial::range_overflows;
-    const Values exact = forward_dynamics(model_, values(state.q, true), values(state.qd), values(state.tau));
+    const Values exact = forward_dynamics(model(), values(state.q, true), values(state.qd), values(state.tau));
     const auto got = axial::forward_dynamics<Checked>(state.q, state.qd, state.tau);
     double error = 0.0, size = largest_;
     for (int i = 0; i < joints; ++i) {
@@ -79,28 +73,10 @@ class Untuned {
   }
 
  private:
-  Reference model_;
   double largest_ = 0.0;
 
   static bool answered(const axial::Status& status) {
     return status.ok() || status.code == axial::Status::Code::rescaled;
-  }
-  static void hold_positions(State& state) {
-    for (int i = 0; i < joints; ++i)
-      if (State::turns(i)) {
-        const auto& link = R::chain.links[i];
-        const double share = state.q[i].raw * 0x1p-32 + 0.5;
-        const double angle = link.position_min + (link.position_max - link.position_min) * share;
-        state.q[i].raw = static_cast<std::int32_t>(angle * 0.9999999 * axial::detail::bam_per_radian);
-      }
-  }
-  template <class From>
-  static Values values(const From& from, bool positions = false) {
-    Values to{};
-    for (int i = 0; i < joints; ++i)
-      to[i] = positions && State::turns(i) ? from[i].raw / axial::detail::bam_per_radian
-                                           : from[i].raw * axial::detail::power_of_two(-from.exponent(i));
-    return to;
   }
   static void set_efforts(State& state, const Values& tau) {
     for (int i = 0; i < joints; ++i) {
@@ -122,7 +98,7 @@ template <class R>
 void expect_right_forward_dynamics() {
   const Untuned<R> robot;
   using State = typename Untuned<R>::State;
-  constexpr std::uint64_t states = 2000, seed = 7;
+  const std::uint64_t states = untuned_states(), seed = 7;
   exhaustive::Random random(seed);
   int inside = 0, flagged = 0, uncertified = 0;
   double worst = 0.0, worst_certified = 0.0, worst_bound = 0.0;

@@ -156,6 +156,19 @@ AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x,
   }
 }
 
+namespace detail {
+
+// What a shift adds to an inertia across it, of the first moments along it before and after; nothing to add up of none.
+template <class L, class A, class B>
+AXIAL_INLINE constexpr auto moment_growth(const L& shift, const A& before, const B& after) {
+  if constexpr (is_zero_v<L>)
+    return Zero{};
+  else
+    return shift * (before + after);
+}
+
+}  // namespace detail
+
 /// Rigid or composite body: at most 16M 15A with step A off-line, one multiplication less where m p is a constant.
 /// McMillan and Orin 1995, Table II (spatial inertia); parallel-axis shift of first moment and inertia.
 template <class Axis, class C, class S, class L, class Turn, class M, class H, class J, class Rounding = Plain>
@@ -168,7 +181,7 @@ AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, 
     auto [mass, turned_h, j] = round.formatted(RigidInertia{body.mass, Axis::in(to_parent(x, body.first_moment)),
                                                             detail::turn(double_angle(x), x, Axis::in(body.inertia))});
     auto hz = round.sum(FirstMoment{}, turned_h.z, x.shift * mass_across_z(mass));
-    auto growth = x.shift * (turned_h.z + hz);
+    auto growth = detail::moment_growth(x.shift, turned_h.z, hz);
     Sym3 inertia{round.sum(RotationalInertia{}, j.xx, growth),
                  round.sum(RotationalInertia{}, j.yy, growth),
                  j.zz,
