@@ -112,7 +112,7 @@ struct MinimalLink {
     return (... + terms);
   }
   template <class D, class U, class M>
-  constexpr auto admitted(bool&, const D&, const U& u, M) const {
+  constexpr auto gated_drive(bool&, const D&, const U& u, M) const {
     return u;
   }
   template <class Inertia>
@@ -120,11 +120,11 @@ struct MinimalLink {
     return inertia;
   }
   template <class A, class B>
-  constexpr auto together(const A& a, const B& b) const {
+  constexpr auto add(const A& a, const B& b) const {
     return a + b;
   }
   template <class A, class B>
-  constexpr auto without(const A& force, const B& other) const {
+  constexpr auto subtract(const A& force, const B& other) const {
     return force - other;
   }
   constexpr Plain outer() const { return {}; }

@@ -102,7 +102,7 @@ AXIAL_INLINE constexpr auto alone(const Link& link, const Body& body, const D& d
   auto moment =
       link.sum(quantity::Moment{}, rotational_moment(body.inertia, differences, still, velocity.p, velocity.u));
   auto force = link.sum(quantity::Force{}, velocity.u * body.first_moment);
-  return Subtree{link.formatted(articulated(body)), link.without(ForceVector{moment, force}, external),
+  return Subtree{link.formatted(articulated(body)), link.subtract(ForceVector{moment, force}, external),
                  scale_of(link, body)};
 }
 

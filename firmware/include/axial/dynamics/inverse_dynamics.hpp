@@ -132,7 +132,7 @@ AXIAL_INLINE constexpr auto own_force(const Links& links, const Input& in, const
   auto body = loads.body(link);
   auto differences = loaded_differences<typename Links::Scene>(link, body);
   const auto& m = motions[i];
-  return link.shape(link.without(newton_euler(link, body, differences, m), loads.wrench(i, link)) +
+  return link.shape(link.subtract(newton_euler(link, body, differences, m), loads.wrench(i, link)) +
                     force_on_water(links, i, link, body, water[i], m.p, m.u, m.dw, m.a));
 }
 

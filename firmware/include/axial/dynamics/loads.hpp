@@ -56,7 +56,7 @@ class TipLoads {
       else
         return none;
     } else {
-      auto wrench = link.shape(link.without(read_wrench<Scene, typename Link::Scalar>(in_.tip_wrench), none));
+      auto wrench = link.shape(link.subtract(read_wrench<Scene, typename Link::Scalar>(in_.tip_wrench), none));
       if (!link.is_last) wrench = link.shape(none);
       return wrench;
     }
@@ -69,12 +69,12 @@ class TipLoads {
   AXIAL_INLINE constexpr auto with_payload(const Link& link) const {
     if constexpr (Link::unrolled) {
       if constexpr (Link::is_last)
-        return link.together(link.body(), payload_inertia(link, payload(link)));
+        return link.add(link.body(), payload_inertia(link, payload(link)));
       else
         return link.body();
     } else {
       auto body = link.shape(link.body());
-      if (link.is_last) body = link.shape(link.together(body, payload_inertia(link, payload(link))));
+      if (link.is_last) body = link.shape(link.add(body, payload_inertia(link, payload(link))));
       return body;
     }
   }

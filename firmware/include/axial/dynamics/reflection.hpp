@@ -213,7 +213,7 @@ AXIAL_INLINE constexpr auto passage(Joint joint, const Link& link, const H& hing
   using namespace quantity;
   auto held = along_joint(joint, p);
   auto axis = detail::along_axis_of(joint, hinge.gain);
-  auto u = link.admitted(lost, hinge.resistance, link.sum(JointEffort{}, tau, -held), magnified);
+  auto u = link.gated_drive(lost, hinge.resistance, link.sum(JointEffort{}, tau, -held), magnified);
   auto across = link.sum(JointEffort{}, link.quotient(AngularGain{}, hinge.inverse, link.rotor()) * held, axis * tau);
   auto passed = where_left<decltype(across)>(hinge.left, across, held);
   return JointTransmission{passed_bias(joint, link, p, products, hinge.gain, u, passed),

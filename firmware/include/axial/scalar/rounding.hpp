@@ -57,7 +57,7 @@ struct Plain {
   }
   /// Drive u of a joint whose inertia is d, if it is within what formats are made for.
   template <class D, class U, class M>
-  AXIAL_INLINE constexpr const U& admitted(bool&, const D&, const U& u, M) const {
+  AXIAL_INLINE constexpr const U& gated_drive(bool&, const D&, const U& u, M) const {
     return u;
   }
   /// A body's inertia in the formats of the link.
@@ -67,12 +67,12 @@ struct Plain {
   }
   /// Two bodies as one, and one force less another.
   template <class A, class B>
-  AXIAL_INLINE constexpr auto together(const A& a, const B& b) const {
+  AXIAL_INLINE constexpr auto add(const A& a, const B& b) const {
     return a + b;
   }
   /// A force less another.
   template <class A, class B>
-  AXIAL_INLINE constexpr auto without(const A& force, const B& other) const {
+  AXIAL_INLINE constexpr auto subtract(const A& force, const B& other) const {
     return force - other;
   }
   /// Rounding in the formats of the link that carries this one.

@@ -128,7 +128,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     account_->quiet = true, f(), account_->quiet = false;
   }
   /// Two bodies as one: where an entry is a literal and a word, the literal is rounded.
-  constexpr Body together(const Body& own, const Body& load) const {
+  constexpr Body add(const Body& own, const Body& load) const {
     using namespace quantity;
     const auto whole = [&](auto q, const Number& a, const Number& b) {
       Number both = sum(q, a, b);
@@ -172,7 +172,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   }
   /// A force less another.
   template <class F, class G>
-  constexpr auto without(const F& force, const G& other) const {
+  constexpr auto subtract(const F& force, const G& other) const {
     return ForceVector{sum(quantity::Moment{}, force.moment, -other.moment),
                        sum(quantity::Force{}, force.force, -other.force)};
   }

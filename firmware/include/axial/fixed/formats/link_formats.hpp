@@ -134,7 +134,7 @@ struct FormatRounding {
   /// Drive u of a joint, 0 where its share u^2 / D of qdd^T M qdd is beyond what the formats are made for.
   /// `magnified` says how often u is doubled.
   template <int E, int F, class M>
-  AXIAL_INLINE static constexpr Fx<F, S> admitted(bool& lost, const Fx<E, S>& d, const Fx<F, S>& u, M magnified) {
+  AXIAL_INLINE static constexpr Fx<F, S> gated_drive(bool& lost, const Fx<E, S>& d, const Fx<F, S>& u, M magnified) {
     std::int32_t v = u.raw;
     if constexpr (!is_zero_v<M>) v = v >> within_word(magnified);
     const bool beyond = S::bits == 32 ? is_less(by_upper_words(d.raw, share<E, F, 2>()), by_upper_words(v, v) >> 2)
@@ -143,7 +143,7 @@ struct FormatRounding {
     return select(beyond, Fx<F, S>{}, u);
   }
   template <class M, class H, class J, class M2, class H2, class J2>
-  AXIAL_INLINE static constexpr auto together(const RigidInertia<M, H, J>& a, const RigidInertia<M2, H2, J2>& b) {
+  AXIAL_INLINE static constexpr auto add(const RigidInertia<M, H, J>& a, const RigidInertia<M2, H2, J2>& b) {
     const quantity::RotationalInertia q;
     const auto& i = a.inertia;
     const auto& j = b.inertia;
@@ -153,7 +153,7 @@ struct FormatRounding {
                              sum(q, i.xz, j.xz), sum(q, i.yz, j.yz)}};
   }
   template <class N, class F, class N2, class F2>
-  AXIAL_INLINE static constexpr auto without(const ForceVector<N, F>& force, const ForceVector<N2, F2>& other) {
+  AXIAL_INLINE static constexpr auto subtract(const ForceVector<N, F>& force, const ForceVector<N2, F2>& other) {
     return ForceVector{sum(quantity::Moment{}, force.moment, -other.moment),
                        sum(quantity::Force{}, force.force, -other.force)};
   }
