@@ -28,8 +28,9 @@ ensure_packages() {
   install_packages "${missing[@]}"
 }
 
+# Each once, for comm counts: a name that stands twice among those wanted would be missing once.
 missing_packages() {
-  comm -23 <(printf '%s\n' "$@" | LC_ALL=C sort) <(installed_packages "$@" | LC_ALL=C sort -u)
+  LC_ALL=C comm -23 <(printf '%s\n' "$@" | LC_ALL=C sort -u) <(installed_packages "$@" | LC_ALL=C sort -u)
 }
 
 installed_packages() {

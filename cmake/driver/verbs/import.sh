@@ -1,8 +1,6 @@
 # shellcheck shell=bash
 # summary: a URDF or a Denavit-Hartenberg table as a verified constexpr header
 
-readonly IMPORT_PACKAGES=(liburdfdom-dev liborocos-kdl-dev)
-
 usage() {
   cat <<'END_OF_USAGE'
 usage: ./axial import FILE [options]
@@ -39,7 +37,7 @@ run() {
 }
 
 build_import() {
-  ensure_packages "${IMPORT_PACKAGES[@]}"
+  ensure_packages
   # What was configured before urdfdom was there looks again.
   if ! grep -qs '^AXIAL_URDFDOM_INCLUDE:PATH=/' "$AXIAL_ROOT/build/host-release/CMakeCache.txt"; then
     rm -f "$AXIAL_ROOT/build/host-release/build.ninja"
