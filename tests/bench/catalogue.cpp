@@ -4,7 +4,7 @@
 #include <bench/serial.hpp>
 #include <bench/states.hpp>
 #include <oracle/from_axial.hpp>
-#include <robots/robots.hpp>
+#include <raced.hpp>
 
 namespace bench {
 namespace {
@@ -12,6 +12,12 @@ namespace {
 constexpr int robot_states = 256, serial_states = 32;
 constexpr double agreement = 1e-9;        // double
 constexpr double float_agreement = 1e-3;  // 2^-24 times condition numbers up to some 1e4
+
+#ifdef AXIAL_BENCH_DART
+constexpr bool dart_races = true;
+#else
+constexpr bool dart_races = false;
+#endif
 
 template <class T>
 constexpr bool is_float = sizeof(T) == sizeof(float);
@@ -51,8 +57,9 @@ void add_robot(std::vector<Duel>& duels, const std::string& name) {
     };
     race("kdl", Rotors::with, make_kdl(algorithm, chain, states));
     if (is_forward(algorithm)) race("kdl_vereshchagin", Rotors::with, make_vereshchagin(chain, states));
-    if (algorithm <= Algorithm::forward_dynamics)
-      race("dart", Rotors::without, make_dart(algorithm, bare, bare_states));
+    if constexpr (dart_races)
+      if (algorithm <= Algorithm::forward_dynamics)
+        race("dart", Rotors::without, make_dart(algorithm, bare, bare_states));
   }
 }
 
@@ -60,14 +67,11 @@ void add_robot(std::vector<Duel>& duels, const std::string& name) {
 
 std::vector<Duel> all_duels() {
   std::vector<Duel> duels;
-  const auto add = [&](auto robot, const char* name) {
-    add_robot<decltype(robot), double>(duels, name);
-    add_robot<decltype(robot), float>(duels, name);
-  };
-  add(robots::Puma560{}, "puma560");
-  add(robots::Panda{}, "panda");
-  add(robots::Scara{}, "scara");
-  add(robots::ScaraRrpr{}, "scara_rrpr");
+  Raced::for_each([&](auto named) {
+    using Robot = typename decltype(named)::Robot;
+    add_robot<Robot, double>(duels, named.name);
+    add_robot<Robot, float>(duels, named.name);
+  });
   for (const int joints : serial_joints) {
     const auto chain = serial_chain(joints);
     const States states = random_states(chain, serial_states);
@@ -79,7 +83,7 @@ std::vector<Duel> all_duels() {
     const Algorithm forward = Algorithm::forward_dynamics, matrix = Algorithm::mass_matrix;
     race(forward, "kdl_vereshchagin", make_vereshchagin(chain, states));
     race(forward, "kdl", make_kdl(forward, chain, states));
-    race(forward, "dart", make_dart(forward, chain, states));
+    if constexpr (dart_races) race(forward, "dart", make_dart(forward, chain, states));
     race(matrix, "kdl", make_kdl(matrix, chain, states));
     race(Algorithm::composite_body, "kdl", make_kdl(forward, chain, states));
   }
