@@ -18,6 +18,7 @@ INCLUDE = re.compile(r"^\s*#\s*include\s*<([^>]+)>\s*(?://.*)?$")
 OPENS = re.compile(r"^\s*#\s*if")
 CLOSES = re.compile(r"^\s*#\s*endif")
 ONCE = re.compile(r"^\s*#\s*pragma\s+once\s*$")
+USERS = set()  # headers that the command line names by their files
 LICENCES = ("LICENSE", "LICENSE.md", "LICENSE.txt", "COPYING")
 
 
@@ -26,7 +27,9 @@ class Wrong(Exception):
 
 
 def place(name):
-    """The file that #include <name> means; None for a header of the compiler's."""
+    """The file that #include <name> means; None for a header of the compiler's. A user's robot is named by its file."""
+    if name in USERS:
+        return pathlib.Path(name)
     folder = FOLDERS.get(name.split("/")[0])
     return folder / name if folder and "/" in name else None
 
@@ -46,9 +49,9 @@ class Text:
             return
         path = place(name)
         if not path.is_file():
-            raise Wrong(f"{wanted_by} asks for {name}, and there is no {path.relative_to(ROOT)}")
+            raise Wrong(f"{wanted_by} asks for {name}, and there is no {path}")
         self.seen[name] = conditional
-        self.lines.append(f"// ---- {name}")
+        self.lines.append(f"// ---- {path.name if name in USERS else name}")
         depth = 0
         for line in path.read_text().splitlines():
             depth += bool(OPENS.match(line)) - bool(CLOSES.match(line))
@@ -105,9 +108,9 @@ def amalgamate(headers, revision):
         text.unfold(name, "the command line")
     head = ["// axial in one header: rigid-body dynamics for microcontrollers, C++17.",
             f"// Licence: {licence()}.",
-            f"// Commit: {revision}. Made by ./axial amalgamate from: {', '.join(headers)}.",
+            f"// Commit: {revision}. Made by ./axial amalgamate from: {', '.join(pathlib.Path(name).name if name in USERS else name for name in headers)}.",
             "// Do not edit: change the sources and make it anew.",
-            "#pragma once", ""]
+            "#pragma once", "", "#define AXIAL_ONE_HEADER 1  // robots' headers include nothing more", ""]
     return "\n".join(head + [f"#include <{name}>" for name in sorted(text.outside)] + [""] + within_options(trimmed(text.lines))) + "\n"
 
 
@@ -119,8 +122,8 @@ def arguments():
     parser = argparse.ArgumentParser(prog="./axial amalgamate", description=__doc__.split("\n")[0],
                                      formatter_class=argparse.RawDescriptionHelpFormatter, allow_abbrev=False)
     parser.add_argument("-o", "--output", default="axial.hpp", metavar="FILE", help="default axial.hpp; - for standard output")
-    parser.add_argument("--robot", action="append", default=[], metavar="NAME",
-                        help="also robots/NAME.hpp; may be given several times")
+    parser.add_argument("--robot", action="append", default=[], metavar="NAME|HEADER",
+                        help="also robots/NAME.hpp, or the robot of a header; may be given several times")
     parser.add_argument("--header", action="append", default=[], metavar="NAME",
                         help="also this header of the library, such as axial/simulation/motion.hpp")
     return parser.parse_args()
@@ -128,16 +131,17 @@ def arguments():
 
 def main():
     options = arguments()
+    USERS.update(name for name in options.robot if name not in robots() and pathlib.Path(name).is_file())
     for name in options.robot:
-        if name not in robots():
-            print(f"axial: no robot '{name}' in robots/; there are: {', '.join(robots())}", file=sys.stderr)
+        if name not in robots() and name not in USERS:
+            print(f"axial: no robot '{name}' in robots/ and no such header; there are: {', '.join(robots())}", file=sys.stderr)
             return 2
     for name in options.header:
         if not name.startswith("axial/") or not place(name).is_file():
             print(f"axial: no header '{name}'; name one of firmware/include, such as axial/simulation/motion.hpp",
                   file=sys.stderr)
             return 2
-    headers = ALWAYS + options.header + [f"robots/{name}.hpp" for name in options.robot]
+    headers = ALWAYS + options.header + [name if name in USERS else f"robots/{name}.hpp" for name in options.robot]
     try:
         text = amalgamate(headers, commit())
     except Wrong as error:

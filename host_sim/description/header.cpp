@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fstream>
 #include <initializer_list>
+#include <iterator>
 
 namespace description {
 namespace {
@@ -47,11 +48,14 @@ class LinkText {
  public:
   explicit LinkText(const axial::LinkParameters& p) : p_(p) {}
 
-  std::string text(const std::string& parent) const {
-    std::string result = "      axial::" + geometry(parent);
+  std::string text(const std::string& parent, const std::vector<std::string>& kept, const std::string& comma) const {
+    const auto given = quantities_of(kept);
+    std::string result = "      axial::" + without(geometry(parent), given);
     for (const auto& row : {body(), drive(), friction(), limits()})
-      if (!row.empty()) result += "\n          " + row;
-    return result;
+      if (const std::string left = without(row, given); !left.empty()) result += "\n          " + left;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      result += "\n          " + kept[i] + (i + 1 < kept.size() ? "" : comma) + "  // kept";
+    return result + (kept.empty() ? comma : "");
   }
 
  private:
@@ -129,33 +133,45 @@ std::string pose_part(const std::string& name, const axial::FixedPose& pose) {
          "},\n                                   {" + position + "}})";
 }
 
-/// Everything but the links, first in the chain.
-std::string frame_parts(const Description& robot) {
+/// Everything but the links, first in the chain. A kept part replaces one of the same name.
+std::string frame_parts(const Description& robot, const std::vector<std::string>& kept) {
   const auto& g = robot.gravity;
-  std::string text = "      axial::gravity(" + arguments({g.x, g.y, g.z}) + "),\n";
-  const auto add = [&](const std::string& part) { text += part.empty() ? "" : "      " + part + ",\n"; };
+  const auto given = quantities_of(kept);
+  std::string text;
+  const auto add = [&](const std::string& part) {
+    const auto names = quantities_of({part});
+    if (!part.empty() && given.count(*names.begin()) == 0) text += "      " + part + ",\n";
+  };
+  add("axial::gravity(" + arguments({g.x, g.y, g.z}) + ")");
   add(frames_are_far(robot) ? "axial::accept(axial::as_published)" : "");
   add(pose_part("base", robot.base)), add(pose_part("tool", robot.tool));
   const auto& load = robot.payload_limit;
   if (load.declared) add("axial::payload_limit(" + arguments({load.mass, load.com_reach, load.inertia}) + ")");
   const auto& wrench = robot.tip_wrench_limit;
   if (wrench.declared) add("axial::tip_wrench_limit(" + arguments({wrench.force, wrench.moment}) + ")");
+  for (const auto& line : kept)
+    text += "      " + line + ",  // kept\n";
   return text;
 }
 
-std::string link_parts(const Description& robot) {
+std::vector<std::string> kept_of(const Kept& kept, const std::string& joint) {
+  const auto found = kept.find(joint);
+  return found == kept.end() ? std::vector<std::string>{} : found->second;
+}
+
+std::string link_parts(const Description& robot, const Kept& kept) {
   std::string text;
   for (int i = 0; i < robot.size(); ++i) {
     const Link& link = robot.links[static_cast<std::size_t>(i)];
     const std::string comma = i + 1 < robot.size() ? "," : "";
     text += "      // " + std::to_string(i) + ": " + harmless(link.joint) + " moves " + harmless(link.name) + "\n" +
-            LinkText(link.parameters).text(parent_call(robot, i)) + comma + "\n";
+            LinkText(link.parameters).text(parent_call(robot, i), kept_of(kept, harmless(link.joint)), comma) + "\n";
   }
   return text;
 }
 
 std::string leading_comment(const Description& robot, const std::vector<Finding>& warnings,
-                            const std::vector<std::string>& figures) {
+                            const std::vector<std::string>& figures, const Kept& kept) {
   const std::string name = robot.name.empty() ? "robot" : robot.name;
   std::string text = comment_lines("", name + ": " + std::to_string(robot.size()) + " joints, MDH frames.") + "//\n";
   text += comment_lines("source:   ", robot.source.empty() ? "not said" : robot.source);
@@ -167,7 +183,12 @@ std::string leading_comment(const Description& robot, const std::vector<Finding>
     text += comment_lines("warning:  ", warning.text());
   for (const auto& figure : figures)
     text += comment_lines("verified: ", figure);
-  return text;
+  std::size_t count = 0;
+  for (const auto& entry : kept)
+    count += entry.second.size();
+  if (count > 0)
+    text += comment_lines("kept:     ", std::to_string(count) + " written by hand, which nothing verified");
+  return text + comment_lines("yours:    ", "a line that ends in '// kept' stays when this file is written again");
 }
 
 std::string words(const Description& robot, bool capitals, const std::string& between) {
@@ -186,29 +207,61 @@ std::string words(const Description& robot, bool capitals, const std::string& be
   return std::isdigit(static_cast<unsigned char>(text[0])) != 0 ? fallback + between + text : text;
 }
 
+void refuse_other_joints(const Description& robot, const Kept& kept) {
+  for (const auto& entry : kept) {
+    const bool known =
+        entry.first.empty() || std::any_of(robot.links.begin(), robot.links.end(),
+                                           [&](const Link& link) { return harmless(link.joint) == entry.first; });
+    if (!known)
+      throw Refused("kept line '" + entry.second[0] + "' stands at joint '" + entry.first +
+                    "', which this robot has not; take the line out, or put it at another joint");
+  }
+}
+
+/// The include that a robot needs: of the library as it is, or of its one header.
+constexpr const char* includes =
+    "#pragma once\n\n#ifndef AXIAL_ONE_HEADER\n#if __has_include(<axial/robot/chain.hpp>)\n#include "
+    "<axial/robot/chain.hpp>\n"
+    "#else\n#include \"axial.hpp\"  // of ./axial amalgamate\n#endif\n#endif\n\n";
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.flush();
+  if (!file) throw Refused("cannot write '" + path + "'; is there such a folder, and may it be written?");
+}
+
 }  // namespace
 
 std::string type_name(const Description& robot) { return words(robot, true, ""); }
 std::string plain_name(const Description& robot) { return words(robot, false, "_"); }
 
-std::string header(const Description& robot, const std::vector<std::string>& figures) {
+std::string header(const Description& robot, const std::vector<std::string>& figures, const Kept& kept) {
   const auto warnings = check(robot);
   const std::string doubtful = lines_to_accept(warnings);
   if (!doubtful.empty()) throw Refused(doubtful);
-  return leading_comment(robot, warnings, figures) +
-         "#pragma once\n\n#include <axial/robot/chain.hpp>\n\nnamespace robots {\n\nstruct " + type_name(robot) +
-         " {\n  static constexpr const char* name = \"" + plain_name(robot) +
+  refuse_other_joints(robot, kept);
+  return leading_comment(robot, warnings, figures, kept) + includes + "namespace robots {\n\nstruct " +
+         type_name(robot) + " {\n  static constexpr const char* name = \"" + plain_name(robot) +
          "\";\n\n  // A line a group of values.\n  // clang-format off\n  static constexpr auto chain = "
          "axial::chain(\n" +
-         frame_parts(robot) + link_parts(robot) + "  );\n  // clang-format on\n};\n\n}  // namespace robots\n";
+         frame_parts(robot, kept_of(kept, "")) + link_parts(robot, kept) +
+         "  );\n  // clang-format on\n};\n\n}  // namespace robots\n";
 }
 
-void write_header(const std::string& path, const Description& robot, const std::vector<std::string>& figures) {
-  const std::string text = header(robot, figures);
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.flush();
-  if (!file) throw Refused("can not write '" + path + "'; is there such a folder, and may it be written?");
+Rewritten write_header(const std::string& path, const Description& robot, const std::vector<std::string>& figures) {
+  const std::string before = text_of(path);
+  Rewritten result{kept_lines(before), {}, ""};
+  const std::string now = header(robot, figures, result.kept);
+  result.lost = lines_that_are_lost(before, now);
+  if (!result.lost.empty()) write_text(result.before = path + ".before", before);
+  write_text(path, now);
+  return result;
 }
 
 }  // namespace description

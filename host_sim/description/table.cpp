@@ -153,7 +153,7 @@ axial::FixedPose read_pose(const JsonObject& of, const std::string& key) {
 }
 
 void read_robot(const JsonObject& file, Description& robot, const std::string& from) {
-  robot.name = file.text("name", ""), robot.source = file.text("source", from), robot.notes = file.texts("notes");
+  robot.name = file.text("name", ""), robot.source = file.text("source", from.substr(from.find_last_of("/\\") + 1)), robot.notes = file.texts("notes");
   if (robot.name.empty()) file.refuse("name is missing", "give \"name\": \"my_arm\"");
   const auto g = file.numbers("gravity", {3});
   if (!g.empty())

@@ -43,7 +43,8 @@ def main(program, folder, data, document):
     with tempfile.TemporaryDirectory() as scratch:
         rows = [imported(program, folder, entry, pathlib.Path(scratch)) for entry in entries]
     (pathlib.Path(data) / "import.json").write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
-    fill(document, lambda name: table(rows))
+    commit = subprocess.run([pathlib.Path(__file__).resolve().parents[1] / "system/commit.sh"], check=True, capture_output=True, text=True).stdout.strip()
+    fill(document, lambda name: f"Imported at commit `{commit}`.\n" if name == "import_provenance" else table(rows))
 
 
 if __name__ == "__main__":

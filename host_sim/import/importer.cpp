@@ -22,6 +22,9 @@ using description::Finding;
   throw description::Refused(text);
 }
 
+/// What a header says of its source: the folder is of this machine alone.
+std::string file_name(const std::string& path) { return path.substr(path.find_last_of("/\\") + 1); }
+
 void check(Imported& imported, const std::string& from, std::vector<Finding> found) {
   const auto errors = description::lines(found, true);
   if (!errors.empty()) refuse(from, errors);
@@ -103,7 +106,7 @@ Result import_urdf(const std::string& text, const std::string& from, const Optio
   imported = to_mdh(source, gravity);
   imported.warnings = warnings;
   auto& robot = imported.robot;
-  robot.source = from + " (URDF), links of '" + source.links[0].name + "'";
+  robot.source = file_name(from) + " (URDF), links of '" + source.links[0].name + "'";
   if (source.tool >= 0)
     robot.source += " to '" + source.links[static_cast<std::size_t>(source.tool)].name + "', whose frame is the tool's";
   if (!options.gravity)

@@ -63,7 +63,7 @@ Kind kind_of(const urdf::Joint& joint) {
 class Reader {
  public:
   Reader(const urdf::ModelInterface& model, const std::string& from, const UrdfOptions& options)
-      : model_(model), from_(from), angles_(options.right_angles, options.snap) {
+      : model_(model), from_(from), angles_(options.right_angles, options.snap), hold_mimic_(options.hold_mimic) {
     tree_.name = model.getName();
     const auto root = find(options.root.empty() ? model.getRoot()->name : options.root, "--root");
     if (!options.tip.empty()) choose_path(root, find(options.tip, "--tip"));
@@ -115,10 +115,13 @@ class Reader {
   SourceJoint read_joint(const urdf::Joint& joint, bool on_path) {
     SourceJoint result;
     result.name = description::harmless(joint.name), result.kind = kind_of(joint);
-    result.held = has_tip_ && !on_path && joint.type != urdf::Joint::FIXED;
+    const bool mimics = joint.mimic != nullptr && hold_mimic_;
+    result.held = (mimics || (has_tip_ && !on_path)) && joint.type != urdf::Joint::FIXED;
     result.origin = placement(joint.parent_to_joint_origin_transform, result.name);
     if (joint.type == urdf::Joint::FIXED) return result;
-    if (result.held)
+    if (mimics)
+      mimics_.push_back(result.name), result.held_at = joint.mimic->offset;
+    else if (result.held)
       held_.push_back(result.name);
     else
       check_kind(joint, result.name);
@@ -136,7 +139,10 @@ class Reader {
     if (joint.mimic)
       refuse("joint '" + name + "' mimics '" + description::harmless(joint.mimic->joint_name) +
                  "': not a freedom of its own",
-             "remove <mimic> if a drive of its own moves it, or make it fixed" + beside);
+             "--hold-mimic holds it and carries its body along, as is right for a gripper's fingers; remove <mimic> if "
+             "a drive of "
+             "its own moves it" +
+                 beside);
   }
   void read_axis(const urdf::Joint& joint, SourceJoint& result) {
     const double x = joint.axis.x, y = joint.axis.y, z = joint.axis.z, length = std::hypot(x, y, z);
@@ -154,7 +160,7 @@ class Reader {
     result.lower = limits.lower, result.upper = limits.upper;
     result.speed = limits.velocity, result.effort = limits.effort;
     if (result.held && result.has_limits && limits.lower <= limits.upper)
-      result.held_at = std::clamp(0.0, limits.lower, limits.upper);
+      result.held_at = std::clamp(result.held_at, limits.lower, limits.upper);
     check_limits(result);
   }
   void check_limits(const SourceJoint& joint) {
@@ -176,13 +182,22 @@ class Reader {
   Placement placement(const urdf::Pose& pose, const std::string& joint) {
     return {angles_.rotation(pose.rotation, joint), {pose.position.x, pose.position.y, pose.position.z}};
   }
+  static std::string listed(const std::vector<std::string>& names) {
+    std::string all;
+    for (const auto& name : names)
+      all += (all.empty() ? "" : ", ") + name;
+    return all;
+  }
   void say_held() {
-    std::string names;
-    for (const auto& name : held_)
-      names += (names.empty() ? "" : ", ") + name;
     if (!held_.empty())
       tree_.notes.push_back(
-          "joints beside the chain are held at 0 (or their nearest limit), their bodies carried along: " + names);
+          "joints beside the chain are held at 0 (or their nearest limit), their bodies carried along: " +
+          listed(held_));
+    if (!mimics_.empty())
+      tree_.notes.push_back(
+          "joints that mimic another one are held where that one is 0 (or their nearest limit), their bodies carried "
+          "along: " +
+          listed(mimics_));
   }
 
   const urdf::ModelInterface& model_;
@@ -190,9 +205,9 @@ class Reader {
   RightAngles angles_;
   SourceTree tree_;
   std::set<std::string> path_;
-  std::vector<std::string> held_;
+  std::vector<std::string> held_, mimics_;
   std::string problems_;
-  bool has_tip_ = false;
+  bool has_tip_ = false, hold_mimic_ = false;
 };
 
 }  // namespace

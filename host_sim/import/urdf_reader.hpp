@@ -11,6 +11,7 @@ struct UrdfOptions {
   std::string root, tip;       ///< empty: the file's root; every branch
   double right_angles = 1e-5;  ///< rad: an angle this near to a multiple of 90 degrees is one; 0 reads what is written
   bool snap = false;           ///< so is one of a joint that is nearly_right
+  bool hold_mimic = false;     ///< joints that mimic another one stay where that one is 0
 };
 
 /// Throws description::Refused with everything that is wrong, one line each: what urdfdom refuses, roots and tips that

@@ -27,6 +27,19 @@ int nesting(const std::string& text) {
   return deepest;
 }
 
+/// What of an element, or below it, only xacro understands; empty for a URDF. One that xacro has expanded may still
+/// declare its namespace.
+std::string xacro_in(const TiXmlElement& element) {
+  if (element.ValueStr().rfind("xacro:", 0) == 0) return "<" + element.ValueStr() + ">";
+  for (const auto* attribute = element.FirstAttribute(); attribute != nullptr; attribute = attribute->Next())
+    for (const char* begin : {"${", "$("})
+      if (attribute->ValueStr().find(begin) != std::string::npos)
+        return std::string(attribute->Name()) + "=\"" + attribute->ValueStr() + "\"";
+  for (const auto* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement())
+    if (const std::string found = xacro_in(*child); !found.empty()) return found;
+  return "";
+}
+
 class Checker {
  public:
   Checker(const TiXmlElement& robot, const std::string& from) : robot_(robot), from_(from) {}
@@ -134,6 +147,10 @@ void check_urdf_text(const std::string& text, const std::string& from) {
     throw description::Refused(from + ": malformed XML at line " + std::to_string(document.ErrorRow()) + ", column " +
                                std::to_string(document.ErrorCol()) + ": " + document.ErrorDesc() +
                                " (xacro files are expanded first: xacro robot.urdf.xacro > robot.urdf)");
+  if (const auto* first = document.RootElement(); first != nullptr)
+    if (const std::string found = xacro_in(*first); !found.empty())
+      throw description::Refused(from + ": this is xacro, not a URDF yet: " + harmless(found) +
+                                 "; expand it first: xacro robot.urdf.xacro > robot.urdf (the program is part of ROS)");
   const auto* robot = document.FirstChildElement("robot");
   if (robot == nullptr) throw description::Refused(from + ": there is no <robot> element; give a URDF or a JSON table");
   Checker(*robot, from).run();

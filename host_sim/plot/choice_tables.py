@@ -36,8 +36,11 @@ def choices(rows, job, unit):
 
 def main(folder, document):
     rows = load(pathlib.Path(folder) / "work_precision.json")
+    commit = load(pathlib.Path(folder) / "size_provenance.json")["commit"]
 
     def table(name):
+        if name == "choice_provenance":
+            return f"From the data of [work_precision.md](work_precision.md), measured in QEMU at commit `{commit}`.\n"
         job, unit = name.rsplit("_in_", 1)
         return choices(rows, job, unit)
 

@@ -26,6 +26,7 @@ class Data:
         self.flags, self.flags_provenance = load_csv(folder / "flags.csv"), load(folder / "flags_provenance.json")
         self.overflows = load(folder / "fixed_overflows.json")
         self.proved = load(folder / "prove.json")
+        self.proved_at = load(folder / "prove_provenance.json")["commit"]
         self.demos = [load(file) for file in sorted(folder.glob("demo-*.json"))]
 
 
@@ -238,7 +239,7 @@ def flag_cell(number):
     return "loops" if number is None else grouped(number)
 
 
-TABLES = {"size_flags": size_flags, "fixed_overflows": fixed_overflows, "proved": proved,
+TABLES = {"prove_provenance": lambda data: f"Proved at commit `{data.proved_at}`.\n", "size_flags": size_flags, "fixed_overflows": fixed_overflows, "proved": proved,
           "size_provenance": size_provenance, "size_scenes": size_scenes, "size_fixed": size_fixed, "size_contract": size_contract,
           "size_stm32f405": lambda data: size_of(data, "stm32f405"),
           "size_mps2_an500": lambda data: size_of(data, "mps2_an500", "fast"),

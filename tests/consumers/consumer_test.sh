@@ -71,6 +71,26 @@ SingleHeader() {
   "$FOLDER/consumer"
 }
 
+# A header that the importer wrote goes with the one header: included before it and after it, or taken into it.
+SingleHeaderWithAnImportedRobot() {
+  local robot way
+  robot=$(find "$AXIAL_WRITTEN" -name kr5_sixx.hpp 2>/dev/null || true)
+  [[ -n $robot ]] || exit 77
+  mkdir "$FOLDER/apart" "$FOLDER/together"
+  amalgamate "$FOLDER/apart/axial.hpp"
+  cp "$robot" "$FOLDER/apart/"
+  quietly "$ROOT/axial" amalgamate --robot "$robot" -o "$FOLDER/together/axial.hpp"
+  ! grep -F "$(dirname "$robot")" "$FOLDER/together/axial.hpp" || fail "names this machine's folder"
+  printf '#include "axial.hpp"\n#include "kr5_sixx.hpp"\n' >"$FOLDER/apart/first.cpp"
+  printf '#include "kr5_sixx.hpp"\n#include "axial.hpp"\n' >"$FOLDER/apart/last.cpp"
+  printf '#include "axial.hpp"\n' >"$FOLDER/together/within.cpp"
+  for way in apart/first apart/last together/within; do
+    echo 'int main() { return axial::joint_count<robots::Kr5Sixx> == 6 ? 0 : 1; }' >>"$FOLDER/$way.cpp"
+    quietly g++ -std=c++17 -Wall -Wextra -Werror -I"$(dirname "$FOLDER/$way")" "$FOLDER/$way.cpp" -o "$FOLDER/consumer"
+    "$FOLDER/consumer" || fail "$way"
+  done
+}
+
 SingleHeaderIsTheSameTwice() {
   amalgamate "$FOLDER/axial.hpp"
   amalgamate "$FOLDER/again.hpp"

@@ -105,6 +105,44 @@ TEST(Urdf, ChainsHoldTheJointsBesideThem) {
   EXPECT_NE(imported.robot.notes[0].find("elbow"), std::string::npos);
 }
 
+TEST(Urdf, MimicJointsAreHeldWhereAsked) {
+  std::string text = arms::urdf;
+  const std::string axis = "<axis xyz=\"0 1 1\"/>";
+  text.replace(text.find(axis), axis.size(), axis + "<mimic joint=\"shoulder\" multiplier=\"2\" offset=\"0.25\"/>");
+  Options options;
+  options.urdf.hold_mimic = true;
+  const auto result = import_text(text, "arm.urdf", options);  // its KDL holds the elbow where the offset says
+  EXPECT_TRUE(result.figures.good());
+  const auto& robot = result.imported.robot;
+  ASSERT_EQ(robot.size(), 1);
+  EXPECT_DOUBLE_EQ(robot.links[0].parameters.mass, 4.5);
+  ASSERT_FALSE(robot.notes.empty());
+  EXPECT_NE(robot.notes[0].find("mimic another one are held where that one is 0"), std::string::npos);
+  // The slide of 0.25 m along (0, 1, 1) moves fore and tool0, 2 kg of 4.5.
+  std::string unmoved = text;
+  unmoved.replace(unmoved.find("offset=\"0.25\""), 13, "offset=\"0\"");
+  const auto other = import_text(unmoved, "arm.urdf", options).imported.robot;
+  double moved = 0.0;
+  for (int k = 0; k < 3; ++k)
+    moved = std::hypot(moved, robot.links[0].parameters.com[k] - other.links[0].parameters.com[k]);
+  EXPECT_NEAR(moved, 0.25 * 2.0 / 4.5, 1e-12);
+}
+
+TEST(Urdf, HeaderTellsTheFileAndNotItsFolder) {
+  const auto urdf = import_text(arms::urdf, "/home/somebody/arms/arm.urdf", {}).imported.robot;
+  EXPECT_EQ(urdf.source.find("arm.urdf (URDF)"), 0U) << urdf.source;
+  std::string table = arms::table;
+  const std::string source = "\"source\": \"a test\", ";
+  table.erase(table.find(source), source.size());
+  EXPECT_EQ(import_text(table, "/home/somebody/arms/arm.json", {}).imported.robot.source, "arm.json");
+}
+
+TEST(Urdf, ExpandedXacroMayDeclareItsNamespace) {
+  std::string text = arms::urdf;
+  text.insert(text.find(" name=\"arm\""), " xmlns:xacro=\"http://www.ros.org/wiki/xacro\"");
+  EXPECT_EQ(import_text(text, "arm.urdf", {}).imported.robot.size(), 2);
+}
+
 TEST(Urdf, RightAnglesAreReadFromFewDigits) {
   std::string text = arms::urdf;
   const std::string angle = "1.5707963267948966 0 0.4";

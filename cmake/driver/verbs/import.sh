@@ -1,5 +1,6 @@
 # shellcheck shell=bash
 # summary: a URDF or a Denavit-Hartenberg table as a verified constexpr header
+# group: use
 
 usage() {
   cat <<'END_OF_USAGE'
@@ -8,19 +9,24 @@ usage: ./axial import FILE [options]
 Installs and builds what is missing, reads a URDF (any chain or tree of revolute, continuous, prismatic and fixed joints) or a JSON table
 of Denavit-Hartenberg rows, classical or modified (format: host_sim/description/README.md), turns it into MDH rows, verifies poses, torques
 and mass matrix against Orocos KDL on random states, and writes a header with source, assumptions, warnings and the figures in its comment.
+A xacro file is expanded by the program xacro where that is installed. Of a header that is there, lines that end in "// kept" stay.
   --root LINK         where the chain starts; default: the URDF's root
   --tip LINK          where it ends, the tool's frame; joints beside the chain are held at 0. Default: every branch (a tree)
   --name NAME         of the robot; default: the file's
   -o, --output FILE   the header; default <name>.hpp
   --json FILE         figures, assumptions and warnings once more
-  --gravity X Y Z     m/s^2 in axes of the root link; default 0 0 -9.81 (URDF only)
-  --right-angles RAD  an angle this near to a multiple of 90 degrees is one; default 1e-5, 0 reads what is written
-  --to-speed SECONDS  acceleration limits that are missing reach full speed in this time; default 0.25
+  --gravity NUMBER NUMBER NUMBER  m/s^2 in axes of the root link; default 0 0 -9.81 (URDF only)
+  --right-angles NUMBER  an angle this near to a multiple of 90 degrees is one; default 1e-5, 0 reads what is written
+  --to-speed NUMBER   acceleration limits that are missing reach full speed in this time; default 0.25
+  --hold-mimic        holds joints that mimic another one (a gripper's fingers) where that one is 0, and carries their bodies along
+  --snap              makes joints' angles exact that are within 0.002 rad of a multiple of 90 degrees
   --states N, --seed N  random states to verify on; default 100, 1
+  --as-published      keeps inertias, lengths and limits that no robot should have: .accept(axial::as_published)
   --strict            writes nothing where there are warnings
-  --documents         alone: imports tests/data/descriptions, writes doc/data/import.json and the table of doc/import.md
 Exits with 1 and says link, value and remedy when a description can not be used or the figures miss their bounds (poses 1e-12, torques
 and mass matrix 1e-9 relative); warnings (no inertia, triangle inequality violated, ...) go to stderr and into the header.
+maintainers:
+  --documents         alone: imports tests/data/descriptions, writes doc/data/import.json and the table of doc/import.md
 END_OF_USAGE
 }
 
@@ -28,19 +34,41 @@ run() {
   (($#)) || fail_usage "name a URDF or a table; see ./axial import --help"
   build_import
   if [[ $1 == --documents ]]; then
-    (($# == 1)) || fail_usage "--documents stands alone; see ./axial import --help"
-    /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/import/catalogue.py" "$AXIAL_ROOT/build/host-release/host_sim/import/import" \
+    /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/import/catalogue.py" "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/import/import" \
       "$AXIAL_ROOT/tests/data/descriptions" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/import.md"
     return
   fi
-  "$AXIAL_ROOT/build/host-release/host_sim/import/import" "$@"
+  import_expanded "$@"
+}
+
+# Options after FILE, or before it: only the file that is xacro changes. It keeps its name, which the header tells.
+import_expanded() {
+  local arguments=("$@") folder='' i status=0
+  for i in "${!arguments[@]}"; do
+    is_xacro "${arguments[i]}" || continue
+    folder=$(mktemp -d)
+    expand_xacro "${arguments[i]}" "$folder/$(basename "${arguments[i]}")"
+    arguments[i]=$folder/$(basename "${arguments[i]}")
+    break
+  done
+  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/import/import" "${arguments[@]}" || status=$?
+  [[ -z $folder ]] || rm -r "$folder"
+  return "$status"
+}
+
+# Whether a file holds what only xacro understands, and there is a xacro. Without one the importer says what to do.
+is_xacro() { [[ $1 != -* && -f $1 ]] && command -v xacro >/dev/null && grep -qE '<xacro:|\$\{|\$\(' "$1"; }
+
+expand_xacro() {
+  xacro "$1" >"$2" || fail "$1: xacro refuses it"
+  say "$1 was expanded by $(command -v xacro)"
 }
 
 build_import() {
   ensure_packages
   # What was configured before urdfdom was there looks again.
-  if ! grep -qs '^AXIAL_URDFDOM_INCLUDE:PATH=/' "$AXIAL_ROOT/build/host-release/CMakeCache.txt"; then
-    rm -f "$AXIAL_ROOT/build/host-release/build.ninja"
+  if ! grep -qs '^AXIAL_URDFDOM_INCLUDE:PATH=/' "$AXIAL_ROOT/build/$HOST_PRESET/CMakeCache.txt"; then
+    rm -f "$AXIAL_ROOT/build/$HOST_PRESET/build.ninja"
   fi
-  build host-release import >&2
+  build "$HOST_PRESET" import >&2
 }
