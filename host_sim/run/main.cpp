@@ -5,6 +5,7 @@
 
 #include <axial/axial.hpp>
 #include <firmware/apps/run/motion.hpp>
+#include <firmware/apps/run/scene.hpp>
 #include <robot.hpp>
 
 #include <nlohmann/json.hpp>
@@ -18,7 +19,8 @@
 namespace {
 
 using axial::apps::Robot;
-using Model = axial::Model<description::most_links, axial::Gravity, axial::RotorInertia>;
+using Model =
+    axial::Model<description::most_links, axial::Gravity, axial::RotorInertia, axial::Friction, axial::JointSprings>;
 
 constexpr int joints = axial::joint_count<Robot>;
 
@@ -65,9 +67,41 @@ std::vector<Sample> samples_of(const std::string& console) {
   return samples;
 }
 
+/// What the image's scene has of the robot's friction and springs.
+struct Declared {
+  bool friction, springs;
+  std::string left_out;
+};
+Declared declared(bool fixed) {
+  namespace run = axial::apps::run;
+  Declared result{fixed ? run::with_friction<Robot, true> : run::with_friction<Robot, false>,
+                  fixed ? run::with_springs<Robot, true> : run::with_springs<Robot, false>, ""};
+  if (run::any_joint<Robot>(run::has_friction) && !result.friction)
+    result.left_out = "friction (stribeck or smooth_speed)";
+  if (run::any_joint<Robot>(run::has_spring) && !result.springs)
+    result.left_out += std::string(result.left_out.empty() ? "" : " and ") + "springs";
+  return result;
+}
+
+/// The robot as the image computes it.
+description::Description evaluated(const Declared& declared) {
+  auto robot = description::from_robot<Robot>();
+  for (auto& link : robot.links) {
+    auto& p = link.parameters;
+    if (!declared.friction) p.viscous = p.coulomb_forward = p.coulomb_backward = p.static_friction = 0.0;
+    if (!declared.springs) p.spring_stiffness = 0.0;
+  }
+  return robot;
+}
+
+std::string loads(const Declared& declared) {
+  return std::string("gravity, rotors") + (declared.friction ? ", friction" : "") +
+         (declared.springs ? ", springs" : "");
+}
+
 /// Torques of the same motion by the run-time model in double.
-void add_exact(std::vector<Sample>& samples) {
-  const auto model = description::to_model<Model>(description::from_robot<Robot>());
+void add_exact(std::vector<Sample>& samples, const Declared& declared) {
+  const auto model = description::to_model<Model>(evaluated(declared));
   for (Sample& sample : samples) {
     axial::Joints<Model, double> q{}, qd{}, qdd{};
     for (int i = 0; i < joints; ++i) {
@@ -131,11 +165,13 @@ void write_csv(const std::string& path, const std::vector<Sample>& samples) {
   if (!file.flush()) throw std::runtime_error("can not write '" + path + "'; is there such a folder?");
 }
 
-void write_json(const std::string& path, const Options& options, const Verdict& verdict, bool good) {
+void write_json(const std::string& path, const Options& options, const std::string& scene, const Verdict& verdict,
+                bool good) {
   std::ofstream file(path);
   file << nlohmann::json{{"robot", Robot::name},
                          {"board", options.board},
                          {"number", options.number},
+                         {"scene", scene},
                          {"samples", axial::apps::run::samples},
                          {"largest_error", verdict.error},
                          {"largest_torque", verdict.largest},
@@ -155,17 +191,22 @@ int run(const Options& options) {
     throw std::runtime_error("the image ended with " + std::to_string(console.exit_status) + ": " +
                              console.output.substr(0, 400));
   auto samples = samples_of(console.output);
-  add_exact(samples);
+  const auto scene = declared(options.number == "fixed32");
+  add_exact(samples, scene);
   const auto verdict = judge(samples);
   const bool good = verdict.relative() <= bound;
   print(samples);
   std::printf(
-      "\n%s on %s in QEMU, %s: largest error %.2g, %.2g of the largest torque %.4g (bound %g), against axial::Model in "
+      "\n%s on %s in QEMU, %s, with %s: largest error %.2g, %.2g of the largest torque %.4g (bound %g), against "
+      "axial::Model in "
       "double\n",
-      Robot::name, board.name.c_str(), options.number.c_str(), verdict.error, verdict.relative(), verdict.largest,
-      bound);
+      Robot::name, board.name.c_str(), options.number.c_str(), loads(scene).c_str(), verdict.error, verdict.relative(),
+      verdict.largest, bound);
+  if (!scene.left_out.empty())
+    std::fprintf(stderr, "run: fixed point has none of this: %s of %s are left out; --number float has them\n",
+                 scene.left_out.c_str(), Robot::name);
   if (!options.csv.empty()) write_csv(options.csv, samples);
-  if (!options.json.empty()) write_json(options.json, options, verdict, good);
+  if (!options.json.empty()) write_json(options.json, options, loads(scene), verdict, good);
   if (!good) std::fprintf(stderr, "run: the error is above its bound\n");
   return good ? 0 : 1;
 }

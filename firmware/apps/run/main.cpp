@@ -6,6 +6,7 @@
 #include "../number_systems.hpp"
 #include "decimal.hpp"
 #include "motion.hpp"
+#include "scene.hpp"
 
 namespace {
 
@@ -13,6 +14,7 @@ using namespace axial;
 using apps::Robot;
 using hal::Board;
 using Number = AXIAL_NUMBER;
+using Scene = apps::run::SceneOf<Robot, is_stored_v<Number>>;
 
 void print(double value) {
   Board::print(",");
@@ -29,7 +31,7 @@ double value(const Efforts& tau, int i) {
 
 [[gnu::noinline]] auto torque(const Joints<Robot, double>& q, const Joints<Robot, double>& qd,
                               const Joints<Robot, double>& qdd) {
-  return inverse_dynamics<Robot>(apps::nearest_positions<Robot, Number>(q),
+  return inverse_dynamics<Scene>(apps::nearest_positions<Robot, Number>(q),
                                  apps::nearest<Velocities<Robot, Number>>(qd),
                                  apps::nearest<Accelerations<Robot, Number>>(qdd));
 }

@@ -30,7 +30,9 @@ constexpr Motion motion(int i, double t) {
   const double amplitude =
       used * least(static_cast<double>(limits.position),
                    least(static_cast<double>(limits.speed) / w, static_cast<double>(limits.acceleration) / (w * w)));
-  const auto wave = sincos(w * t);
+  auto wave = sincos(w * t);
+  if (wave.cos < 1e-9 && wave.cos > -1e-9)
+    wave.cos = 0.0;  // at rest in every number system: friction depends on the sign
   return {static_cast<double>(limits.middle) + amplitude * wave.sin, amplitude * w * wave.cos,
           -amplitude * w * w * wave.sin};
 }
