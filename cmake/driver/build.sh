@@ -7,16 +7,24 @@ readonly FAULT_BOARDS=(mps2_an500)    # run the image of faults alone
 # Of the documents' closed loops, in fixed point: the smallest one. Its UART queues six bytes, which QEMU fills at once.
 readonly LOOP_BOARD=nrf51
 
+# Of the host's programs; tests of the driver take the one that they are part of.
+readonly HOST_PRESET=${AXIAL_HOST_PRESET:-host-release}
+
 # build PRESET [TARGET...]: configures when there is something new to configure, then builds.
 build() {
-  local preset=$1 directory=$AXIAL_ROOT/build/$1
+  local preset=$1
   shift
+  configure "$preset" || return
+  say "building $preset"
+  cmake --build "$AXIAL_ROOT/build/$preset" --parallel "$(nproc)" ${1:+--target "$@"}
+}
+
+configure() {
+  local preset=$1 directory=$AXIAL_ROOT/build/$1
   if [[ ! -f $directory/build.ninja || $AXIAL_ROOT/CMakePresets.json -nt $directory/build.ninja ]]; then
     with_progress "configuring $preset" "$AXIAL_ROOT/build/$preset.log" \
       cmake -S "$AXIAL_ROOT" --preset "$preset" || return
   fi
-  say "building $preset"
-  cmake --build "$directory" --parallel "$(nproc)" ${1:+--target "$@"}
 }
 
 build_boards() {
@@ -54,15 +62,37 @@ named_board() {
 
 build_loop_images() { build "$LOOP_BOARD" tracking-fixed-scara tracking-fixed-puma560; }
 
-build_host_sim() { build host-release host_sim; }
+build_host_sim() { build "$HOST_PRESET" host_sim; }
 
-host_sim() { "$AXIAL_ROOT/build/host-release/host_sim/host_sim" "$@"; }
+host_sim() { "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/host_sim" "$@"; }
 
-# measure_errors FOLDER: the errors of every kernel (host_sim/errors), a file a robot.
+# drop_options "NAME..." OPTION...: ARGUMENTS are the others; each of those names has a value.
+drop_options() {
+  local names=" $1 "
+  shift
+  ARGUMENTS=()
+  while (($#)); do
+    if [[ $names == *" $1 "* ]]; then shift; else ARGUMENTS+=("$1"); fi
+    shift
+  done
+}
+
+# take_sizes OPTION...: AXIAL_SIZES is the file of an option --sizes, made absolute; ARGUMENTS are the other options.
+take_sizes() {
+  local file
+  file=$(option_of --sizes '' "$@")
+  if [[ -n $file ]]; then
+    AXIAL_SIZES=$(realpath "$file") && export AXIAL_SIZES
+  fi
+  drop_options --sizes "$@"
+}
+
+# measure_errors FOLDER [ROBOT]: the errors of every kernel (host_sim/errors), of all robots or one, a file per robot.
 measure_errors() {
-  build host-release errors
+  local program=errors${2:+-$2}
+  build "$HOST_PRESET" "$program"
   mkdir -p "$1"
-  say "errors of every kernel against 113-bit arithmetic"
-  printf '%s\n' scara scara_rrpr puma560 panda planar2r |
-    xargs -P "$(nproc)" -I ROBOT "$DRIVER/errors_of.sh" "$AXIAL_ROOT" ROBOT "$1/errors-ROBOT.json"
+  say "errors of ${2:-every robot}'s kernels against 113-bit arithmetic"
+  { if [[ -n ${2:-} ]]; then echo "$2"; else robots_with_trajectories; fi; } |
+    AXIAL_ERRORS_PROGRAM=$AXIAL_ROOT/build/$HOST_PRESET/host_sim/errors/$program xargs -P "$(nproc)" -I ROBOT "$DRIVER/errors_of.sh" ROBOT "$1/errors-ROBOT.json"
 }

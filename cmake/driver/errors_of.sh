@@ -1,3 +1,3 @@
 #!/usr/bin/env bash
-# The errors of a robot's kernels. usage: errors_of.sh ROOT ROBOT FILE
-exec "$1/build/host-release/host_sim/errors/errors" --robot "$2" >"$3"
+# The errors of a robot's kernels, by the program AXIAL_ERRORS_PROGRAM. usage: errors_of.sh ROBOT FILE
+exec "$AXIAL_ERRORS_PROGRAM" --robot "$1" >"$2"

@@ -4,9 +4,9 @@
 #include <host_sim/counts/solve.hpp>
 #include <host_sim/counts/states.hpp>
 #include <oracle/compare.hpp>
-#include <robots/models/models.hpp>
 
 #include <cmath>
+#include <counted.hpp>
 #include <cstdio>
 
 namespace counts {
@@ -38,7 +38,7 @@ void add_errors(std::vector<Errors>& result) {
 
 std::vector<Errors> errors(const std::string& robot) {
   std::vector<Errors> result;
-  robots::AllAndModels::for_each([&](auto named) {
+  Counted::for_each([&](auto named) {
     if (robot.empty() || robot == named.name) add_errors<typename decltype(named)::Robot>(result);
   });
   return result;

@@ -1,6 +1,6 @@
 #include <host_sim/counts/rows.hpp>
-#include <robots/models/models.hpp>
 
+#include <counted.hpp>
 #include <stdexcept>
 
 namespace counts {
@@ -8,7 +8,7 @@ namespace counts {
 std::vector<Row> rows(const std::string& robot) {
   std::vector<Row> result;
   std::string names;
-  robots::AllAndModels::for_each([&](auto named) {
+  Counted::for_each([&](auto named) {
     names += std::string(" ") + named.name;
     if (!robot.empty() && robot != named.name) return;
     const auto own = rows_of<typename decltype(named)::Robot>();

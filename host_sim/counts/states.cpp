@@ -4,18 +4,24 @@
 #include <oracle/random_chain.hpp>
 #include <oracle/recursive.hpp>
 
+#include <cmath>
+
 namespace counts {
 
 namespace {
+
+/// A limit that is not declared is that of firmware/apps/states.hpp.
+double finite_or(double limit, double otherwise) { return std::isfinite(limit) ? limit : otherwise; }
 
 State seeded_state(const oracle::Chain<oracle::quad>& chain, const std::vector<axial::LinkParameters>& links,
                    oracle::RandomChains& random) {
   State s;
   oracle::Vector<oracle::quad> desired;
   for (const auto& link : links) {
-    s.q.push_back(random.uniform(link.position_min, link.position_max));
-    s.qd.push_back(random.uniform(-link.speed_limit, link.speed_limit));
-    desired.push_back(random.uniform(-link.acceleration_limit, link.acceleration_limit));
+    const double speed = finite_or(link.speed_limit, 2.0), acceleration = finite_or(link.acceleration_limit, 5.0);
+    s.q.push_back(random.uniform(finite_or(link.position_min, -3.140625), finite_or(link.position_max, 3.140625)));
+    s.qd.push_back(random.uniform(-speed, speed));
+    desired.push_back(random.uniform(-acceleration, acceleration));
   }
   const auto q = oracle::convert<oracle::quad>(s.q), qd = oracle::convert<oracle::quad>(s.qd);
   for (const auto& exact : oracle::recursive_inverse_dynamics(chain, q, qd, desired))

@@ -1,8 +1,8 @@
 #include <host_sim/ranges/rows.hpp>
 
 #include <axial/fixed.hpp>
-#include <robots/robots.hpp>
 
+#include <analysed.hpp>
 #include <stdexcept>
 
 namespace ranges {
@@ -68,7 +68,7 @@ void for_each_algorithm(const Visit& visit) {
 
 template <class Visit>
 void for_each_robot(const Visit& visit) {
-  robots::All::for_each(visit), robots::Published::for_each(visit), robots::Trees::for_each(visit);
+  Analysed::for_each(visit);
 }
 
 std::string listed(const std::vector<std::string>& names) {

@@ -90,7 +90,7 @@ def answer(title, found, name):
     """A title, the choice with its code, the runners-up."""
     best = found[0]
     print(f"{title}: {describe(best)}\n")
-    print(f"  #include <robots/{best['robot']}.hpp>")
+    print(f"  #include {snippet.included(best)}")
     print("".join(f"  {line}\n" for line in snippet.lines(best)))
     print(table(found[:1 + RUNNERS_UP], name) + "\n")
 
@@ -106,20 +106,23 @@ def questions(rows, options):
                       sorted((row for row in rows if row["pareto"]), key=lambda row: row["work"]))]
 
 
-def print_targets(chosen):
+def print_targets(chosen, host):
     for row in chosen:
         of_board, of_host = verify.targets(row)
         print(row["board"], *of_board)
-        print("host-release", of_host)
+        print(host.name, of_host)
 
 
 def run(options):
     rows = candidates(json.loads(options.data.read_text(encoding="utf-8")), options)
     asked = questions(rows, options)
     if options.targets:
-        print_targets([found[0] for _, found in asked])
+        print_targets([found[0] for _, found in asked], options.host)
         return
-    print(f"{options.algorithm.replace('_', ' ')} of {options.robot} on {options.board}; errors relative to the joint's largest value over "
+    if options.type:
+        rows = [{**row, "type": options.type, "header": options.header} for row in rows]
+        asked = questions(rows, options)
+    print(f"{options.algorithm.replace('_', ' ')} of {options.type or options.robot} on {options.board}; errors relative to the joint's largest value over "
           f"seeded states, instructions counted by QEMU\n")
     for title, found in asked:
         answer(title, found, error_name(options))
@@ -153,6 +156,8 @@ def parse(arguments):
         parser.add_argument(name, action="store_true")
     parser.add_argument("--host", type=pathlib.Path, default=ROOT / "build/host-release")
     parser.add_argument("--data", type=pathlib.Path, default=DATA)
+    parser.add_argument("--type", help="the robot's, where it is not of robots/")
+    parser.add_argument("--header")
     options = parser.parse_args(arguments)
     if options.torque and options.algorithm != "forward_dynamics":
         parser.error("--torque is of forward_dynamics: the torque that its error stands for")

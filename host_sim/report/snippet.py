@@ -20,6 +20,14 @@ def robot_type(robot):
     return "robots::" + "".join(part.capitalize() for part in robot.split("_"))
 
 
+def type_of(row):
+    return row.get("type") or robot_type(row["robot"])
+
+
+def included(row):
+    return f'"{row["header"]}"' if row.get("header") else f"<robots/{row['robot']}.hpp>"
+
+
 def route_of(algorithm):
     return ROUTES.get(algorithm.removeprefix("forward_dynamics_"))
 
@@ -29,7 +37,7 @@ def scene(row):
     tags = ["Gravity", "RotorInertia", *SCENES[row["scene"]], *NUMBERS[row["scalar"]][1]]
     tags += ["Looped"] if row["form"] == "compact" else []
     tags += [route_of(row["algorithm"])] if route_of(row["algorithm"]) else []
-    return f"axial::Scene<{robot_type(row['robot'])}, {', '.join('axial::' + tag for tag in tags)}>"
+    return f"axial::Scene<{type_of(row)}, {', '.join('axial::' + tag for tag in tags)}>"
 
 
 def call(row):
@@ -47,7 +55,7 @@ def check(row):
     number = NUMBERS[row["scalar"]][0]
     using, calling = lines(row)
     tags = ", axial::Looped" if row["form"] == "compact" else ""
-    measured = f"Numbers::scene<axial::apps::size::scenes::{row['scene']}, {robot_type(row['robot'])}{tags}>"
+    measured = f"Numbers::scene<axial::apps::size::scenes::{row['scene']}, {type_of(row)}{tags}>"
     if route_of(row["algorithm"]):
         measured = f"axial::apps::size::Tagged<{measured}, axial::{route_of(row['algorithm'])}>::type"
     return f"""{using}

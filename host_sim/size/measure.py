@@ -56,9 +56,9 @@ def description(board):
 
 
 @functools.lru_cache
-def listing(board):
-    """[(Probe, its source)], as the build lists them for a board."""
-    lines = (IMAGES / board / "probes/probes.txt").read_text(encoding="utf-8").splitlines()
+def listing(board, file="probes.txt"):
+    """[(Probe, its source)], as the build lists them for a board; those of a user's robot are in own.txt."""
+    lines = (IMAGES / board / "probes" / file).read_text(encoding="utf-8").splitlines()
     return [(Probe(*words), unit) for *words, unit in map(str.split, lines)]
 
 
@@ -66,10 +66,14 @@ def probes(board):
     return [probe for probe, _ in listing(board)]
 
 
+def own_probes(board):
+    return [probe for probe, _ in listing(board, "own.txt")]
+
+
 @functools.lru_cache
 def units(board):
     """{name of a probe: the source that holds its kernel}"""
-    return {probe.name: unit for probe, unit in listing(board)}
+    return {probe.name: unit for probe, unit in listing(board) + listing(board, "own.txt")}
 
 
 def path_of(board, name):

@@ -17,9 +17,26 @@ expect() {
   ((status == wanted)) || fail "$*: exit status $status, expected $wanted; $out $err"
 }
 
-HelpNamesEveryVerb() {
+# verbs: the names of all
+verbs() {
+  local file
+  for file in "$(dirname "$AXIAL")"/cmake/driver/verbs/*.sh; do basename "$file" .sh; done
+}
+
+HelpShowsAtMostFourteenVerbs() {
   expect 0 "$AXIAL" help
-  for verb in demo test combinations report size counts compile-cost compare exhaustive prove ranges numbers stability choose motion loop mutants bench amalgamate reference import run new-board boards clean help; do
+  local group count
+  for group in use measure maintain; do
+    grep -q "^$group:$" <<<"$out" || fail "no group $group in: $out"
+  done
+  count=$(grep -cE '^  [a-z]' <<<"$out")
+  ((count >= 10 && count <= 14)) || fail "$count verbs"
+}
+
+HelpNamesEveryVerb() {
+  expect 0 "$AXIAL" help --all
+  local verb
+  for verb in $(verbs); do
     grep -qE "^  $verb +[a-z]" <<<"$out" || fail "no line for $verb in: $out"
   done
 }
@@ -30,10 +47,21 @@ NoVerbShowsHelp() {
 }
 
 EveryVerbHasHelp() {
-  for verb in demo test combinations report size counts compile-cost compare exhaustive prove ranges numbers stability choose motion loop mutants bench amalgamate reference import run new-board boards clean; do
+  local verb
+  for verb in $(verbs); do
     expect 0 "$AXIAL" "$verb" --help
     [[ $out == "usage: ./axial $verb"* ]] || fail "$verb --help says: $out"
   done
+}
+
+MaintainersOptionsAreHidden() {
+  local verb
+  for verb in $(verbs); do
+    expect 0 "$AXIAL" "$verb" --help
+    ! grep -qE '^ +--(documents|update-|on-board)' <<<"$out" || fail "$verb --help shows: $out"
+  done
+  expect 0 "$AXIAL" size --help --all
+  [[ $out == *--update-budgets* && $out == *--documents* ]] || fail "said: $out"
 }
 
 UnknownVerbIsRefused() {
@@ -43,11 +71,68 @@ UnknownVerbIsRefused() {
   done
 }
 
-UnknownOptionIsRefused() {
-  for verb in test stability motion mutants bench amalgamate reference new-board boards clean; do
-    expect 2 "$AXIAL" "$verb" --no-such-option
-    [[ -z $out && -n $err ]] || fail "said: $out $err"
+# expect_refused TEXT COMMAND...: with status 2 and TEXT, where no program but those that read text is on the PATH: nothing can be
+# installed or built.
+expect_refused() {
+  local text=$1 folder tool
+  shift
+  folder=$(mktemp -d)
+  for tool in bash env dirname basename sed cat sort awk head realpath grep; do ln -s "$(command -v $tool)" "$folder/$tool"; done
+  expect 2 env PATH="$folder" bash "$AXIAL" "$@"
+  rm -rf "$folder"
+  [[ -z $out && $err == *"$text"* ]] || fail "$*: said: $out $err"
+}
+
+OptionsAreCheckedBeforeAnythingIsBuilt() {
+  local verb
+  for verb in $(verbs); do
+    expect_refused "unknown option '--no-such-option'" "$verb" --no-such-option
   done
+  expect_refused "--json needs a value" demo --json
+  expect_refused "--documents stands alone" counts --documents --json x
+  expect_refused "unknown argument 'all'" test all
+}
+
+ValuesAreChecked() {
+  expect_refused "unknown robot 'pumma'; there are panda" demo --robot pumma
+  expect_refused "unknown board 'stm32f4'; there are" run x.hpp --board stm32f4
+  expect_refused "unknown number 'fixed'; there are float fixed32" run x.hpp --number=fixed
+  expect_refused "unknown compiler 'icc'; there are gcc clang" bench --compiler icc
+  expect_refused "unknown scalar 'flaot'" size --scalar float,flaot
+  expect_refused "there is no header 'mine.hpp'" cost mine.hpp
+  expect_refused "there is no header 'mine.hpp'" ranges --robot mine.hpp
+  expect_refused "--budget is 'many'; give a number" choose --robot scara --board nrf51 --budget many
+  expect_refused "--stride is '-1'; give a whole number" exhaustive --stride -1
+}
+
+# With a dpkg-query that knows what is installed. A name that stands twice among those wanted was once asked for each time.
+MissingPackagesAreNamedOnce() {
+  local folder root said
+  folder=$(mktemp -d) root=$(dirname "$AXIAL")
+  printf '#!/bin/bash\nshift 2\nprintf "installed %%s\\n" "$@" | grep -v absent\n' >"$folder/dpkg-query"
+  chmod +x "$folder/dpkg-query"
+  # shellcheck disable=SC2016
+  said=$(PATH=$folder:$PATH AXIAL_ROOT=$root bash -c 'source "$0/packages.sh"; missing_packages "${PACKAGES[@]}" absent cmake absent "${PACKAGES[@]}"' \
+    "$root/cmake/driver")
+  rm -rf "$folder"
+  [[ $said == absent ]] || fail "said: $said"
+}
+
+# With a xacro and an importer that tell what they are given.
+XacroIsExpanded() {
+  local folder said
+  folder=$(mktemp -d)
+  mkdir -p "$folder/build/here/host_sim/import"
+  printf '#!/bin/bash\nsed "s/\${mass}/2.5/" "$1"\n' >"$folder/xacro"
+  printf '#!/bin/bash\necho "$1 as $(basename "$2"): $(<"$2")"\n' >"$folder/build/here/host_sim/import/import"
+  chmod +x "$folder/xacro" "$folder/build/here/host_sim/import/import"
+  # shellcheck disable=SC2016
+  echo '<mass value="${mass}"/>' >"$folder/arm.urdf.xacro"
+  # shellcheck disable=SC2016
+  said=$(PATH=$folder:$PATH AXIAL_ROOT=$folder HOST_PRESET=here bash -c \
+    'source "$0/progress.sh"; source "$0/verbs/import.sh"; import_expanded --strict "$1"' "$(dirname "$AXIAL")/cmake/driver" "$folder/arm.urdf.xacro")
+  rm -rf "$folder"
+  [[ $said == *"was expanded by "*'--strict as arm.urdf.xacro: <mass value="2.5"/>' ]] || fail "said: $said"
 }
 
 # A PATH without apt and dpkg, and without the tools: a list of what to install.

@@ -1,5 +1,6 @@
 # shellcheck shell=bash
 # summary: removes build/ and output/
+# group: maintain
 
 usage() {
   echo "usage: ./axial clean"
@@ -7,6 +8,5 @@ usage() {
 }
 
 run() {
-  (($# == 0)) || fail_usage "clean takes no arguments; see ./axial clean --help"
   rm -rf "$AXIAL_ROOT/build" "$AXIAL_ROOT/output"
 }

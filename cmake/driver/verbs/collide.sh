@@ -1,5 +1,6 @@
 # shellcheck shell=bash
 # summary: contacts of a simulated Panda: how soon a momentum observer reports them, what it takes for one that is none
+# group: measure, rare
 
 usage() {
   cat <<'END_OF_USAGE'
@@ -11,24 +12,24 @@ watches; then payloads of a Panda and a Puma 560 are weighed. Prints delays and 
   --seed NUMBER       of motion and noise; default 3
   --output FOLDER     where the files go; default output/collide
   --json FILE         the rows once more, as an array of objects
-  --documents         alone: writes doc/data, doc/pictures and the tables of doc/observer.md
 Exits non-zero when a contact is missed or found after more than 10 ms, when there is a false alarm, or a payload
 is weighed worse than to 25 g or 10 g m.
+maintainers:
+  --documents         alone: writes doc/data, doc/pictures and the tables of doc/observer.md
 END_OF_USAGE
 }
 
 run() {
   ensure_packages
-  build host-release collide
+  build "$HOST_PRESET" collide
   if [[ ${1:-} == --documents ]]; then
-    (($# == 1)) || fail_usage "--documents stands alone; see ./axial collide --help"
     write_collide_documents
   else
     collide_program "$@"
   fi
 }
 
-collide_program() { "$AXIAL_ROOT/build/host-release/host_sim/collide/collide" "$@"; }
+collide_program() { "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/collide/collide" "$@"; }
 
 write_collide_documents() {
   local doc=$AXIAL_ROOT/doc output=$AXIAL_ROOT/output/collide

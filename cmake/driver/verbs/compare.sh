@@ -1,5 +1,6 @@
 # shellcheck shell=bash
 # summary: sets Newton-Euler against separation against the closed form: operations, instructions, errors, two rates
+# group: measure, rare
 
 usage() {
   cat <<'END_OF_USAGE'
@@ -8,7 +9,9 @@ Installs and builds what is missing. Compares the ways to a torque for RRP, RRPR
 the Automatic Separation Method, the SCARA's closed form; operations, instructions on a Cortex-M4F and a Cortex-M0 in QEMU,
 errors against the oracle, and the error of a feed-forward whose terms are refreshed slowly (doc/separation.md).
   --output FOLDER     where the files go; default output/separation
+  --sizes FILE        rows of ./axial size, such as doc/data/size.json, instead of measuring them
   --json FILE         the rows once more, as an array of objects
+maintainers:
   --documents         alone: writes doc/data/separation*.json, doc/pictures/separation.* and the tables of doc/separation.md
 END_OF_USAGE
 }
@@ -16,21 +19,22 @@ END_OF_USAGE
 run() {
   ensure_packages
   if [[ ${1:-} == --documents ]]; then
-    (($# == 1)) || fail_usage "--documents stands alone; see ./axial compare --help"
     write_separation_documents
   else
+    take_sizes "$@"
+    set -- "${ARGUMENTS[@]}"
     compare_py "$@"
   fi
 }
 
 # Errors, counts and sizes go to a folder of their own, which is what the table is made from.
 compare_py() {
-  build host-release compare counts
-  local program=$AXIAL_ROOT/build/host-release/host_sim folder board
+  build "$HOST_PRESET" compare operation_counts
+  local program=$AXIAL_ROOT/build/$HOST_PRESET/host_sim folder board
   folder=$(mktemp -d)
   mkdir "$folder/sizes"
   "$program/compare/compare" "$AXIAL_ROOT/host_sim/trajectories" >"$folder/errors.json"
-  "$program/counts/counts" --without-errors >"$folder/counts.json"
+  "$program/counts/operation_counts" >"$folder/counts.json"
   if [[ -n ${AXIAL_SIZES:-} ]]; then # measured already
     cp "$AXIAL_SIZES" "$folder/sizes/"
   else

@@ -1,5 +1,6 @@
 # shellcheck shell=bash
 # summary: seconds and memory that each kernel costs the compiler: numbers, robots, gcc, clang, Cortex-M4F and host
+# group: measure, rare
 
 usage() {
   cat <<'END_OF_USAGE'
@@ -7,12 +8,14 @@ usage: ./axial compile-cost [options]
 Installs what is missing. Compiles one source for each kernel, robot, number system and build, one at a time, and asks the system
 what the compiler's processes used: processor seconds and peak memory, the least of three runs (doc/compile_cost.md). Prints a
 table, writes JSON. Half an hour of one processor for all of them.
-  --build NAME        only cortex_m4f-O2, cortex_m4f-O0, host-gcc-O2 or host-clang-O2; may be a list: --build host-gcc-O2,host-clang-O2
-  --robot NAME        only puma560 or panda; likewise --number NAME (float, double, fixed32), --kernel NAME (headers: a source that
-                      includes the library and calls nothing)
+  --build cortex_m4f-O2|cortex_m4f-O0|host-gcc-O2|host-clang-O2...  only these: --build host-gcc-O2,host-clang-O2
+  --robot puma560|panda...  only these
+  --number float|double|fixed32...  only these
+  --kernel NAME       only this one, or a list (headers: a source that includes the library and calls nothing)
   --runs N            of each; default 3
   --output FOLDER     where the file goes; default output/compile_cost
   --json FILE         the rows once more, as an array of objects
+maintainers:
   --documents         alone: measures all anew and writes doc/data/compile_cost*.json and the tables of doc/compile_cost.md
 END_OF_USAGE
 }
@@ -20,7 +23,6 @@ END_OF_USAGE
 run() {
   ensure_packages clang
   if [[ ${1:-} == --documents ]]; then
-    (($# == 1)) || fail_usage "--documents stands alone; see ./axial compile-cost --help"
     write_compile_cost_documents
   else
     compile_cost_py "$@"

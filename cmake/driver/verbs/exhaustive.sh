@@ -1,5 +1,6 @@
 # shellcheck shell=bash
 # summary: the integer sine, cosine and reciprocal over all their arguments: largest errors, where, picture
+# group: measure, rare
 
 usage() {
   cat <<'END_OF_USAGE'
@@ -10,17 +11,17 @@ Installs and builds what is missing. Compares sine and cosine of all 2^32 binary
   --json FILE         the rows once more, as an array of objects
   --threads N         default 2
   --stride N          only every N-th block of 4096 arguments; default 1, all
-  --ranges            fixed point instead: overflows of every kernel and robot over random states and corners, certified
-                      errors and bounds under a search that tries to exceed them; then with
-                        --states N       a kernel; default 1000000
-                        --robot NAME     default all
-                        --overflows      count overflows only
-                        --documents      alone: 25 000 000 states a kernel, 10^8 a robot, of every robot (20 minutes); writes
-                                         doc/data/fixed_overflows.json and the table of doc/ranges.md
-                        --processes N    default 2
-                        --json FILE
-  --documents         alone: writes doc/data/sincos_exhaustive.json and doc/pictures/sincos_exhaustive.*
+  --ranges            comes first: fixed point instead, overflows of every kernel and robot over random states and corners, certified
+                      errors and bounds under a search that tries to exceed them; takes --json and, of what follows,
+  --states N          of a kernel; default 1000000
+  --robot NAME        default all
+  --overflows         counts overflows only
+  --processes N       default 2
 Exits non-zero when an error is above what the headers promise, or sin(-x) is not -sin(x).
+maintainers:
+  --documents         stands alone: writes doc/data/sincos_exhaustive.json and doc/pictures/sincos_exhaustive.*; behind --ranges: 25 000 000
+                      states of a kernel, 10^8 of a robot, of every robot (20 minutes); writes doc/data/fixed_overflows.json and the table
+                      of doc/ranges.md
 END_OF_USAGE
 }
 
@@ -28,7 +29,7 @@ run() {
   ensure_packages
   if [[ ${1:-} == --ranges ]]; then
     shift
-    build host-release exhaustive_ranges
+    build "$HOST_PRESET" exhaustive_ranges
     if [[ ${1:-} == --documents ]]; then
       (($# == 1)) || fail_usage "--ranges --documents stands alone; see ./axial exhaustive --help"
       exhaustive_program exhaustive_ranges --overflows --states 25000000 --json "$AXIAL_ROOT/doc/data/fixed_overflows.json"
@@ -38,7 +39,7 @@ run() {
     fi
     return
   fi
-  build host-release exhaustive
+  build "$HOST_PRESET" exhaustive
   if [[ ${1:-} == --documents ]]; then
     (($# == 1)) || fail_usage "--documents stands alone; see ./axial exhaustive --help"
     write_exhaustive_documents
@@ -54,7 +55,7 @@ exhaustive() {
 exhaustive_program() {
   local program=$1
   shift
-  "$AXIAL_ROOT/build/host-release/host_sim/exhaustive/$program" --commit "$("$AXIAL_ROOT/host_sim/system/commit.sh")" "$@"
+  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/exhaustive/$program" --commit "$("$AXIAL_ROOT/host_sim/system/commit.sh")" "$@"
 }
 
 write_exhaustive_documents() {

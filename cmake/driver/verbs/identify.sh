@@ -1,24 +1,26 @@
 # shellcheck shell=bash
 # summary: fits a robot's inertial parameters and friction to recorded motion, writes its header
+# group: use
 
 readonly IDENTIFICATION_PACKAGES=(python3-scipy) # filters, decompositions, optimisation
 
 usage() {
   cat <<'END_OF_USAGE'
-usage: ./axial identify LOG.csv --robot ROBOT [options]
+usage: ./axial identify LOG.csv --robot NAME [options]
 Installs and builds what is missing (python3-scipy, the first time). Fits base parameters to a log by weighted least squares, finds
 physically consistent parameters of every link that have them, and says how sure each is (doc/identification.md).
   LOG.csv             a header line, then time (s), q1... (rad or m), tau1... (N m or N, of the drives, on the joint's side) and, if they
                       were measured, qd1...; other columns are ignored. Even steps, 100 Hz or more; ./axial excite makes motions
-  --robot ROBOT       what it starts from: a name of robots/README.md, a Denavit-Hartenberg table (.json,
+  --robot NAME        what it starts from: a name of robots/README.md, a Denavit-Hartenberg table (.json,
                       host_sim/description) or a URDF
   --tip LINK          where the chain of a URDF ends; default: every branch
   -o HEADER.hpp       writes the identified robot; the file's name becomes its name
   --validate LOG.csv  a second log, which the parameters must predict
-  --cutoff HZ         of the zero-phase low-pass; default 10 Hz or a tenth of the log's rate; 0: none
-  --keep WHAT         rotors or friction: as the robot has them, not fitted; may stand twice
+  --cutoff NUMBER       of the zero-phase low-pass; default 10 Hz or a tenth of the log's rate; 0: none
+  --keep rotors|friction  as the robot has them, not fitted; may stand twice
   --output FOLDER     report, predicted torques and picture; default output/identify
   --json FILE         the report once more, as an array of objects
+maintainers:
   --documents         alone: identifies altered arms from logs that Orocos KDL made, to doc/data, doc/pictures and the tables of
                       doc/identification.md (some minutes)
 END_OF_USAGE
@@ -27,9 +29,8 @@ END_OF_USAGE
 run() {
   (($#)) || fail_usage "which log? see ./axial identify --help"
   ensure_packages "${IDENTIFICATION_PACKAGES[@]}"
-  build host-release robot_regressor
+  build "$HOST_PRESET" robot_regressor
   if [[ $1 == --documents ]]; then
-    (($# == 1)) || fail_usage "--documents stands alone; see ./axial identify --help"
     write_identification_documents
   else
     identification identify.py "$@"
@@ -39,13 +40,13 @@ run() {
 # identification SCRIPT ARGUMENT...: matrices here are small: threads of the linear algebra would only wait for each other.
 identification() {
   OPENBLAS_NUM_THREADS=1 /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/identification/$1" \
-    --program "$AXIAL_ROOT/build/host-release/host_sim/identification/robot_regressor" "${@:2}"
+    --program "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/identification/robot_regressor" "${@:2}"
 }
 
 write_identification_documents() {
   local doc=$AXIAL_ROOT/doc
-  build host-release simulated_log
-  identification study.py --simulator "$AXIAL_ROOT/build/host-release/tests/host_sim/simulated_log" \
+  build "$HOST_PRESET" simulated_log
+  identification study.py --simulator "$AXIAL_ROOT/build/$HOST_PRESET/tests/host_sim/simulated_log" \
     --output "$AXIAL_ROOT/output/identification" --documents "$doc"
   printf '{"commit": "%s", "compiler": "%s", "libraries": "%s"}\n' "$("$AXIAL_ROOT/host_sim/system/commit.sh")" \
     "$(c++ --version | head -n 1)" "$(/usr/bin/python3 -E -c 'import numpy, scipy; print("NumPy", numpy.__version__ + ", SciPy", scipy.__version__)')" \

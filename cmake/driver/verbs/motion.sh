@@ -1,5 +1,6 @@
 # shellcheck shell=bash
 # summary: error against work of the library's integrators, on smooth and stiff motions
+# group: measure, rare
 
 readonly MOTION_PACKAGES=(libsundials-dev) # reference motions
 
@@ -12,6 +13,7 @@ dynamics, processor time over that of a reference kernel. Prints a table, writes
 (doc/simulation.md). The stability scenarios of motions are in ./axial stability.
   --output FOLDER     where the files go; default output/motion
   --json FILE         the rows once more, as an array of objects
+maintainers:
   --documents         alone: writes doc/data/simulation.json, doc/pictures and the tables of doc/simulation.md
 END_OF_USAGE
 }
@@ -19,29 +21,26 @@ END_OF_USAGE
 run() {
   local output=$AXIAL_ROOT/output/motion json='' documents=false
   if [[ ${1:-} == --documents ]]; then
-    (($# == 1)) || fail_usage "--documents stands alone; see ./axial motion --help"
     documents=true output=$AXIAL_ROOT/doc/data
     shift
   fi
   while (($#)); do
     case $1 in
       --output | --json)
-        (($# > 1)) || fail_usage "$1 needs a value; see ./axial motion --help"
         if [[ $1 == --json ]]; then json=$2; else output=$2; fi
         shift
         ;;
-      *) fail_usage "unknown option '$1'; see ./axial motion --help" ;;
     esac
     shift
   done
   ensure_packages "${MOTION_PACKAGES[@]}"
   # What was configured before SUNDIALS was there looks again.
-  if ! grep -qs '^AXIAL_SUNDIALS_INCLUDE:PATH=/' "$AXIAL_ROOT/build/host-release/CMakeCache.txt"; then
-    rm -f "$AXIAL_ROOT/build/host-release/build.ninja"
+  if ! grep -qs '^AXIAL_SUNDIALS_INCLUDE:PATH=/' "$AXIAL_ROOT/build/$HOST_PRESET/CMakeCache.txt"; then
+    rm -f "$AXIAL_ROOT/build/$HOST_PRESET/build.ninja"
   fi
-  build host-release work_precision
+  build "$HOST_PRESET" work_precision
   mkdir -p "$output"
-  "$AXIAL_ROOT/build/host-release/host_sim/simulation/work_precision" --json "$output/simulation.json"
+  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/simulation/work_precision" --json "$output/simulation.json"
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/simulation.py" "$output/simulation.json"
   [[ -z $json ]] || cp "$output/simulation.json" "$json"
   say "picture $output/simulation.png (and .svg), data $output/simulation.json"

@@ -1,5 +1,6 @@
 # shellcheck shell=bash
 # summary: changes one place of the library at a time; the test that is said to see it must fail
+# group: maintain, rare
 
 usage() {
   cat <<'END_OF_USAGE'

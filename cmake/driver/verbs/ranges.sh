@@ -1,5 +1,6 @@
 # shellcheck shell=bash
 # summary: bounds, formats and certified errors of fixed point: every quantity of every link
+# group: measure
 
 usage() {
   cat <<'END_OF_USAGE'
@@ -7,18 +8,28 @@ usage: ./axial ranges [options]
 Installs and builds what is missing. Prints for every quantity of every link what bounds it inside the robot's declared
 limits, the exponent that fixed point keeps it with, and the certified error: how far the computed quantity can be from
 the exact one. That of a joint's effort is the error of the result. Of the bare robot: gravity, and rotors where it has them.
-  --robot NAME        only this robot
-  --algorithm NAME    inverse_dynamics (default), forward_dynamics (its articulated bodies; the bias is inverse_dynamics),
-                      forward_dynamics_classical, mass_matrix, forward_kinematics
-  --word BITS         16 or 32 (default)
-  --rounding NAME     nearest (default) or down
-  --multiply NAME     exact (default) or high_word: upper words of products
+  --robot MODEL|HEADER  only this robot; or the robot of a header (./axial import, your own), which must declare limits
+  --type NAME         of a header: the robot's struct; default: the one that holds its last chain
+  --algorithm inverse_dynamics|forward_dynamics|forward_dynamics_classical|mass_matrix|forward_kinematics
+                      default inverse_dynamics; forward_dynamics (its articulated bodies; the bias is inverse_dynamics)
+  --word 16|32        default 32
+  --rounding nearest|down  default nearest
+  --multiply exact|high_word  default exact; high_word: upper words of products
   --json FILE         the rows as an array of objects
 END_OF_USAGE
 }
 
 run() {
+  local robot program=ranges
+  robot=$(option_of --robot '' "$@")
+  ARGUMENTS=("$@")
+  if [[ -n $robot && ! -f $AXIAL_ROOT/robots/$robot.hpp ]]; then
+    take_own_robot "$robot" "$(option_of --type '' "$@")"
+    write_own_robot "$HOST_PRESET"
+    drop_options "--robot --type" "$@"
+    program=ranges-own
+  fi
   ensure_packages
-  build host-release ranges >&2
-  "$AXIAL_ROOT/build/host-release/host_sim/ranges/ranges" "$@"
+  build "$HOST_PRESET" "$program" >&2
+  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/ranges/$program" "${ARGUMENTS[@]}"
 }

@@ -1,5 +1,6 @@
 # shellcheck shell=bash
 # summary: the API reference as browsable pages: every public name, and the documents
+# group: maintain, rare
 
 usage() {
   cat <<'END_OF_USAGE'

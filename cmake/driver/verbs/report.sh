@@ -1,5 +1,6 @@
 # shellcheck shell=bash
 # summary: error against work of every kernel, robot, number system and board: data, pictures, one HTML page, all documents
+# group: measure
 
 usage() {
   cat <<'END_OF_USAGE'
@@ -8,14 +9,16 @@ Installs and builds what is missing. Sets the error of every kernel that firmwar
 seeded states, against 113-bit arithmetic) beside the instructions that it executes in QEMU, estimated cycles, and its bytes; marks
 what no other beats in either; adds feed-forward at two rates, simulations and stability (doc/work_precision.md). Prints a table,
 writes CSV, JSON, pictures and one self-contained HTML page.
-  --robot NAME        only this robot
-  --board NAME        only this board
+  --robot ROBOT       only this robot
+  --board BOARD       only this board
+  --sizes FILE        rows of ./axial size, such as doc/data/size.json, instead of measuring them
   --output FOLDER     where the files go; default output/report
   --json FILE         the rows once more, as an array of objects
+maintainers:
   --on-board          the boards' own results instead: runs the kernels image of every robot on every board in QEMU and compares
                       each result with the oracle; may be followed by the options above; default output/on_board. Exits non-zero
                       when an error is above its bound
-  --documents         alone: runs all reports, demos, sizes, counts and comparisons anew and writes the tables and pictures of
+  --documents         stands alone: runs all reports, demos, sizes, counts and comparisons anew and writes the tables and pictures of
                       README.md and doc/; with --work-precision behind it: those of doc/work_precision.md alone, from the sizes
                       and simulations that are in doc/data
 END_OF_USAGE
@@ -40,7 +43,10 @@ run() {
       build_boards
       host_sim on-board "$@"
       ;;
-    *) report_work_precision "$@" ;;
+    *)
+      take_sizes "$@"
+      report_work_precision "${ARGUMENTS[@]}"
+      ;;
   esac
 }
 
@@ -48,13 +54,13 @@ report_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/report/report.py" "$@"; 
 
 # What the report has an error of: size alone measures more.
 report_work_precision() {
-  local folder choice=() files=() status=0
+  local folder choice=() files=() status=0 robot
+  robot=$(option_of --robot '' "$@")
   while (($# > 0)); do
     case $1 in
-      --robot | --board) (($# > 1)) && choice+=("$1" "$2") ;;
-      --output | --json) (($# > 1)) && files+=("$1" "$2") ;;
-      *) fail_usage "unknown option '$1'; see ./axial report --help" ;;
-    esac || fail_usage "$1 wants a value"
+      --robot | --board) choice+=("$1" "$2") ;;
+      --output | --json) files+=("$1" "$2") ;;
+    esac
     shift 2
   done
   folder=$(mktemp -d)
@@ -65,11 +71,13 @@ report_work_precision() {
 
 # measure_and_report FOLDER: of choice, into files.
 measure_and_report() {
-  "$AXIAL_ROOT/axial" size "${choice[@]}" --contract off --scene bare,sine_cosines,full_parameters,base_parameters \
-    --output "$1/size" >"$1/size.log" || return
+  if [[ -z ${AXIAL_SIZES:-} ]]; then
+    "$AXIAL_ROOT/axial" size "${choice[@]}" --contract off --scene bare,sine_cosines,full_parameters,base_parameters \
+      --output "$1/size" >"$1/size.log" || return
+  fi
   "$AXIAL_ROOT/axial" compare --output "$1/separation" >"$1/separation.log" || return
-  measure_errors "$1/errors" || return
-  report_py --errors "$1/errors" --sizes "$1/size/size.json" --separation "$1/separation/separation.json" \
+  measure_errors "$1/errors" "$robot" || return
+  report_py --errors "$1/errors" --sizes "${AXIAL_SIZES:-$1/size/size.json}" --separation "$1/separation/separation.json" \
     --more "$AXIAL_ROOT/doc/data" "${choice[@]}" "${files[@]}"
 }
 
@@ -79,7 +87,7 @@ measure_and_report() {
 write_documents() {
   local doc=$AXIAL_ROOT/doc folder beside status=0
   folder=$(mktemp -d)
-  build host-release host_sim errors counts compare exhaustive loop work_precision
+  build "$HOST_PRESET" host_sim errors counts compare exhaustive loop work_precision
   build_loop_images
   write_each loop motion stability exhaustive &
   beside=$!

@@ -1,5 +1,6 @@
 # shellcheck shell=bash
 # summary: flash, RAM, stack, instructions of every kernel, robot, scene and board; budgets that tests assert
+# group: measure, rare
 
 usage() {
   cat <<'END'
@@ -7,18 +8,23 @@ usage: ./axial size [options]
 Installs and builds what is missing: a small image for each combination of firmware/apps/size/matrix.txt. Tells for each
 its flash and static RAM (beside an image without a kernel), its worst-case stack, the instructions that a call executes
 in QEMU, and an estimate of cycles from them (doc/size.md). Prints a table, writes CSV, JSON and a picture.
-  --robot NAME        only this robot; likewise --board NAME, --scene NAME, --algorithm NAME, --scalar NAME (float, double, fixed32
-                      to nearest, fixed32_down, fixed32_high (upper words of products), fixed16), --variant NAME, --contract NAME;
-                      but for the board a list too: --scalar float,double
+  --board ANY_BOARD   only this board
+  --robot ROBOT...    only these, commas between
+  --scene WORD...     likewise
+  --algorithm WORD... likewise
+  --scalar WORD...    likewise: float, double, fixed32 to nearest, fixed32_down, fixed32_high (upper words of products), fixed16
+  --variant WORD...   likewise: unrolled, compact
+  --contract WORD...  likewise: off, fast
   --quick             only the combinations that tests use
   --output FOLDER     where the files go; default output/size
   --json FILE         the rows once more, as an array of objects
-  --documents         alone: measures all anew and writes doc/data/size.*, doc/pictures/size.* and the tables of doc/size.md
   --flags             the compiler flags instead: some sets of them (host_sim/size/flags.txt), compiled for seven kernels on the
                       Cortex-M4F and the Cortex-M7, without QEMU; writes flags.csv. May be followed by --json FILE and
-                      --output FOLDER, or by --documents alone: writes doc/data/flags* and their table (part of --documents)
-  --update-budgets    alone: writes tests/target/budgets.json, 2 % above what is measured now
+                      the option --output, or by --documents alone: writes doc/data/flags* and their table (part of --documents)
 Exits non-zero when something can not be bounded or counts disagree.
+maintainers:
+  --documents         stands alone: measures all anew and writes doc/data/size.*, doc/pictures/size.* and the tables of doc/size.md
+  --update-budgets    alone: writes tests/target/budgets.json, 2 % above what is measured now
 END
 }
 

@@ -9,11 +9,15 @@
 
 namespace axial::apps::size {
 
-/// In numbers T: the values of joints, and room for the mass matrix of eight joints.
+/// Room for a mass matrix: of eight joints, so that robots have the same harness, or of more.
+template <class Robot>
+inline constexpr std::size_t matrix_entries = joint_count<Robot> > 8 ? joint_count<Robot>* joint_count<Robot> : 64;
+
+/// In numbers T: the values of joints, and room for the mass matrix.
 template <class Robot, class T>
 struct Argument {
   using Number = T;
-  static constexpr std::size_t largest_result = 64 * sizeof(T);
+  static constexpr std::size_t largest_result = matrix_entries<Robot> * sizeof(T);
 
   Positions<Robot, T> q;
   Velocities<Robot, T> qd;
@@ -28,7 +32,7 @@ struct Argument<Robot, float> {
   using Number = float;
   static constexpr bool roomy = hal::Board::ram_bytes >= 16 * 1024;
   static constexpr std::size_t terms_bytes = roomy ? sizeof(Separated<Robot, float>) : 4;
-  static constexpr std::size_t largest_result = roomy ? terms_bytes : 64 * sizeof(float);
+  static constexpr std::size_t largest_result = roomy ? terms_bytes : matrix_entries<Robot> * sizeof(float);
 
   Joints<Robot, float> q, qd, qdd, tau;
   PayloadBody<float> payload;

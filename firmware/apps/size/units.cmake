@@ -1,7 +1,7 @@
 # Units: sources of several kernels. Those of a robot, its numbers and a contract are compiled together, which saves a third of
 # the time. What shares more than steps that are inlined anyway is in another unit, so that each comes out as if it were
 # alone: an algorithm and one that calls it, unrolled and compact forms, and on RISC-V all that has real constants, which a
-# source keeps in one pool.
+# source keeps in one pool. Of a user's robot each kernel is in its own: only those asked for are compiled.
 
 set(calling_algorithms "^(forward_dynamics|feedforward|torque_by_separation|separated_torque)")
 
@@ -12,7 +12,7 @@ function(unit_of variable set robot scene algorithm variant contract numbers)
   if(algorithm MATCHES "${calling_algorithms}")
     string(APPEND unit -${algorithm})
   endif()
-  if(AXIAL_TOOLS MATCHES riscv AND NOT numbers MATCHES fixed)
+  if(robot STREQUAL own OR (AXIAL_TOOLS MATCHES riscv AND NOT numbers MATCHES fixed))
     string(APPEND unit -of-${scene}-${algorithm})
   endif()
   set(${variable} ${unit} PARENT_SCOPE)
