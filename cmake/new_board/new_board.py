@@ -16,7 +16,7 @@ REMARK = """/// A SKELETON, copied from {like}: every constant below is that boa
 """
 README = """# {name}
 
-A skeleton made from `{like}` for {cpu}; it builds, and has run nowhere. doc/porting.md goes through it. Still {like}'s:
+A skeleton made from `{like}` for {cpu}; it builds, and has run nowhere. doc/guides/porting.md goes through it. Still {like}'s:
 
 - `memory.ld`, and `flash_bytes`, `ram_bytes` in `board.hpp` and `board.json`: the part's memory
 - `board.hpp`: clocks and their wait states, pins, the serial port's address, line and baud rate, the number of interrupt lines
@@ -139,7 +139,7 @@ def main():
         return 2
     print(f"""axial: wrote hal/boards/{options.name} ({cpu}, like {options.like}) and its preset. It builds as it is:
   cmake --preset {options.name} && cmake --build --preset {options.name} --target selftest
-Now make it that board's: hal/boards/{options.name}/README.md lists what, doc/porting.md how. To have it tested with the others:
+Now make it that board's: hal/boards/{options.name}/README.md lists what, doc/guides/porting.md how. To have it tested with the others:
 its name in cmake/driver/build.sh and tests/target/CMakeLists.txt.""")
     return 0
 

@@ -17,7 +17,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
 HEADERS = [ROOT / "firmware/include", ROOT / "robots"]
-GUIDES = [ROOT / "README.md", ROOT / "doc", ROOT / "hal/README.md", ROOT / "host_sim/README.md", ROOT / "firmware/README.md"]
+GUIDES = [ROOT / "README.md", ROOT / "doc/guides", ROOT / "doc/measurements", ROOT / "hal/README.md", ROOT / "host_sim/README.md", ROOT / "firmware/README.md"]
 WARNING = re.compile(r"<?([^:>]+\.h(?:pp)?)>?:(\d+): warning: (.*)")
 UNDOCUMENTED = re.compile(r"(?:Member|Compound) (.*) is not documented\.")
 

@@ -26,7 +26,7 @@ string(JOIN " " AXIAL_COMMON_FLAGS
   -ffunction-sections      # one section a function and object, so that the linker
   -fdata-sections          # can drop what an image does not use
   # Long straight-line code lives or dies by its registers: what these four save, ./axial size --flags tells
-  # (doc/size.md, "Compiler flags"). The headers choose the same where a user's build does not
+  # (doc/measurements/size.md, "Compiler flags"). The headers choose the same where a user's build does not
   # (firmware/include/axial/options).
   -fno-schedule-insns      # scheduling before register allocation lengthens lifetimes and spills more
   -fno-tree-ter            # keep the order in which the kernels are written

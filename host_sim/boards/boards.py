@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "host_sim" / "plot"))
 from tables import fill, grouped, load  # noqa: E402
 
-PAGE = ROOT / "doc" / "boards.md"
+PAGE = ROOT / "doc" / "measurements" / "boards.md"
 MEASURED = ("size", "number_systems", "on_board")  # doc/data/<name>.json; each row names its board
 HEADER = ["board", "CPU", "flash, KiB", "RAM, KiB", "runs in", "tests of every check", "figures of it", "says its board.json"]
 
@@ -96,7 +96,7 @@ def check(all_rows):
 def main():
     parser = argparse.ArgumentParser(prog="./axial boards", description=__doc__, allow_abbrev=False)
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="the rows as an array of objects")
-    parser.add_argument("--documents", action="store_true", help="writes the table of doc/boards.md")
+    parser.add_argument("--documents", action="store_true", help="writes the table of doc/measurements/boards.md")
     parser.add_argument("--check", action="store_true", help="ends with 1 where that table says what is not so")
     options = parser.parse_args()
     found = list(rows())

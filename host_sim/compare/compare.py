@@ -134,7 +134,7 @@ def main():
         commit = subprocess.run([ROOT / "host_sim/system/commit.sh"], check=True, capture_output=True, text=True)
         write_json(options.provenance, {"commit": commit.stdout.strip()})
     subprocess.run([sys.executable, "-E", ROOT / "host_sim/plot/separation.py", folder / "separation.json"], check=True)
-    print(f"written: {folder}/separation.json, separation.png, separation.svg")
+    print(f"written: {folder}/separation.json, separation.png")
 
 
 if __name__ == "__main__":

@@ -100,7 +100,7 @@ def write_files(rows, options):
     write_json(folder / "counts.json", rows)
     plot = ROOT / "host_sim/plot/counts.py"
     subprocess.run([sys.executable, "-E", plot, PUBLISHED, folder / "counts.json"], check=True)
-    print(f"written: {folder}/counts.json, counts.png, counts.svg")
+    print(f"written: {folder}/counts.json, counts.png")
 
 
 def parse():

@@ -1,4 +1,4 @@
-"""What identification finds in logs of altered arms, made by Orocos KDL: the rows of doc/identification.md.
+"""What identification finds in logs of altered arms, made by Orocos KDL: the rows of doc/guides/identification.md.
 
 usage: study.py --program robot_regressor --simulator simulated_log --output FOLDER [--documents DOC] [robot...]
 
@@ -145,8 +145,7 @@ def documents(folder, doc):
     shutil.copy(folder / "panda-excitation-50.csv", folder / "excitation.csv")
     for name in ("identification", "excitation"):
         subprocess.run(["/usr/bin/python3", "-E", "-B", identify.PLOT.with_name(f"{name}.py"), folder / f"{name}.csv"], check=True)
-        for ending in ("png", "svg"):
-            shutil.copy(folder / f"{name}.{ending}", doc / "pictures")
+        shutil.copy(folder / f"{name}.png", doc / "pictures")
 
 
 if __name__ == "__main__":

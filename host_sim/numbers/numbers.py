@@ -108,7 +108,7 @@ def main():
         write_provenance(options.provenance, options.cache, dict.fromkeys(row["board"] for row in rows))
     plot = ROOT / "host_sim/plot/number_systems.py"
     subprocess.run([sys.executable, "-E", plot, folder / "number_systems.json"], check=True)
-    print(f"written: {folder}/number_systems.json, number_systems.csv, number_systems.png, number_systems.svg")
+    print(f"written: {folder}/number_systems.json, number_systems.csv, number_systems.png")
 
 
 if __name__ == "__main__":

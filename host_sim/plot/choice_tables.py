@@ -1,4 +1,4 @@
-"""Writes the tables of doc/choosing.md: the cheapest kernels inside an error, on every board.
+"""Writes the tables of doc/guides/choosing.md: the cheapest kernels inside an error, on every board.
 
 usage: choice_tables.py DATA_FOLDER DOCUMENT.md
 """

@@ -1,6 +1,6 @@
 """Draws contacts: the external effort of each joint, the observer's residual, the threshold, and when a collision is reported.
 
-usage: collide.py COLLIDE.csv   (writes COLLIDE.png and COLLIDE.svg beside it)
+usage: collide.py COLLIDE.csv   (writes COLLIDE.png beside it)
 """
 
 import csv
@@ -26,7 +26,7 @@ def main(table):
         draw(panel, samples[::5], joint)
     panels[-1].set_xlabel("time, s")
     figure.tight_layout()
-    style.save(figure, table.removesuffix(".csv"))
+    style.save(figure, table.removesuffix(".csv"), "A momentum observer sees contacts of a simulated Panda")
 
 
 def draw(panel, samples, joint, marker=None):

@@ -1,6 +1,6 @@
 """Draws operations (M + A) of every count model beside published ones, and of the real robots.
 
-usage: counts.py PUBLISHED.json COUNTS.json   (writes COUNTS.png and COUNTS.svg beside it)
+usage: counts.py PUBLISHED.json COUNTS.json   (writes COUNTS.png beside it)
 """
 
 import json
@@ -34,7 +34,7 @@ def main(published_file, counts_file):
     panels[0].invert_yaxis()
     figure.legend(*panels[0].get_legend_handles_labels(), loc="lower center", ncols=len(SERIES))
     figure.tight_layout(rect=(0, 0.06, 1, 1))
-    style.save(figure, counts_file.removesuffix(".json"))
+    style.save(figure, counts_file.removesuffix(".json"), "Operations of each algorithm beside those of a symbolic generator")
 
 
 def value_of(name, row, bar):

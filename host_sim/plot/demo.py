@@ -1,6 +1,6 @@
 """Draws a demo's recording: trajectory, torques and errors over time.
 
-usage: demo.py RECORDING.csv SUMMARY.json   (writes RECORDING.png and RECORDING.svg beside them)
+usage: demo.py RECORDING.csv SUMMARY.json   (writes RECORDING.png beside them)
 """
 
 import json

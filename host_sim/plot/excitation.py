@@ -1,6 +1,6 @@
 """Draws an excitation trajectory: positions and speeds of the joints.
 
-usage: excitation.py TRAJECTORY.csv   (writes TRAJECTORY.png and TRAJECTORY.svg beside it)
+usage: excitation.py TRAJECTORY.csv   (writes TRAJECTORY.png beside it)
 """
 
 import csv
@@ -29,7 +29,7 @@ def main(path):
     panels[0].legend(ncols=joints, loc="upper right", bbox_to_anchor=(1.0, 1.2))
     panels[2].set_xlabel("time, s")
     figure.tight_layout()
-    style.save(figure, str(pathlib.Path(path).with_suffix("")))
+    style.save(figure, str(pathlib.Path(path).with_suffix("")), "A motion that excites every parameter, inside the limits")
 
 
 if __name__ == "__main__":

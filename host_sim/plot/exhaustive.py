@@ -1,7 +1,7 @@
 """Error of sine, cosine and reciprocal over all arguments: the envelope of equal parts of their ranges.
 
 usage: exhaustive.py ENVELOPES.json STEM
-Writes STEM.png and STEM.svg.
+Writes STEM.png.
 """
 import json
 import sys
@@ -31,7 +31,7 @@ def main():
         for bound in (each["bound"], -each["bound"]):
             axis.axhline(scale * bound, color=style.INK, linewidth=0.8, linestyle="--")
         axis.set(title=each["subject"], xlabel=label, ylabel=error, xlim=(0, 1))
-    style.save(figure, sys.argv[2])
+    style.save(figure, sys.argv[2], "Largest errors over all arguments")
     return 0
 
 

@@ -1,6 +1,6 @@
 """Draws predicted against measured torque of each joint.
 
-usage: identification.py TORQUES.csv   (of ./axial identify; writes TORQUES.png and TORQUES.svg beside it)
+usage: identification.py TORQUES.csv   (of ./axial identify; writes TORQUES.png beside it)
 """
 
 import csv
@@ -34,7 +34,7 @@ def main(path):
         panel.set_xlabel("time, s")
     panels.flat[0].legend(ncols=3, loc="upper right", bbox_to_anchor=(1.0, 1.32))
     figure.tight_layout()
-    style.save(figure, str(pathlib.Path(path).with_suffix("")))
+    style.save(figure, str(pathlib.Path(path).with_suffix("")), "Measured torques beside those of the identified parameters")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Draws a closed loop: tracking errors of the joints with and without what is fed forward, and what errors of the model cost.
 
-usage: loop.py LOOP.csv LOOP.json   (writes LOOP.png and LOOP.svg beside them)
+usage: loop.py LOOP.csv LOOP.json   (writes LOOP.png beside them)
 """
 
 import csv
@@ -31,7 +31,7 @@ def main(table, figures):
     if swept:
         draw_sweep(panels[1, 0], swept)
     figure.tight_layout()
-    style.save(figure, table.removesuffix(".csv"))
+    style.save(figure, table.removesuffix(".csv"), "The firmware in a closed loop, with and without feed-forward")
 
 
 def draw_errors(panel, samples, joints, row):

@@ -1,4 +1,4 @@
-"""Writes the tables of doc/number_systems.md, as tables.py does with the others.
+"""Writes the tables of doc/measurements/number_systems.md, as tables.py does with the others.
 
 usage: number_system_tables.py DATA_FOLDER PROMISED.json DOCUMENT.md
 """

@@ -1,6 +1,6 @@
 """Draws error against instructions of every number system, a panel a kernel.
 
-usage: number_systems.py NUMBER_SYSTEMS.json   (writes NUMBER_SYSTEMS.png and NUMBER_SYSTEMS.svg beside it)
+usage: number_systems.py NUMBER_SYSTEMS.json   (writes NUMBER_SYSTEMS.png beside it)
 """
 
 import json
@@ -39,7 +39,7 @@ def main(file):
                 for i, board in enumerate(boards)]
     figure.legend(handles=entries, loc="lower center", ncols=5)
     figure.tight_layout(rect=(0, 0.06, 1, 1))
-    style.save(figure, file.removesuffix(".json"))
+    style.save(figure, file.removesuffix(".json"), "Error against instructions of fixed point, float and double on each board")
 
 
 def draw(panel, rows, boards):

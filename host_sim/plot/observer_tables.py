@@ -1,4 +1,4 @@
-"""Writes the tables of doc/observer.md, as tables.py does with the others.
+"""Writes the tables of doc/guides/observer.md, as tables.py does with the others.
 
 usage: observer_tables.py DATA_FOLDER DOCUMENT.md
 """

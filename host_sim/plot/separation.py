@@ -1,6 +1,6 @@
 """Draws instructions of the ways to a torque, and the error of a slow refresh.
 
-usage: separation.py SEPARATION.json   (writes SEPARATION.png and SEPARATION.svg beside it)
+usage: separation.py SEPARATION.json   (writes SEPARATION.png beside it)
 """
 
 import json
@@ -51,7 +51,7 @@ def main(file):
     panels[0].legend()
     rates(panels[2], data["two_rate"], robots)
     figure.tight_layout()
-    style.save(figure, file.removesuffix(".json"))
+    style.save(figure, file.removesuffix(".json"), "Newton-Euler, separation and closed form; what slow refreshes of separated terms lose")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Writes the tables of doc/separation.md, as tables.py does with the others.
+"""Writes the tables of doc/measurements/separation.md, as tables.py does with the others.
 
 usage: separation_tables.py DATA_FOLDER DOCUMENT.md
 """
@@ -45,7 +45,7 @@ def main(folder, document):
     data = load(pathlib.Path(folder) / "separation.json")
     provenance = load(pathlib.Path(folder) / "separation_provenance.json")
     tables = {"separation_methods": separation_methods(data), "separation_rates": separation_rates(data),
-              "separation_provenance": f"Measured at commit `{provenance['commit']}`; compilers and flags as in doc/size.md.\n"}
+              "separation_provenance": f"Measured at commit `{provenance['commit']}`; compilers and flags as in doc/measurements/size.md.\n"}
     fill(document, tables.__getitem__)
 
 

@@ -1,6 +1,6 @@
 """Draws error against work of the integrators, a panel a motion.
 
-usage: simulation.py SIMULATION.json   (writes SIMULATION.png and SIMULATION.svg beside it)
+usage: simulation.py SIMULATION.json   (writes SIMULATION.png beside it)
 """
 
 import json
@@ -41,7 +41,7 @@ def main(file):
     entries += [Line2D([], [], color=style.INK, linestyle=line, label=name) for name, line in LINES.items()]
     figure.legend(handles=entries, loc="lower center", ncols=3)
     figure.tight_layout(rect=(0, 0.06, 1, 1))
-    style.save(figure, file.removesuffix(".json"))
+    style.save(figure, file.removesuffix(".json"), "Error against work of each integrator, on smooth and stiff motions")
 
 
 def draw(panel, rows):

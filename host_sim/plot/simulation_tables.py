@@ -1,4 +1,4 @@
-"""Writes the tables of doc/simulation.md, as tables.py does with the others.
+"""Writes the tables of doc/measurements/simulation.md, as tables.py does with the others.
 
 usage: simulation_tables.py DATA_FOLDER DOCUMENT.md
 """

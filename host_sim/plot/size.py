@@ -1,6 +1,6 @@
 """Draws flash against instructions of every kernel, and what a scene's features add.
 
-usage: size.py SIZE.json   (writes SIZE.png and SIZE.svg beside it)
+usage: size.py SIZE.json   (writes SIZE.png beside it)
 """
 
 import json
@@ -23,18 +23,27 @@ def main(json_file):
         rows = [row for row in json.load(file) if (row["scalar"], row["contract"]) == ("float", "off")]
     boards, robots = unique(row["board"] for row in rows), unique(row["robot"] for row in rows)
     style.use()
-    figure, grid = plt.subplots(2, len(boards), figsize=(max(4.5 * len(boards), 6), 8.4), squeeze=False,
-                                height_ratios=[1.5, 1])
-    for board, (kernels, scenes) in zip(boards, grid.T):
-        here = [row for row in rows if row["board"] == board]
-        draw_kernels(kernels, [row for row in here if row["scene"] == "bare" and marker_of(row)], robots)
-        kernels.set_title(f"{board} (hollow: compact)")
-        draw_scenes(scenes, [row for row in here if row["algorithm"] == "inverse_dynamics"], robots)
-        scenes.set_title("Inverse dynamics by scene")
-    grid[0, 0].set_ylabel("flash, bytes")
+    described = [board for board in boards if any(
+        (row["board"], row["algorithm"]) == (board, "inverse_dynamics") and row["scene"] in SCENES[1:] for row in rows)]
+    columns = min(3, len(boards))
+    lines = -(-len(boards) // columns)
+    figure, grid = plt.subplots(lines + bool(described), columns, figsize=(3.8 * columns, 3.3 * (lines + 1)), squeeze=False)
+    panels = iter(grid[:lines].flat)
+    for board, panel in zip(boards, panels):
+        here = [row for row in rows if row["board"] == board and row["scene"] == "bare" and marker_of(row)]
+        draw_kernels(panel, here, robots)
+        panel.set_title(board)
+    last = iter(grid[lines] if described else ())
+    for board, panel in zip(described, last):
+        draw_scenes(panel, [row for row in rows if row["board"] == board and row["algorithm"] == "inverse_dynamics"], robots)
+        panel.set_title(f"{board}, inverse dynamics", fontsize=10)
+    for panel in (*panels, *last):
+        panel.set_axis_off()
+    for line in grid[:lines]:
+        line[0].set_ylabel("flash, bytes (hollow: compact)")
     explain(figure, rows, robots)
     figure.tight_layout(rect=(0, 0.075, 1, 1))
-    style.save(figure, json_file.removesuffix(".json"))
+    style.save(figure, json_file.removesuffix(".json"), "Flash against instructions of each kernel in float, and what features of a scene add")
 
 
 def unique(values):

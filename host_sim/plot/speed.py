@@ -2,7 +2,7 @@
 
 usage: speed.py FOLDER BENCH.json... [--json FILE] [--provenance FILE]
 
-Writes FOLDER/speed-ratios.{png,svg} and FOLDER/speed-joints.{png,svg} from the rows of axial_bench (tests/bench), a file
+Writes FOLDER/speed-ratios.png and FOLDER/speed-joints.png from the rows of axial_bench (tests/bench), a file
 a compiler, and prints the exponents of N. --json: all rows in one file. --provenance: processor, packages, flags, commit.
 """
 
@@ -64,7 +64,7 @@ def draw_ratios(rows, stem):
     figure.supxlabel("peer's time over axial's, double, the worse of gcc and clang; lines: 95 % interval", fontsize=9)
     figure.legend(handles, PEERS.values(), loc="upper right", ncols=len(PEERS))
     figure.tight_layout(rect=(0, 0, 1, 0.92))
-    style.save(figure, stem)
+    style.save(figure, stem, "How many times as fast as other libraries, on the host")
 
 
 def draw_bars(panel, rows, robots):
@@ -128,7 +128,7 @@ def draw_joints(rows, stem):
     panels[0][0].set_ylim(top=panels[0][0].get_ylim()[1] * 4)  # room for the legend
     panels[0][0].set_ylabel("ns a joint (this machine)")
     figure.tight_layout()
-    style.save(figure, stem)
+    style.save(figure, stem, "Time per joint of forward dynamics, against the number of joints")
 
 
 def log_axes(panel, joints):

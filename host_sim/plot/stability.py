@@ -74,7 +74,7 @@ def draw_scenarios(rows, stem):
     panels[1].set_xticks(range(len(names)), names, rotation=90, fontsize=6.5)
     panels[1].set_xlim(-1, len(names))
     figure.tight_layout()
-    style.save(figure, stem)
+    style.save(figure, stem, "Forward error of each route on each scenario")
 
 
 def draw_condition(rows, stem):
@@ -96,7 +96,7 @@ def draw_condition(rows, stem):
         panel.legend(loc="upper right", fontsize=8)
     panels[0].set_ylabel("forward error")
     figure.tight_layout()
-    style.save(figure, stem)
+    style.save(figure, stem, "Forward error against the conditioning of M: what solves with M follows it")
 
 
 def compared(rows):
@@ -125,7 +125,7 @@ def draw_engines(rows, stem):
     panel.set_xticks(range(len(names)), names, rotation=90, fontsize=6.5)
     panel.set_xlim(-1, len(names))
     figure.tight_layout()
-    style.save(figure, stem)
+    style.save(figure, stem, "Forward error beside other engines, in double")
 
 
 def provenance():
@@ -159,7 +159,7 @@ def main():
     speed.write(options.data / "stability_provenance.json", provenance())
     if options.json:
         write_rows(options.json, rows)
-    print(f"written: stability.json in {options.data}, pictures stability-*.png and .svg in {options.folder}")
+    print(f"written: stability.json in {options.data}, pictures stability-*.png in {options.folder}")
 
 
 if __name__ == "__main__":

@@ -18,12 +18,18 @@ def use():
         "xtick.color": INK, "ytick.color": INK, "axes.spines.top": False, "axes.spines.right": False,
         "axes.grid": True, "grid.color": FAINT, "grid.linewidth": 0.6, "axes.axisbelow": True,
         "lines.linewidth": 1.6, "legend.frameon": False, "legend.fontsize": 9,
-        "figure.facecolor": "white", "svg.hashsalt": "axial", "svg.fonttype": "path",
+        "figure.facecolor": "white",
     })
 
 
-def save(figure, stem):
-    """Writes <stem>.png and <stem>.svg, without a date inside."""
-    figure.savefig(stem + ".png", dpi=120, metadata={"Software": None})
-    figure.savefig(stem + ".svg", metadata={"Date": None, "Creator": None})
+WIDEST = 1400  # pixels
+
+
+def save(figure, stem, says=None):
+    """Writes <stem>.png, without a date inside; `says` is the picture's sentence, above everything."""
+    if says is not None:
+        figure.suptitle(says, x=0.01, y=1.0, ha="left", va="bottom", fontsize=12.5, fontweight="bold")
+    width = figure.get_tightbbox().width + 0.2
+    dpi = min(120, (WIDEST - 1) / width)
+    figure.savefig(stem + ".png", dpi=dpi, bbox_inches="tight", pad_inches=0.1, metadata={"Software": None})
     plt.close(figure)

@@ -1,7 +1,7 @@
 """Draws error against work: kernels in instructions and in bytes, feed-forward at two rates, simulations.
 
 usage: work_precision.py WORK_PRECISION.json
-Writes WORK_PRECISION, _bytes, _two_rate and _simulation (.png and .svg) beside it, as far as there are such rows.
+Writes WORK_PRECISION, _bytes, _two_rate and _simulation (.png) beside it, as far as there are such rows.
 """
 
 import json
@@ -22,13 +22,16 @@ CLOSED = ("closed_form",)
 BOARDS = ("stm32f405", "stm32f100", "nrf51", "rv32_virt")  # others repeat one of them
 
 
+DRAWN = ("scara", "puma560", "panda")  # in every number system; the page's tables have the others
+
+
 def unique(values):
     return list(dict.fromkeys(values))
 
 
 def draw_kernels(rows, unit, stem):
     """A row of panels a job, a column a board; colour: number system, marker: robot. A line joins a robot's front."""
-    rows = [row for row in rows if row.get("job") in JOBS and row["unit_of_work"] == unit]
+    rows = [row for row in rows if row.get("job") in JOBS and row["unit_of_work"] == unit and row["robot"] in DRAWN]
     if not rows:
         return
     jobs = [job for job in JOBS if any(row["job"] == job for row in rows)]
@@ -38,14 +41,17 @@ def draw_kernels(rows, unit, stem):
                                 sharey=True, squeeze=False)
     for job, line in zip(jobs, grid):
         for board, panel in zip(boards, line):
-            draw_panel(panel, [row for row in rows if (row["job"], row["board"]) == (job, board)], robots)
+            own = [row for row in rows if (row["job"], row["board"]) == (job, board)]
+            draw_panel(panel, own, robots) if own else panel.set_axis_off()
         line[0].set_ylabel(f"{JOBS[job]}\nlargest error")
     for board, panel in zip(boards, grid[0]):
         panel.set_title(board)
-    for panel in grid[-1]:
-        panel.set_xlabel("instructions (QEMU)" if unit == "instructions" else "bytes: flash, RAM, stack")
+    for column in grid.T:
+        lowest = [panel for panel in column if panel.axison][-1]
+        lowest.set_xlabel("instructions (QEMU)" if unit == "instructions" else "bytes: flash, RAM, stack")
+        lowest.tick_params(labelbottom=True)
     explain(figure, robots)
-    style.save(figure, stem)
+    style.save(figure, stem, f"Error against {unit} of each job on each board")
 
 
 def draw_panel(panel, rows, robots):
@@ -106,7 +112,7 @@ def draw_two_rate(rows, stem):
     left.minorticks_off()
     left.legend()
     figure.tight_layout()
-    style.save(figure, stem)
+    style.save(figure, stem, "Feed-forward with terms that are refreshed slowly: error, and work per tick")
 
 
 def draw_simulation(rows, stem):
@@ -136,7 +142,7 @@ def draw_simulation(rows, stem):
     handles = {label: handle for panel in grid.flat for handle, label in zip(*panel.get_legend_handles_labels())}
     figure.legend(handles.values(), handles.keys(), loc="lower center", ncols=3)
     figure.tight_layout(rect=(0, (0.3 + 0.2 * -(-len(handles) // 3)) / figure.get_size_inches()[1], 1, 1))
-    style.save(figure, stem)
+    style.save(figure, stem, "Simulations: error against work")
 
 
 def curve(row):

@@ -1,4 +1,4 @@
-"""Writes the tables of doc/work_precision.md, as tables.py does with the others.
+"""Writes the tables of doc/measurements/work_precision.md, as tables.py does with the others.
 
 usage: work_precision_tables.py DATA_FOLDER DOCUMENT.md
 """

@@ -23,7 +23,7 @@ UNPROVED = re.compile(r"^  BND\((.+?)\),? ?(best: .*)?$", re.MULTILINE)
 REWRITING = re.compile(r"^Hypothesis (a\d+) : (\w+ = \w+)\.$", re.MULTILINE)
 # Reals are axioms of Coq's library; nothing else may be assumed.
 AXIOMS = {"Classical_Prop.classic", "ClassicalDedekindReals.sig_forall_dec", "ClassicalDedekindReals.sig_not_dec", "FunctionalExtensionality.functional_extensionality_dep"}
-# What Gappa is known not to prove, and why: doc/prove.md.
+# What Gappa is known not to prove, and why: doc/measurements/prove.md.
 EXPECTED = {("scara_inverse_dynamics", "words"), ("puma560_inverse_dynamics", "words"), ("puma560_inverse_dynamics", "errors")}
 HERE = pathlib.Path(__file__).resolve().parent
 

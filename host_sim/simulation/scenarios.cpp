@@ -1,5 +1,5 @@
 // The gates are twice the figures that were measured for these scenarios by another implementation, where there are
-// any: doc/simulation.md has the table.
+// any: doc/measurements/simulation.md has the table.
 #include <host_sim/simulation/rows.hpp>
 
 #include <algorithm>

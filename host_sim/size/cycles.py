@@ -1,4 +1,4 @@
-"""An estimate of cycles from executed instructions; doc/size.md says what it leaves out."""
+"""An estimate of cycles from executed instructions; doc/measurements/size.md says what it leaves out."""
 
 import re
 

@@ -7,8 +7,8 @@ namespace combinations {
 
 constexpr int most_joints = 4;
 
-/// A robot with what a scene puts on it, and one state; SI units, axes as in doc/scenes.md. What a scene does not name
-/// is zero, and taken out of the links.
+/// A robot with what a scene puts on it, and one state; SI units, axes as in doc/guides/scenes.md. What a scene does
+/// not name is zero, and taken out of the links.
 struct Situation {
   int joints = 0;
   axial::LinkParameters links[most_joints];

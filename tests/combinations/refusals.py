@@ -1,6 +1,6 @@
 """What is not offered: when, for which algorithms, and the sentence that the compiler then says first.
 
-The table of doc/scenes.md is made of this list, and check.py holds the library to it: what is on it must not compile, with
+The table of doc/guides/scenes.md is made of this list, and check.py holds the library to it: what is on it must not compile, with
 its sentence as the first error; whatever is not on it must compile.
 """
 import dataclasses
@@ -211,7 +211,7 @@ REFUSALS = (
             lambda c: _some_joint_moves_nothing(c) and not is_model(c),
             {"inertia": "massless last", "rotor": "none"}, FORWARD),
     Refusal("integrators of a `FloatingBase`",
-            "axial: integrators move joints; integrate a floating base as doc/moving_base.md shows",
+            "axial: integrators move joints; integrate a floating base as doc/guides/moving_base.md shows",
             lambda c: _floats(c) and not is_fixed(c), {"base": "FloatingBase", "gravity": "none"}, ("Integrators",)),
     Refusal("the payload estimator without `Gravity`",
             "axial: a payload is weighed under the gravity that the chain declares; name Gravity in the scene",

@@ -1,4 +1,5 @@
-// doc/choosing.md, doc/counts.md, doc/scenes.md, doc/separation.md, doc/simulation.md: lines in a control loop.
+// doc/guides/choosing.md, doc/measurements/counts.md, doc/guides/scenes.md, doc/measurements/separation.md,
+// doc/measurements/simulation.md: lines in a control loop.
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
 #include <axial/cost.hpp>

@@ -1,4 +1,4 @@
-// doc/observer.md: a collision in a control loop. doc/safety.md: a fall-back in one.
+// doc/guides/observer.md: a collision in a control loop. doc/guides/safety.md: a fall-back in one.
 #include <gtest/gtest.h>
 
 namespace {

@@ -1,4 +1,4 @@
-// doc/guide.md: an arm by hand, its tick, its cost.
+// doc/guides/guide.md: an arm by hand, its tick, its cost.
 #include <gtest/gtest.h>
 #include <axial/cost.hpp>
 #include <limits>

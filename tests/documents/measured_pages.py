@@ -11,12 +11,10 @@ import sys
 TABLE = re.compile(r"<!-- table ([\w-]+) -->")
 COMMIT = re.compile(r"[Cc]ommit `?([0-9a-f]{7,40})(?:-dirty)?\b")
 NOT_MEASURED = {"rules", "not_offered", "boards"}  # written from the sources, which a test holds them to
-INDEX = "README.md"  # of doc/
 
 
 def pages(root):
-    found = [path for path in sorted((root / "doc").glob("*.md")) if path.name != INDEX]
-    return [root / "README.md", *found]
+    return [root / "README.md", *sorted((root / "doc").glob("*/*.md"))]
 
 
 def is_measured(text):

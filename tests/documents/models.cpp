@@ -1,5 +1,5 @@
-// doc/conventions.md, doc/trees.md, doc/moving_base.md, doc/fixed_point.md: robots and number systems as documents
-// write them.
+// doc/guides/conventions.md, doc/guides/trees.md, doc/guides/moving_base.md, doc/guides/fixed_point.md: robots and
+// number systems as documents write them.
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
 #include <axial/fixed.hpp>

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""doc/safety.md says what is so: every test that it names exists, and its times are those of the images and boards.
+"""doc/guides/safety.md says what is so: every test that it names exists, and its times are those of the images and boards.
 
 usage: safety_page.py --check | --write
 """
@@ -10,7 +10,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PAGE = ROOT / "doc/safety.md"
+PAGE = ROOT / "doc/guides/safety.md"
 SUITES = {"T": ("tests/target/safety_test.py", r"    def {}\(self"), "R": ("tests/target/restarts_test.py", r"    def {}\(self"),
           "H": ("tests/hal/apps/safety_test.cpp", r"^TEST_F\(SafetyApp, {}\)")}
 BEGIN, END = "<!-- times: tests/documents/safety_page.py --write -->\n", "<!-- end of times -->"
@@ -67,7 +67,7 @@ def main():
         return 2
     found = list(missing_tests(page))
     if with_times(page) != page:
-        found.append("the times of doc/safety.md are not those of the sources: safety_page.py --write")
+        found.append("the times of doc/guides/safety.md are not those of the sources: safety_page.py --write")
     for line in found:
         print(line, file=sys.stderr)
     return 1 if found else 0

@@ -1,4 +1,4 @@
-"""./axial compile-cost in its shortest form, what it refuses, and that doc/compile_cost.md shows the data beside it.
+"""./axial compile-cost in its shortest form, what it refuses, and that doc/measurements/compile_cost.md shows the data beside it.
 
 usage: compile_cost_test.py [unittest arguments]
 """
@@ -43,9 +43,9 @@ class CompileCost(unittest.TestCase):
 
     def test_the_page_shows_the_data(self):
         page = self.folder / "page.md"
-        shutil.copy(ROOT / "doc/compile_cost.md", page)
+        shutil.copy(ROOT / "doc/measurements/compile_cost.md", page)
         subprocess.run([sys.executable, "-E", "-B", ROOT / "host_sim/plot/compile_cost_tables.py", ROOT / "doc/data", page], check=True)
-        self.assertEqual(page.read_text(encoding="utf-8"), (ROOT / "doc/compile_cost.md").read_text(encoding="utf-8"))
+        self.assertEqual(page.read_text(encoding="utf-8"), (ROOT / "doc/measurements/compile_cost.md").read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":

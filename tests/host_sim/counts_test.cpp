@@ -67,7 +67,7 @@ TEST(OperationCounts, NowhereExceedOpenSymoro) {
   });
 }
 
-// Misses are explained in doc/counts.md; whoever mends one takes it off this list.
+// Misses are explained in doc/measurements/counts.md; whoever mends one takes it off this list.
 TEST(OperationCounts, ReachWhatATraceReached) {
   const std::map<Key, int> missed_by{
       {{"model_puma560", "articulated_body", "base"}, 2},

@@ -1,5 +1,5 @@
 """Faults of the line, the host and the program against the main jobs: each ends in the state and within the time that
-doc/safety.md gives, seen on the drives' pin (which the board announces) and in the next hello."""
+doc/guides/safety.md gives, seen on the drives' pin (which the board announces) and in the next hello."""
 
 import math
 import re

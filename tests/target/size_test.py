@@ -89,7 +89,7 @@ class Size(harness.BoardTest):
             self.assertEqual(row["ram_bytes"], 0, probe.name)
 
     def test_no_instruction_of_data_dependent_length(self):
-        """Integer division is the only one that the Cortex-M4 has (doc/constant_time.md). The harness has some, which
+        """Integer division is the only one that the Cortex-M4 has (doc/guides/constant_time.md). The harness has some, which
         shows that they are seen."""
         divisions = lambda probe, within: [name for address, (name, *_) in probe.image.instructions.items()
                                            if name.startswith(("udiv", "sdiv")) and within(address)]

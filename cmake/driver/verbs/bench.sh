@@ -20,7 +20,7 @@ over ours: median and 95 % interval), writes JSON and pictures.
   --json FILE         the rows of all compilers once more, as an array of objects
 Exits non-zero when a build fails or a peer's result differs from ours; a time is never an error.
 maintainers:
-  --documents         alone: measures anew and writes the tables and pictures of doc/speed.md
+  --documents         alone: measures anew and writes the tables and pictures of doc/measurements/speed.md
 END
 }
 
@@ -50,7 +50,7 @@ run() {
   ensure_packages "${packages[@]}"
   race_all
   if $documents; then
-    plot_speed speed_tables.py "$output" "$AXIAL_ROOT/doc/speed.md"
+    plot_speed speed_tables.py "$output" "$AXIAL_ROOT/doc/measurements/speed.md"
   fi
 }
 

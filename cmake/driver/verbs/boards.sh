@@ -9,7 +9,7 @@ Lists every board of hal/boards: CPU, memory, the machine of QEMU that runs it, 
 doc/data were measured there, and whether it ran on silicon. Builds and runs nothing.
   --json FILE         the rows as an array of objects
 maintainers:
-  --documents         also writes the table of doc/boards.md
+  --documents         also writes the table of doc/measurements/boards.md
   --check             instead: ends with 1 where that table says what is not so, or leaves a board out
 END
 }

@@ -7,12 +7,12 @@ usage() {
 usage: ./axial compare [options]
 Installs and builds what is missing. Compares the ways to a torque for RRP, RRPR, 6R and 7R arms: recursive Newton-Euler,
 the Automatic Separation Method, the SCARA's closed form; operations, instructions on a Cortex-M4F and a Cortex-M0 in QEMU,
-errors against the oracle, and the error of a feed-forward whose terms are refreshed slowly (doc/separation.md).
+errors against the oracle, and the error of a feed-forward whose terms are refreshed slowly (doc/measurements/separation.md).
   --output FOLDER     where the files go; default output/separation
   --sizes FILE        rows of ./axial size, such as doc/data/size.json, instead of measuring them
   --json FILE         the rows once more, as an array of objects
 maintainers:
-  --documents         alone: writes doc/data/separation*.json, doc/pictures/separation.* and the tables of doc/separation.md
+  --documents         alone: writes doc/data/separation*.json, doc/pictures/separation.* and the tables of doc/measurements/separation.md
 END_OF_USAGE
 }
 
@@ -50,6 +50,6 @@ compare_py() {
 write_separation_documents() {
   local doc=$AXIAL_ROOT/doc
   compare_py --output "$doc/data" --provenance "$doc/data/separation_provenance.json"
-  mv "$doc"/data/separation.{png,svg} "$doc/pictures/"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/separation_tables.py" "$doc/data" "$doc/separation.md"
+  mv "$doc"/data/separation.png "$doc/pictures/"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/separation_tables.py" "$doc/data" "$doc/measurements/separation.md"
 }

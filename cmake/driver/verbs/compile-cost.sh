@@ -6,7 +6,7 @@ usage() {
   cat <<'END_OF_USAGE'
 usage: ./axial compile-cost [options]
 Installs what is missing. Compiles one source for each kernel, robot, number system and build, one at a time, and asks the system
-what the compiler's processes used: processor seconds and peak memory, the least of three runs (doc/compile_cost.md). Prints a
+what the compiler's processes used: processor seconds and peak memory, the least of three runs (doc/measurements/compile_cost.md). Prints a
 table, writes JSON. Half an hour of one processor for all of them.
   --build cortex_m4f-O2|cortex_m4f-O0|host-gcc-O2|host-clang-O2...  only these: --build host-gcc-O2,host-clang-O2
   --robot puma560|panda...  only these
@@ -16,7 +16,7 @@ table, writes JSON. Half an hour of one processor for all of them.
   --output FOLDER     where the file goes; default output/compile_cost
   --json FILE         the rows once more, as an array of objects
 maintainers:
-  --documents         alone: measures all anew and writes doc/data/compile_cost*.json and the tables of doc/compile_cost.md
+  --documents         alone: measures all anew and writes doc/data/compile_cost*.json and the tables of doc/measurements/compile_cost.md
 END_OF_USAGE
 }
 
@@ -35,5 +35,5 @@ write_compile_cost_documents() {
   local doc=$AXIAL_ROOT/doc
   compile_cost_py --output "$doc/data"
   compile_cost_py provenance "$doc/data/compile_cost_provenance.json"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/compile_cost_tables.py" "$doc/data" "$doc/compile_cost.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/compile_cost_tables.py" "$doc/data" "$doc/measurements/compile_cost.md"
 }

@@ -6,7 +6,7 @@ usage() {
   cat <<'END_OF_USAGE'
 usage: ./axial counts [options]
 Installs and builds what is missing. The compiler counts what every algorithm needs for every robot and for the count
-models of robots/models, and forward dynamics is compared with quadruple precision over seeded states (doc/counts.md).
+models of robots/models, and forward dynamics is compared with quadruple precision over seeded states (doc/measurements/counts.md).
 Prints a table beside openSYMORO and what a trace could reach, writes JSON and a picture.
   --robot MODEL|HEADER  only this robot or count model, built alone; or the robot of a header (./axial import, your own)
   --type NAME         of a header: the robot's struct; default: the one that holds its last chain
@@ -14,7 +14,7 @@ Prints a table beside openSYMORO and what a trace could reach, writes JSON and a
   --json FILE         the rows once more, as an array of objects
 Exits non-zero when a count model needs more operations than openSYMORO, or the closed form more than published.
 maintainers:
-  --documents         alone: writes doc/data/counts*.json and congruences.json, doc/pictures/counts.* and the tables of doc/counts.md
+  --documents         alone: writes doc/data/counts*.json and congruences.json, doc/pictures/counts.* and the tables of doc/measurements/counts.md
   --update-pins       alone: writes tests/host_sim/operation_counts.json, the counts that tests expect
 END_OF_USAGE
 }
@@ -64,6 +64,6 @@ write_counts_documents() {
   build "$HOST_PRESET" congruences
   "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/counts/congruences" >"$doc/data/congruences.json.new"
   mv "$doc/data/congruences.json.new" "$doc/data/congruences.json"
-  mv "$doc"/data/counts.{png,svg} "$doc/pictures/"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/count_tables.py" "$doc/data" "$doc/counts.md"
+  mv "$doc"/data/counts.png "$doc/pictures/"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/count_tables.py" "$doc/data" "$doc/measurements/counts.md"
 }

@@ -21,7 +21,7 @@ Exits non-zero when an error is above what the headers promise, or sin(-x) is no
 maintainers:
   --documents         stands alone: writes doc/data/sincos_exhaustive.json and doc/pictures/sincos_exhaustive.*; behind --ranges: 25 000 000
                       states of a kernel, 10^8 of a robot, of every robot (20 minutes); writes doc/data/fixed_overflows.json and the table
-                      of doc/ranges.md
+                      of doc/guides/ranges.md
 END_OF_USAGE
 }
 
@@ -33,7 +33,7 @@ run() {
     if [[ ${1:-} == --documents ]]; then
       (($# == 1)) || fail_usage "--ranges --documents stands alone; see ./axial exhaustive --help"
       exhaustive_program exhaustive_ranges --overflows --states 25000000 --json "$AXIAL_ROOT/doc/data/fixed_overflows.json"
-      /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/ranges.md"
+      /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/guides/ranges.md"
     else
       exhaustive_program exhaustive_ranges "$@"
     fi
@@ -63,6 +63,6 @@ write_exhaustive_documents() {
   folder=$(mktemp -d)
   exhaustive --output "$folder"
   mv "$folder/sincos_exhaustive.json" "$doc/data/"
-  mv "$folder"/sincos_exhaustive.{png,svg} "$doc/pictures/"
+  mv "$folder"/sincos_exhaustive.png "$doc/pictures/"
   rm -r "$folder"
 }

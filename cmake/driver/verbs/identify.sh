@@ -8,7 +8,7 @@ usage() {
   cat <<'END_OF_USAGE'
 usage: ./axial identify LOG.csv --robot NAME [options]
 Installs and builds what is missing (python3-scipy, the first time). Fits base parameters to a log by weighted least squares, finds
-physically consistent parameters of every link that have them, and says how sure each is (doc/identification.md).
+physically consistent parameters of every link that have them, and says how sure each is (doc/guides/identification.md).
   LOG.csv             a header line, then time (s), q1... (rad or m), tau1... (N m or N, of the drives, on the joint's side) and, if they
                       were measured, qd1...; other columns are ignored. Even steps, 100 Hz or more; ./axial excite makes motions
   --robot NAME        what it starts from: a name of robots/README.md, a Denavit-Hartenberg table (.json,
@@ -22,7 +22,7 @@ physically consistent parameters of every link that have them, and says how sure
   --json FILE         the report once more, as an array of objects
 maintainers:
   --documents         alone: identifies altered arms from logs that Orocos KDL made, to doc/data, doc/pictures and the tables of
-                      doc/identification.md (some minutes)
+                      doc/guides/identification.md (some minutes)
 END_OF_USAGE
 }
 
@@ -51,5 +51,5 @@ write_identification_documents() {
   printf '{"commit": "%s", "compiler": "%s", "libraries": "%s"}\n' "$("$AXIAL_ROOT/host_sim/system/commit.sh")" \
     "$(c++ --version | head -n 1)" "$(/usr/bin/python3 -E -c 'import numpy, scipy; print("NumPy", numpy.__version__ + ", SciPy", scipy.__version__)')" \
     >"$doc/data/identification_provenance.json"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/identification_tables.py" "$doc/data" "$doc/identification.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/identification_tables.py" "$doc/data" "$doc/guides/identification.md"
 }

@@ -7,7 +7,7 @@ usage() {
 usage: ./axial loop [options]
 Installs and builds what is missing, starts the tracking firmware of a board in QEMU and lets it drive a plant in double, in lock-step
 at 1 kHz over the serial line: feed-forward and a proportional-derivative torque, then the feedback alone (at most 10 s of it). Prints
-tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a picture (doc/simulation.md).
+tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a picture (doc/measurements/simulation.md).
   --robot scara|puma560  default scara
   --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt
   --number float|fixed32  what the firmware computes in; default float
@@ -19,7 +19,7 @@ tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a p
 Exits non-zero when feed-forward cuts the error less than 20-fold with exact parameters, or an answer is refused.
 maintainers:
   --documents         alone: 60 s of each robot with sweeps, on the nrf51 in fixed32, to doc/data, doc/pictures and the tables of
-                      doc/simulation.md
+                      doc/measurements/simulation.md
 END_OF_USAGE
 }
 
@@ -49,7 +49,6 @@ write_loop_documents() {
     loop_program --robot "$robot" --board "$LOOP_BOARD" --number "$number" --seconds 60 --sweep --output "$AXIAL_ROOT/output/loop" \
       --json "$doc/data/loop-$robot.json" --provenance "$doc/data/loop_provenance.json"
     cp "$AXIAL_ROOT/output/loop/loop-$robot-$number.png" "$doc/pictures/loop-$robot.png"
-    cp "$AXIAL_ROOT/output/loop/loop-$robot-$number.svg" "$doc/pictures/loop-$robot.svg"
   done
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/simulation_tables.py" "$doc/data" "$doc/simulation.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/simulation_tables.py" "$doc/data" "$doc/measurements/simulation.md"
 }

@@ -10,11 +10,11 @@ usage: ./axial motion [options]
 Installs and builds what is missing (SUNDIALS brings some 90 packages, the first time). Integrates smooth and stiff motions by every
 integrator of the library, in double and in float, at many steps: error at the end against CVODE and ARKODE, evaluations of forward
 dynamics, processor time over that of a reference kernel. Prints a table, writes JSON (fields as ./axial report) and a picture
-(doc/simulation.md). The stability scenarios of motions are in ./axial stability.
+(doc/measurements/simulation.md). The stability scenarios of motions are in ./axial stability.
   --output FOLDER     where the files go; default output/motion
   --json FILE         the rows once more, as an array of objects
 maintainers:
-  --documents         alone: writes doc/data/simulation.json, doc/pictures and the tables of doc/simulation.md
+  --documents         alone: writes doc/data/simulation.json, doc/pictures and the tables of doc/measurements/simulation.md
 END_OF_USAGE
 }
 
@@ -43,14 +43,14 @@ run() {
   "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/simulation/work_precision" --json "$output/simulation.json"
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/simulation.py" "$output/simulation.json"
   [[ -z $json ]] || cp "$output/simulation.json" "$json"
-  say "picture $output/simulation.png (and .svg), data $output/simulation.json"
+  say "picture $output/simulation.png, data $output/simulation.json"
   if $documents; then write_motion_documents; fi
 }
 
 write_motion_documents() {
   local doc=$AXIAL_ROOT/doc
-  mv "$doc"/data/simulation.{png,svg} "$doc/pictures/"
+  mv "$doc"/data/simulation.png "$doc/pictures/"
   printf '{"commit": "%s", "compiler": "%s", "flags": "-O2 -ffp-contract=off"}\n' \
     "$("$AXIAL_ROOT/host_sim/system/commit.sh")" "$(c++ --version | head -n 1)" >"$doc/data/motion_provenance.json"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/simulation_tables.py" "$doc/data" "$doc/simulation.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/simulation_tables.py" "$doc/data" "$doc/measurements/simulation.md"
 }

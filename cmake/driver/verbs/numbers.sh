@@ -7,13 +7,13 @@ usage() {
 usage: ./axial numbers [options]
 Installs and builds what is missing. Computes the same torques in 16-bit and 32-bit fixed point (rounded to nearest, rounded
 down, upper words of products), float and double, on the same seeded states: errors against quadruple precision on the host,
-instructions and bytes on every board in QEMU (doc/number_systems.md). Prints a table, writes CSV, JSON and a picture.
+instructions and bytes on every board in QEMU (doc/measurements/number_systems.md). Prints a table, writes CSV, JSON and a picture.
   --robot ROBOT       only this robot
   --sizes FILE        rows of ./axial size, such as doc/data/size.json, instead of measuring them
   --output FOLDER     where the files go; default output/numbers
   --json FILE         the rows once more, as an array of objects
 maintainers:
-  --documents         alone: writes doc/data/number_systems*, doc/pictures/number_systems.* and the tables of doc/number_systems.md
+  --documents         alone: writes doc/data/number_systems*, doc/pictures/number_systems.* and the tables of doc/measurements/number_systems.md
 END_OF_USAGE
 }
 
@@ -57,7 +57,7 @@ write_number_documents() {
   local doc=$AXIAL_ROOT/doc
   numbers_py '' --output "$doc/data" --provenance "$doc/data/number_systems_provenance.json" \
     --cache "$AXIAL_ROOT/build/$HOST_PRESET/CMakeCache.txt"
-  mv "$doc"/data/number_systems.{png,svg} "$doc/pictures/"
+  mv "$doc"/data/number_systems.png "$doc/pictures/"
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/number_system_tables.py" "$doc/data" \
-    "$AXIAL_ROOT/tests/target/promised_instructions.json" "$doc/number_systems.md"
+    "$AXIAL_ROOT/tests/target/promised_instructions.json" "$doc/measurements/number_systems.md"
 }

@@ -7,14 +7,14 @@ usage() {
 usage: ./axial prove [options]
 Installs gappa, with --coq also coq and its libraries (1.1 GB), and builds what is missing. Records the integer program that each
 kernel executes, writes it as a script of Gappa beside the same kernel over the reals, and has Gappa prove the library's certified
-errors and that no word overflows. Prints our bounds, Gappa's own, and who accepts them; doc/prove.md says what is assumed.
+errors and that no word overflows. Prints our bounds, Gappa's own, and who accepts them; doc/measurements/prove.md says what is assumed.
   --subject sine|cosine|scara_closed_form|scara_inverse_dynamics|puma560_inverse_dynamics  default all
   --coq               Coq checks every certificate of Gappa's, and the polynomials of sine and cosine
   --limit NUMBER     of one run of Gappa or Coq; default 300
   --json FILE         an array of objects: subject, result, ours, theirs, bound, accepted, words, words_accepted, coq, seconds
-Exits non-zero where a bound that doc/prove.md calls proved is not accepted.
+Exits non-zero where a bound that doc/measurements/prove.md calls proved is not accepted.
 maintainers:
-  --documents         alone: all with Coq; writes doc/data/prove.json and the table of doc/prove.md
+  --documents         alone: all with Coq; writes doc/data/prove.json and the table of doc/measurements/prove.md
 END_OF_USAGE
 }
 
@@ -22,7 +22,7 @@ run() {
   if [[ ${1:-} == --documents ]]; then
     prove --coq --json "$AXIAL_ROOT/doc/data/prove.json"
     printf '{"commit": "%s"}\n' "$("$AXIAL_ROOT/host_sim/system/commit.sh")" >"$AXIAL_ROOT/doc/data/prove_provenance.json"
-    /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/prove.md"
+    /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/measurements/prove.md"
   else
     prove "$@"
   fi

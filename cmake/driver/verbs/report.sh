@@ -7,7 +7,7 @@ usage() {
 usage: ./axial report [options]
 Installs and builds what is missing. Sets the error of every kernel that firmware/apps/size/matrix.txt lists (on the host, over
 seeded states, against 113-bit arithmetic) beside the instructions that it executes in QEMU, estimated cycles, and its bytes; marks
-what no other beats in either; adds feed-forward at two rates, simulations and stability (doc/work_precision.md). Prints a table,
+what no other beats in either; adds feed-forward at two rates, simulations and stability (doc/measurements/work_precision.md). Prints a table,
 writes CSV, JSON, pictures and one self-contained HTML page.
   --robot ROBOT       only this robot
   --board BOARD       only this board
@@ -19,7 +19,7 @@ maintainers:
                       each result with the oracle; may be followed by the options above; default output/on_board. Exits non-zero
                       when an error is above its bound
   --documents         stands alone: runs all reports, demos, sizes, counts and comparisons anew and writes the tables and pictures of
-                      README.md and doc/; with --work-precision behind it: those of doc/work_precision.md alone, from the sizes
+                      README.md and doc/; with --work-precision behind it: those of doc/measurements/work_precision.md alone, from the sizes
                       and simulations that are in doc/data
 END_OF_USAGE
 }
@@ -105,8 +105,8 @@ write_documents() {
   write_work_precision
   rm -r "$folder"
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/demo.py" "$AXIAL_ROOT"/output/demo/scara-stm32f405.{csv,json}
-  cp "$AXIAL_ROOT"/output/demo/scara-stm32f405.{csv,json,png,svg} "$doc/pictures/"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$doc/data" "$AXIAL_ROOT/README.md" "$doc/accuracy.md"
+  cp "$AXIAL_ROOT"/output/demo/scara-stm32f405.{csv,json,png} "$doc/pictures/"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$doc/data" "$AXIAL_ROOT/README.md" "$doc/measurements/accuracy.md"
   say "all documents in $SECONDS s"
   ((status == 0)) || fail "a comparison failed: its lines are above"
 }
@@ -141,10 +141,10 @@ write_work_precision() {
   report_py --errors "$errors" --sizes "$doc/data/size.json" --separation "$doc/data/separation.json" --more "$doc/data" \
     --provenance "$doc/data/size_provenance.json" --output "$doc/data" >/dev/null
   [[ -n ${AXIAL_ERRORS:-} ]] || rm -r "$errors"
-  mv "$doc"/data/work_precision*.{png,svg} "$doc/pictures/"
-  mv "$doc/data/work_precision.html" "$doc/"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/work_precision_tables.py" "$doc/data" "$doc/work_precision.md"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/choice_tables.py" "$doc/data" "$doc/choosing.md"
+  mv "$doc"/data/work_precision*.png "$doc/pictures/"
+  rm "$doc/data/work_precision.html"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/work_precision_tables.py" "$doc/data" "$doc/measurements/work_precision.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/choice_tables.py" "$doc/data" "$doc/guides/choosing.md"
 }
 
 # The main job of every robot and board, as many at once as there are processors.

@@ -7,7 +7,7 @@ usage() {
 usage: ./axial size [options]
 Installs and builds what is missing: a small image for each combination of firmware/apps/size/matrix.txt. Tells for each
 its flash and static RAM (beside an image without a kernel), its worst-case stack, the instructions that a call executes
-in QEMU, and an estimate of cycles from them (doc/size.md). Prints a table, writes CSV, JSON and a picture.
+in QEMU, and an estimate of cycles from them (doc/measurements/size.md). Prints a table, writes CSV, JSON and a picture.
   --board ANY_BOARD   only this board
   --robot ROBOT...    only these, commas between
   --scene WORD...     likewise
@@ -23,7 +23,7 @@ in QEMU, and an estimate of cycles from them (doc/size.md). Prints a table, writ
                       the option --output, or by --documents alone: writes doc/data/flags* and their table (part of --documents)
 Exits non-zero when something can not be bounded or counts disagree.
 maintainers:
-  --documents         stands alone: measures all anew and writes doc/data/size.*, doc/pictures/size.* and the tables of doc/size.md
+  --documents         stands alone: measures all anew and writes doc/data/size.*, doc/pictures/size.* and the tables of doc/measurements/size.md
   --update-budgets    alone: writes tests/target/budgets.json, 2 % above what is measured now
 END
 }
@@ -95,11 +95,11 @@ write_size_documents() {
   build_probes
   size_py measure --output "$doc/data"
   size_py provenance "$doc/data/size_provenance.json"
-  mv "$doc"/data/size.{png,svg} "$doc/pictures/"
+  mv "$doc"/data/size.png "$doc/pictures/"
   write_flag_data
   write_size_tables
 }
 
 write_size_tables() {
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/size.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/measurements/size.md"
 }

@@ -10,7 +10,7 @@ usage() {
 usage: ./axial stability [options]
 Installs and builds what is missing. Solves the scenarios ST1 to ST17 (long chains, size and mass ratios, massless links near
 gimbal lock, rotors, speeds, scales, ...) by every route in double, float and, where they fit declared limits, fixed point: forward
-and backward error against quadruple precision beside the gates (doc/stability.md). Then the motions of ST18 to ST22, by every
+and backward error against quadruple precision beside the gates (doc/measurements/stability.md). Then the motions of ST18 to ST22, by every
 integrator. Prints tables, writes JSON and pictures.
   --scenario NAME     only scenarios whose names hold NAME
   --compare           also KDL, DART, Simbody and Bullet on 50 perturbed instances of each (2 minutes; DART brings some 150
@@ -19,7 +19,7 @@ integrator. Prints tables, writes JSON and pictures.
   --json FILE         the rows once more, as an array of objects
 Exits non-zero when an error is outside its gate, or an engine is more than ten times more exact than ours.
 maintainers:
-  --documents         alone: everything, into doc/data/stability*, doc/pictures/stability* and the tables of doc/stability.md
+  --documents         alone: everything, into doc/data/stability*, doc/pictures/stability* and the tables of doc/measurements/stability.md
 END_OF_USAGE
 }
 
@@ -66,7 +66,7 @@ measure_stability() {
   ((${#files[@]} > 0)) || fail "no scenario's name holds '$scenario'"
   if $documents; then
     plot_stability stability.py "$AXIAL_ROOT/doc/pictures" "${files[@]}" --data "$output"
-    plot_stability stability_tables.py "$output" "$AXIAL_ROOT/doc/stability.md"
+    plot_stability stability_tables.py "$output" "$AXIAL_ROOT/doc/measurements/stability.md"
   else
     plot_stability stability.py "$output" "${files[@]}" --data "$output" ${json:+--json "$json"}
   fi

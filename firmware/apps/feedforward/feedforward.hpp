@@ -4,7 +4,7 @@
 ///
 /// Lock-step: every set-point is answered at once. Free-running: the newest set-point is answered at the board's tick.
 /// In both the tick runs: it ages the last good set-point, whose torque then fades into what holds the arm until the
-/// drives are disabled (deadlines.hpp, doc/safety.md), and feeds the watchdog where the loop came round in time.
+/// drives are disabled (deadlines.hpp, doc/guides/safety.md), and feeds the watchdog where the loop came round in time.
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
  * The plain C interface of a robot: C99, no name mangling, nothing allocated, state in the caller's hands.
  * A header declares it:        AXIAL_C_DECLARE(my_arm, 6, float);                in C and in C++
  * one C++ source defines it:   AXIAL_C_EXPORT(my_arm, robots::MyArm, float)      <axial/c_interface/export.hpp>
- * doc/embedding.md has both files whole. */
+ * doc/guides/embedding.md has both files whole. */
 #ifndef AXIAL_AXIAL_H
 #define AXIAL_AXIAL_H
 

@@ -337,7 +337,7 @@ constexpr Operations momentum_cost() {
 }
 }  // namespace
 
-// As doc/observer.md says: less than one inverse dynamics.
+// As doc/guides/observer.md says: less than one inverse dynamics.
 TEST(Momentum, CostsLessThanInverseDynamics) {
   constexpr Operations panda = momentum_cost<Robot>(), puma = momentum_cost<robots::Puma560>();
   EXPECT_TRUE((panda == Operations{267, 198, 0, 6}));

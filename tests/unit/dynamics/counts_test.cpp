@@ -42,7 +42,7 @@ void expect_at_most_the_paper() {
   std::printf("%2d joints: %d M (paper %d), %d A (paper %d)\n", N, ours.mul + ours.div, mul, ours.add, add);
   EXPECT_LE(ours.mul + ours.div, mul) << N;
   EXPECT_LE(ours.add, add) << N;
-  if (N > 2) {  // as doc/counts.md says
+  if (N > 2) {  // as doc/measurements/counts.md says
     EXPECT_EQ(ours.mul + ours.div, 211 * N - 303) << N;
     EXPECT_EQ(ours.add, 203 * N - 309) << N;
   }

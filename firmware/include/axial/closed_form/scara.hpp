@@ -56,8 +56,8 @@ struct ScaraTerms : ScaraRounding<S, T> {
 
 /// Separated dynamics of a SCARA: RRP with parallel axes and centres of mass on the links' x axes, the slender rods of
 /// the paper among them. Source: Djuric et al. 2016, eqs. (82) to (92), with its misprints mended
-/// (doc/scara_errata.md). In: q (rad, rad, m). Out: A, B, C, G, and a status as of separate(): nothing in it overflows.
-/// For another robot it does not compile and says why.
+/// (doc/guides/scara_errata.md). In: q (rad, rad, m). Out: A, B, C, G, and a status as of separate(): nothing in it
+/// overflows. For another robot it does not compile and says why.
 template <class S, class T>
 [[nodiscard]] constexpr auto scara(const Positions<robot_of<S>, T>& q) {
   const detail::ScaraTerms<S, T> k;

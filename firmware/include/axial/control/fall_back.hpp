@@ -23,7 +23,7 @@ struct Blend {
 
 /// Stands between requests and drives; the caller's. It enables nothing itself: at every control tick the loop calls
 /// advance(), exerts torque() and sets the drives' enable to enabled(). Phases, times, and what is not claimed:
-/// doc/safety.md.
+/// doc/guides/safety.md.
 template <class S, class T>
 class FallBack {
   using Q = Positions<robot_of<S>, T>;

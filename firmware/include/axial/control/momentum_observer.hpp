@@ -102,7 +102,7 @@ constexpr Status update(ObserverState<S, T, Tuning>& state, const MomentumTerms<
 /// A sample that is not finite or outside the declared limits (effort_limit: of tau), or so large that a residual
 /// overflows (not_finite, joint -1), says so and is left out: the residual stays what it was, and the next good sample
 /// starts anew from it, for the momentum's change over the gap belongs to no one sample. The first sample starts the
-/// observer at residual 0. Constant time for good samples. Fixed point: doc/observer.md.
+/// observer at residual 0. Constant time for good samples. Fixed point: doc/guides/observer.md.
 template <class S, class T, class Tuning>
 [[nodiscard]] constexpr Status observe(ObserverState<S, T, Tuning>& state, const Positions<robot_of<S>, T>& q,
                                        const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,

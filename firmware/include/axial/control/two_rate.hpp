@@ -32,7 +32,7 @@ template <class S, class T>
 
 /// The fast part: efforts (N m or N) for qd and qdd at the last refreshed q, within the declared effort limits; as
 /// feedforward() does, it answers a bad request with the last safe output and a status. Before the first good refresh
-/// that is no effort and `not_ready`. Error against feedforward(): doc/separation.md.
+/// that is no effort and `not_ready`. Error against feedforward(): doc/measurements/separation.md.
 template <class S, class T>
 [[nodiscard]] constexpr FeedforwardResult<S, T> two_rate_feedforward(TwoRateState<S, T>& state,
                                                                      const Velocities<robot_of<S>, T>& qd,

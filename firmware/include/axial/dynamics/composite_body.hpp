@@ -104,7 +104,7 @@ constexpr bool loses_little() {
 
 /// What an elimination loses at the configuration at hand, where the compiler does not know that it is little: the sum
 /// of composite over remaining inertia, joint by joint. Errors were at most some 25 roundings a unit of it (random
-/// chains of 2 to 12 joints, doc/stability.md); from `most` on the answer is called inaccurate.
+/// chains of 2 to 12 joints, doc/measurements/stability.md); from `most` on the answer is called inaccurate.
 template <class T, bool known_to_be_little>
 class Loss {
  public:

@@ -16,9 +16,9 @@ enum class Route {
 
 namespace detail {
 
-/// Operations of both forms, fitted to our own counts of chains of 2 to 16 joints (doc/counts.md): ABA is linear; with
-/// composite bodies each joint's force climbs to the base, `depth` joints, and is eliminated on the way. A joint
-/// parallel to the one before costs a fraction, the joints on the base nothing that differs.
+/// Operations of both forms, fitted to our own counts of chains of 2 to 16 joints (doc/measurements/counts.md): ABA is
+/// linear; with composite bodies each joint's force climbs to the base, `depth` joints, and is eliminated on the way. A
+/// joint parallel to the one before costs a fraction, the joints on the base nothing that differs.
 struct RouteCost {
   int articulated = 0;
   int composite = 0;

@@ -81,9 +81,9 @@ constexpr Bounds<S, T> bound_on_efforts() {
 
 /// `error_bound<Scene>(algorithm::inverse_dynamics)`, N m or N a joint; the inputs are taken as the words say. Every
 /// rounding of every stored quantity is in it, to second order and beyond, and the errors of sines and cosines:
-/// doc/ranges.md. Also for bias and gravity, the closed form, forward dynamics (rad/s^2 or m/s^2), the mass matrix (a
-/// bound a row), and for poses and Jacobians the positions (m) of a link's frame.
-/// Source: the recursions of doc/ranges.md.
+/// doc/guides/ranges.md. Also for bias and gravity, the closed form, forward dynamics (rad/s^2 or m/s^2), the mass
+/// matrix (a bound a row), and for poses and Jacobians the positions (m) of a link's frame. Source: the recursions of
+/// doc/guides/ranges.md.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::InverseDynamics) {
   return detail::bound_on_efforts<S, T>();

@@ -1,9 +1,9 @@
 // Begins a header's own code, behind its includes; end.hpp ends it. Without #pragma once: each header has the pair.
 //
 // GCC compiles what stands between them with the options that the published figures are for, whatever the user's own
-// are: unoptimised, forced inlining makes a stack slot of every temporary (doc/any_build.md). The options go with each
-// function and template, wherever it is instantiated; the user's own code keeps the user's. AXIAL_USER_OPTIONS turns
-// this off.
+// are: unoptimised, forced inlining makes a stack slot of every temporary (doc/guides/any_build.md). The options go
+// with each function and template, wherever it is instantiated; the user's own code keeps the user's.
+// AXIAL_USER_OPTIONS turns this off.
 #if defined(__GNUC__) && !defined(__clang__) && !defined(AXIAL_USER_OPTIONS)
 #pragma GCC push_options
 #ifdef __NO_INLINE__

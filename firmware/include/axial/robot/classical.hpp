@@ -117,7 +117,7 @@ struct ClassicalBuilder {
 /// is the MDH chain of the same robot: theta, d, drives and limits stay; a and alpha lead on to the next joint, those
 /// of the last link to the tool; centres of mass and inertias are carried from classical frame i to MDH frame i, which
 /// Rx(alpha) Tx(a) parts. Zeros and multiples of 90 degrees are exact, so that it costs what the MDH description costs.
-/// Poses that algorithms return and run-time wrenches and payloads are in MDH frames (doc/conventions.md).
+/// Poses that algorithms return and run-time wrenches and payloads are in MDH frames (doc/guides/conventions.md).
 template <class... Parts>
 constexpr auto classical_chain(const Parts&... parts) {
   constexpr int count = (0 + ... + static_cast<int>(detail::is_classical_link<Parts>));

@@ -1,4 +1,5 @@
-// Which rule a description breaks first. The rules and their bounds: doc/conventions.md, "What does not compile".
+// Which rule a description breaks first. The rules and their bounds: doc/guides/conventions.md, "What does not
+// compile".
 #pragma once
 
 #include <axial/robot/given.hpp>

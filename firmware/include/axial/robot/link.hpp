@@ -9,7 +9,7 @@ namespace axial {
 
 /// Fluent builder of a link of chain(); start with revolute() or prismatic(). Frame i is fixed to link i, its z axis is
 /// joint i's; a and alpha of link i lead from frame i-1 to it (Khalil's numbering). Craig numbers the same two
-/// constants i-1: a_previous, alpha_previous (doc/conventions.md).
+/// constants i-1: a_previous, alpha_previous (doc/guides/conventions.md).
 class Link : public LinkBuilder<Link> {
  public:
   using LinkBuilder<Link>::LinkBuilder;

@@ -123,7 +123,7 @@ class LinkBuilder {
     return with(Quantity::effort_limit, [&](auto& p) { p.effort_limit = max; });
   }
 
-  /// Keeps numbers that no robot should have, as their source gives them (doc/conventions.md, "What does not
+  /// Keeps numbers that no robot should have, as their source gives them (doc/guides/conventions.md, "What does not
   /// compile"): accept(axial::as_published). What means nothing, such as a negative mass, stays refused.
   constexpr Self accept(AsPublished) const {
     Self accepted = static_cast<const Self&>(*this);

@@ -1,5 +1,5 @@
-// What a scene can name. What it does not name adds no instruction, no byte and no argument. doc/scenes.md is the
-// table.
+// What a scene can name. What it does not name adds no instruction, no byte and no argument. doc/guides/scenes.md is
+// the table.
 #pragma once
 
 #include <axial/scalar/sincos.hpp>
@@ -85,7 +85,7 @@ struct BaseMotion : Feature<BaseMotion> {
 
 /// A base that is free to move: the rigid body that the robot declares with axial::base_body() is fixed to frame 0.
 /// Input `base_motion` as for BaseMotion: forward dynamics takes the angular velocity from it and finds the
-/// accelerations; inverse dynamics and base_wrench take all. doc/moving_base.md.
+/// accelerations; inverse dynamics and base_wrench take all. doc/guides/moving_base.md.
 struct FloatingBase : Feature<FloatingBase> {
   /// Its run-time input.
   template <class Robot, class T>
@@ -105,7 +105,7 @@ struct BaseWrench : Feature<BaseWrench> {
 };
 
 /// Links and base body in still water as they declare it: added mass, buoyancy (where the scene names gravity) and
-/// drag. doc/moving_base.md.
+/// drag. doc/guides/moving_base.md.
 struct Underwater : Feature<Underwater> {};
 
 /// Velocity of the origin of frame 0 through the water, input `velocity_through_water`, m/s in axes of frame 0: its own

@@ -9,7 +9,7 @@
 
 namespace axial {
 
-/// Robot with exactly the named features (features.hpp; doc/scenes.md is the table of them).
+/// Robot with exactly the named features (features.hpp; doc/guides/scenes.md is the table of them).
 template <class RobotType, class... Features>
 struct Scene {
   using Robot = RobotType;  ///< the robot alone

@@ -14,7 +14,7 @@ namespace detail {
 template <class S>
 constexpr void check_fixed_base() {
   static_assert(!scene_of<S>::template has<FloatingBase>,
-                "axial: integrators move joints; integrate a floating base as doc/moving_base.md shows");
+                "axial: integrators move joints; integrate a floating base as doc/guides/moving_base.md shows");
 }
 
 /// A scene whose robot is a type.

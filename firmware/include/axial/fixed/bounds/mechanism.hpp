@@ -1,4 +1,5 @@
-// Ranges: what bounds the quantities of every link, and in which formats they are kept. doc/ranges.md is the proof.
+// Ranges: what bounds the quantities of every link, and in which formats they are kept. doc/guides/ranges.md is the
+// proof.
 #pragma once
 
 #include <axial/fixed/bounds/split_ball.hpp>

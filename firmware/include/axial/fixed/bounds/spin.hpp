@@ -187,8 +187,8 @@ constexpr VectorSum operator*(const Spin& u, const Vec3<X, Y, Z>& r) {
   return u * ConstantVector{number_of(r.x), number_of(r.y), number_of(r.z), {}};
 }
 
-/// J dw + w x J w, J in blocks across and along the axis (doc/ranges.md): its mean and skew across, the couple between
-/// across and along, the entry along.
+/// J dw + w x J w, J in blocks across and along the axis (doc/guides/ranges.md): its mean and skew across, the couple
+/// between across and along, the entry along.
 constexpr VectorSum rotational_moment(const ConstantInertia& inertia, const Vec3<Number>& differences,
                                       const BoundedVector&, const Products&, const Spin& u) {
   using axial::detail::hypotenuse;

@@ -1,4 +1,5 @@
-// Ranges of the articulated-body algorithm on full parameters: 0 <= I* <= I^c in the Loewner order. doc/ranges.md.
+// Ranges of the articulated-body algorithm on full parameters: 0 <= I* <= I^c in the Loewner order.
+// doc/guides/ranges.md.
 #pragma once
 
 #include <axial/fixed/bounds/newton_euler.hpp>

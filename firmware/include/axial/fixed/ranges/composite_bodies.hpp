@@ -1,4 +1,4 @@
-// Ranges of composite bodies: what everything outboard of a link can weigh about it. doc/ranges.md is the proof.
+// Ranges of composite bodies: what everything outboard of a link can weigh about it. doc/guides/ranges.md is the proof.
 #pragma once
 
 #include <axial/fixed/bounds/shared_formats.hpp>

@@ -1,4 +1,4 @@
-// Ranges of the separated terms: composite bodies, and the motions that unit rates give them. doc/ranges.md.
+// Ranges of the separated terms: composite bodies, and the motions that unit rates give them. doc/guides/ranges.md.
 #pragma once
 
 #include <axial/fixed/bounds/mass_matrix.hpp>
