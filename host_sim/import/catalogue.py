@@ -1,4 +1,4 @@
-"""Imports every description of tests/data/descriptions and writes what doc/guides/import.md shows.
+"""Imports every description of tests/data/descriptions and writes what doc/measurements/imported.md shows.
 
 usage: catalogue.py PROGRAM DESCRIPTIONS DATA_FOLDER DOCUMENT
 

@@ -40,7 +40,7 @@ def main(folder, document):
 
     def table(name):
         if name == "choice_provenance":
-            return f"From the data of [work_precision.md](work_precision.md), measured in QEMU at commit `{commit}`.\n"
+            return f"From the data of [work_precision.md](../measurements/work_precision.md), measured in QEMU at commit `{commit}`.\n"
         job, unit = name.rsplit("_in_", 1)
         return choices(rows, job, unit)
 

@@ -91,6 +91,29 @@ def demo(data):
     return markdown(header, rows)
 
 
+def headline(data):
+    """The README's figures, each of the whole data."""
+    joints = next(joints for joints in data.demos if (joints[0]["robot"], joints[0]["board"]) == ("puma560", "stm32f405"))
+    image, worst = joints[0], max(joint["error_max_relative"] for joint in joints)
+    kernel = lambda scalar, **wanted: size_rows(data, scalar, scene="bare", contract="off", variant="unrolled", **wanted)[0]
+    count = lambda *args, **wanted: f"{grouped(kernel(*args, **wanted)['instructions'])} instructions"
+    puma = {"robot": "puma560", "algorithm": "inverse_dynamics"}
+    on_board = kernel("float", board="stm32f405", **puma)
+    rows = [["feed-forward of a Puma 560 at 1 kHz, float, STM32F405: a request over the serial port to a checked torque",
+             f"{span(image['instructions_min'], image['instructions_max'])} instructions, error at most {worst:.2g} of the joint's largest torque"],
+            ["the same: the whole image", f"{grouped(image['flash_bytes'])} bytes of flash, {grouped(image['ram_bytes'])} of RAM, "
+                                          f"{grouped(image['stack_bytes'])} of stack"],
+            ["inverse dynamics of the Puma 560, float, STM32F405",
+             f"{grouped(on_board['instructions'])} instructions, {grouped(on_board['flash_bytes'])} bytes of flash, {grouped(on_board['stack_bytes'])} of stack"],
+            ["the same on a Cortex-M0 (nRF51): 32-bit integers, and float",
+             f"{count('fixed32', board='nrf51', **puma)}, {count('float', board='nrf51', **puma)}"],
+            ["forward dynamics of a SCARA and of a Panda, float, STM32F405",
+             ", ".join(count("float", board="stm32f405", robot=robot, algorithm="forward_dynamics") for robot in ("scara", "panda"))]]
+    lines = [["what", "cost"], ["---", "---"], *rows]
+    table = "".join("| " + " | ".join(line) + " |\n" for line in lines)
+    return table + f"\nMeasured at commits `{data.provenance['commit']}` and `{data.size_provenance['commit']}`.\n"
+
+
 def instructions(data):
     """Robots against kernels, float, on the board with a floating-point unit."""
     return robots_by_kernels(data, lambda row: grouped(row["work"]))
@@ -244,7 +267,7 @@ TABLES = {"prove_provenance": lambda data: f"Proved at commit `{data.proved_at}`
           "size_stm32f405": lambda data: size_of(data, "stm32f405"),
           "size_mps2_an500": lambda data: size_of(data, "mps2_an500", "fast"),
           "size_stm32f100": lambda data: size_of(data, "stm32f100"),
-          "provenance": provenance, "demo": demo, "instructions": instructions, "errors": errors,
+          "headline": headline, "provenance": provenance, "demo": demo, "instructions": instructions, "errors": errors,
           "everything": everything}
 
 

@@ -119,11 +119,12 @@ UnknownRobotIsRefused() {
   grep -q "no robot 'no_such_arm'.*planar2r" "$FOLDER/log" || fail "$(<"$FOLDER/log")"
 }
 
-# Every file that doc/guides/embedding.md shows.
+# Every file that doc/guides/embedding.md and c.md show.
 EmbeddingPage() {
   install_axial
   local page=$FOLDER/page include=(-I"$FOLDER/installed/include") strict=(-pedantic -Wall -Wextra -Werror)
   /usr/bin/python3 -E "$HERE/../documents/shown_files.py" "$ROOT/doc/guides/embedding.md" "$page"
+  /usr/bin/python3 -E "$HERE/../documents/shown_files.py" "$ROOT/doc/guides/c.md" "$page"
   quietly cmake -S "$page/package" -B "$page/package/build" -DCMAKE_PREFIX_PATH="$FOLDER/installed"
   quietly cmake --build "$page/package/build"
   quietly "$page/package/build/firmware"
@@ -159,12 +160,15 @@ NewBoardRuns() {
   done
 }
 
-# The board that doc/guides/porting.md ports: the self-test of the instruments, and a torque over its serial port.
+# The board that doc/guides/porting.md and its code pages port: the self-test of the instruments, and a torque over its serial port.
 PortingPage() {
   copy_of_the_project
   cd "$FOLDER/axial"
   quietly ./axial new-board mps2_an386 --like mps2_an500 --cpu cortex-m4f
-  /usr/bin/python3 -E "$HERE/../documents/shown_files.py" "$ROOT/doc/guides/porting.md" "$FOLDER/shown"
+  local page
+  for page in porting porting_serial porting_board; do
+    /usr/bin/python3 -E "$HERE/../documents/shown_files.py" "$ROOT/doc/guides/$page.md" "$FOLDER/shown"
+  done
   cp -r "$FOLDER/shown/." .
   quietly cmake --preset mps2_an386
   quietly cmake --build --preset mps2_an386 --target selftest feedforward-scara

@@ -15,7 +15,7 @@ watches; then payloads of a Panda and a Puma 560 are weighed. Prints delays and 
 Exits non-zero when a contact is missed or found after more than 10 ms, when there is a false alarm, or a payload
 is weighed worse than to 25 g or 10 g m.
 maintainers:
-  --documents         alone: writes doc/data, doc/pictures and the tables of doc/guides/observer.md
+  --documents         alone: writes doc/data, doc/pictures and the tables of doc/guides/observer.md and payload.md
 END_OF_USAGE
 }
 
@@ -38,4 +38,5 @@ write_collide_documents() {
   printf '{"commit": "%s", "compiler": "%s", "flags": "-O2 -ffp-contract=off"}\n' \
     "$("$AXIAL_ROOT/host_sim/system/commit.sh")" "$(c++ --version | head -n 1)" >"$doc/data/collide_provenance.json"
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/observer_tables.py" "$doc/data" "$doc/guides/observer.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/observer_tables.py" "$doc/data" "$doc/guides/payload.md"
 }

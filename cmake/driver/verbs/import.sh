@@ -26,7 +26,7 @@ A xacro file is expanded by the program xacro where that is installed. Of a head
 Exits with 1 and says link, value and remedy when a description can not be used or the figures miss their bounds (poses 1e-12, torques
 and mass matrix 1e-9 relative); warnings (no inertia, triangle inequality violated, ...) go to stderr and into the header.
 maintainers:
-  --documents         alone: imports tests/data/descriptions, writes doc/data/import.json and the table of doc/guides/import.md
+  --documents         alone: imports tests/data/descriptions, writes doc/data/import.json and the table of doc/measurements/imported.md
 END_OF_USAGE
 }
 
@@ -35,7 +35,7 @@ run() {
   build_import
   if [[ $1 == --documents ]]; then
     /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/import/catalogue.py" "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/import/import" \
-      "$AXIAL_ROOT/tests/data/descriptions" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/guides/import.md"
+      "$AXIAL_ROOT/tests/data/descriptions" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/measurements/imported.md"
     return
   fi
   import_expanded "$@"
