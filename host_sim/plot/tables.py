@@ -111,7 +111,7 @@ def headline(data):
              ", ".join(count("float", board="stm32f405", robot=robot, algorithm="forward_dynamics") for robot in ("scara", "panda"))]]
     lines = [["what", "cost"], ["---", "---"], *rows]
     table = "".join("| " + " | ".join(line) + " |\n" for line in lines)
-    return table + f"\nMeasured at commits `{data.provenance['commit']}` and `{data.size_provenance['commit']}`.\n"
+    return table + f"\nMeasured at commit `{data.provenance['commit']}`, kernels at commit `{data.size_provenance['commit']}`.\n"
 
 
 def instructions(data):

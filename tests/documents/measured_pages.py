@@ -14,7 +14,7 @@ NOT_MEASURED = {"rules", "not_offered", "boards"}  # written from the sources, w
 
 
 def pages(root):
-    return [root / "README.md", *sorted((root / "doc").glob("*/*.md"))]
+    return [root / "README.md", *(page for page in sorted((root / "doc").glob("*/*.md")) if page.name != "README.md")]
 
 
 def is_measured(text):
