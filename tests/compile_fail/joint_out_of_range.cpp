@@ -1,5 +1,6 @@
 // expect: the robot has no such joint
 // within: 5 lines
+// at most: 12 lines
 #include <axial/axial.hpp>
 #include <robots/scara.hpp>
 

@@ -25,3 +25,6 @@
 #include <axial/dynamics/separation.hpp>
 #include <axial/links/model.hpp>
 #include <axial/scene/consistency.hpp>
+
+// Last, behind what they include.
+#include <axial/control/plain_arrays.hpp>

@@ -41,9 +41,10 @@ constexpr T exact(const LinkParameters& p, double position) {
 /// The limits that a robot's links declare; unlimited ones as the largest number T.
 template <class Robot, class T>
 [[nodiscard]] constexpr Limits<Robot, T> declared_limits() {
+  constexpr auto& chain = scene_of<Robot>::Robot::chain;
   Limits<Robot, T> all{};
-  for (int i = 0; i < Robot::chain.size; ++i) {
-    const LinkParameters& p = Robot::chain.links[i];
+  for (int i = 0; i < chain.size; ++i) {
+    const LinkParameters& p = chain.links[i];
     all.joints[i] = {limit<T>(p.position_min),           limit<T>(p.position_max), limit<T>(p.speed_limit),
                      limit<T>(p.acceleration_limit),     limit<T>(p.effort_limit), detail::exact<T>(p, p.position_min),
                      detail::exact<T>(p, p.position_max)};
@@ -150,7 +151,7 @@ template <class S, class T>
 /// Whether a run-time payload is within what the robot declares; NaN is not.
 template <class S, class T>
 [[nodiscard]] constexpr Status check_payload(const PayloadBody<T>& load) {
-  constexpr PayloadLimit declared = robot_of<S>::chain.payload_limit;
+  constexpr PayloadLimit declared = scene_of<S>::Robot::chain.payload_limit;
   static_assert(declared.declared,
                 "axial: a run-time payload is checked against the robot's declared maximum; add "
                 "axial::payload_limit(mass, com_reach, inertia) to its chain");

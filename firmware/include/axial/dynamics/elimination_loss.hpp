@@ -129,7 +129,7 @@ constexpr PayloadBody<T> largest_payload(int sample) {
 template <class Scene, bool loaded, class T>
 constexpr auto sampled_matrix(int sample) {
   using Robot = typename Scene::Robot;
-  Positions<Robot, T> q{};
+  Positions<robot_of<Scene>, T> q{};
   for (int i = 0; i < Robot::chain.size; ++i)  // in double too the angle that float has
     q[i] = static_cast<T>(static_cast<float>(sampled_position(Robot::chain.links, Robot::chain.size, sample, i)));
   if constexpr (loaded) {

@@ -1,4 +1,5 @@
-// What the compiler says to who gives a kernel arrays of numbers instead of joint values.
+// Kernels on arrays of numbers: float[6], std::array<float, 6>, a std::span of known length, or a pointer with its
+// length.
 #pragma once
 
 #include <axial/dynamics/forward_dynamics.hpp>
@@ -11,79 +12,217 @@
 #include <axial/options/begin.hpp>
 
 namespace axial {
+
+/// A pointer to N numbers, for kernels that take joint values: `inverse_dynamics<Arm>(pointed<6>(q), ...)`. The length
+/// is the caller's word.
+template <int N, class T>
+struct Pointed {
+  static constexpr std::size_t extent = N;                           ///< as std::span has it
+  const T* numbers;                                                  ///< N of them
+  [[nodiscard]] constexpr const T* data() const { return numbers; }  ///< as std::span has it
+};
+/// Says how many numbers a pointer points to: pointed<6>(q).
+template <int N, class T>
+[[nodiscard]] constexpr Pointed<N, T> pointed(const T* numbers) {
+  return {numbers};
+}
+
 namespace detail {
 
-/// An array, a pointer, or what has data(): std::array, std::vector, std::span, Eigen's vectors.
+/// Length of what holds numbers, as far as its type tells: an array, what has data() and a constant size (std::array,
+/// std::span<T, N>, Pointed); 0 for a pointer, a std::vector and others whose length a run tells; -1 for no array.
 ///@{
 template <class A, class = void>
-inline constexpr bool is_plain_array = std::is_array_v<A> || std::is_pointer_v<A>;
+inline constexpr int plain_length = std::is_pointer_v<A> ? 0 : -1;
+template <class T, std::size_t N>
+inline constexpr int plain_length<T[N], void> = static_cast<int>(N);
+template <class A, class = void>
+inline constexpr int length_by_extent = 0;
 template <class A>
-inline constexpr bool is_plain_array<A, std::void_t<decltype(std::declval<const A&>().data())>> = true;
+inline constexpr int length_by_extent<A, std::enable_if_t<(A::extent < 1000000)>> = static_cast<int>(A::extent);
+template <class A, class = void>
+inline constexpr int length_by_size = length_by_extent<A>;
+template <class A>
+inline constexpr int length_by_size<A, std::enable_if_t<(std::tuple_size<A>::value > 0)>> =
+    static_cast<int>(std::tuple_size<A>::value);
+template <class A>
+inline constexpr int plain_length<A, std::void_t<decltype(std::declval<const A&>().data())>> = length_by_size<A>;
 ///@}
+
+template <class A>
+inline constexpr bool is_plain_array = plain_length<A> >= 0;
 
 template <class... A>
 using IfAnyIsPlainArray = std::enable_if_t<(false || ... || is_plain_array<A>)>;
 
-template <class...>
-inline constexpr bool takes_arrays = false;
+/// The first number of an array.
+template <class A>
+constexpr const auto* first_of(const A& given) {
+  if constexpr (std::is_array_v<A>)
+    return &given[0];
+  else if constexpr (std::is_pointer_v<A>)
+    return given;
+  else
+    return given.data();
+}
+
+/// Numbers of an argument: of an array or of joint values; void of other inputs.
+///@{
+template <class A, class = void>
+struct NumberOf {
+  using type = void;
+};
+template <class A>
+struct NumberOf<A, std::enable_if_t<is_plain_array<A>>> {
+  using type = std::decay_t<decltype(*first_of(std::declval<const A&>()))>;
+};
+template <class S, class T, class Role>
+struct NumberOf<Joints<S, T, Role>, void> {
+  using type = T;
+};
+template <class A>
+using number_of = typename NumberOf<A>::type;
+///@}
+
+template <class A, class T>
+inline constexpr bool fits_number = std::is_void_v<number_of<A>> || std::is_same_v<number_of<A>, T>;
+template <class A, int N>
+inline constexpr bool fits_length = plain_length<A> == -1 || plain_length<A> == N;
+
+/// Whether every array has a number for each joint of S, all of float or all of double.
+template <class S, class... A>
+inline constexpr bool takes_arrays = (true && ... &&
+                                      fits_length<A, joint_count<S>>)&&((true && ... && fits_number<A, float>) ||
+                                                                        (true && ... && fits_number<A, double>));
+
+/// Joint values of an array; other inputs as they are.
+template <class S, class A>
+AXIAL_INLINE constexpr auto as_joint_values(const A& given) {
+  if constexpr (is_plain_array<A>) {
+    Joints<robot_of<S>, number_of<A>> values{};
+    const auto* numbers = first_of(given);
+    for (int i = 0; i < joint_count<S>; ++i)
+      values[i] = numbers[i];
+    return values;
+  } else {
+    return given;
+  }
+}
 
 }  // namespace detail
 
-/// Refused: joint values are axial::Joints, whose number of joints the compiler checks.
+/// The kernels of the same names on arrays that have a number for each joint, instead of joint values or mixed with
+/// them.
 ///@{
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
-[[nodiscard]] constexpr Efforts<robot_of<S>, float> inverse_dynamics(const A&...) {
-  static_assert(detail::takes_arrays<A...>,
-                "axial: joint values are axial::Joints<Robot, float>, not an array; copy its numbers: q[i] = array[i]");
-  return {};
+[[nodiscard]] constexpr auto inverse_dynamics(const A&... given) {
+  static_assert(
+      detail::takes_arrays<S, A...>,
+      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
+      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
+  if constexpr (detail::takes_arrays<S, A...>)
+    return inverse_dynamics<S>(detail::as_joint_values<S>(given)...);
+  else
+    return Efforts<robot_of<S>, float>{};
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
-[[nodiscard]] constexpr Efforts<robot_of<S>, float> gravity_torque(const A&...) {
-  static_assert(detail::takes_arrays<A...>,
-                "axial: joint values are axial::Joints<Robot, float>, not an array; copy its numbers: q[i] = array[i]");
-  return {};
+[[nodiscard]] constexpr auto gravity_torque(const A&... given) {
+  static_assert(
+      detail::takes_arrays<S, A...>,
+      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
+      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
+  if constexpr (detail::takes_arrays<S, A...>)
+    return gravity_torque<S>(detail::as_joint_values<S>(given)...);
+  else
+    return Efforts<robot_of<S>, float>{};
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
-[[nodiscard]] constexpr Efforts<robot_of<S>, float> bias_torque(const A&...) {
-  static_assert(detail::takes_arrays<A...>,
-                "axial: joint values are axial::Joints<Robot, float>, not an array; copy its numbers: q[i] = array[i]");
-  return {};
+[[nodiscard]] constexpr auto bias_torque(const A&... given) {
+  static_assert(
+      detail::takes_arrays<S, A...>,
+      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
+      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
+  if constexpr (detail::takes_arrays<S, A...>)
+    return bias_torque<S>(detail::as_joint_values<S>(given)...);
+  else
+    return Efforts<robot_of<S>, float>{};
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
-[[nodiscard]] constexpr Accelerations<robot_of<S>, float> forward_dynamics(const A&...) {
-  static_assert(detail::takes_arrays<A...>,
-                "axial: joint values are axial::Joints<Robot, float>, not an array; copy its numbers: q[i] = array[i]");
-  return {};
+[[nodiscard]] constexpr auto forward_dynamics(const A&... given) {
+  static_assert(
+      detail::takes_arrays<S, A...>,
+      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
+      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
+  if constexpr (detail::takes_arrays<S, A...>)
+    return forward_dynamics<S>(detail::as_joint_values<S>(given)...);
+  else
+    return ForwardDynamicsOf<S, float>{};
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
-[[nodiscard]] constexpr MassMatrix<robot_of<S>, float> mass_matrix(const A&...) {
-  static_assert(detail::takes_arrays<A...>,
-                "axial: joint values are axial::Joints<Robot, float>, not an array; copy its numbers: q[i] = array[i]");
-  return {};
+[[nodiscard]] constexpr auto mass_matrix(const A&... given) {
+  static_assert(
+      detail::takes_arrays<S, A...>,
+      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
+      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
+  if constexpr (detail::takes_arrays<S, A...>)
+    return mass_matrix<S>(detail::as_joint_values<S>(given)...);
+  else
+    return MassMatrix<robot_of<S>, float>{};
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
-[[nodiscard]] constexpr ForwardKinematics<robot_of<S>, float> forward_kinematics(const A&...) {
-  static_assert(detail::takes_arrays<A...>,
-                "axial: joint values are axial::Joints<Robot, float>, not an array; copy its numbers: q[i] = array[i]");
-  return {};
+[[nodiscard]] constexpr auto forward_kinematics(const A&... given) {
+  static_assert(
+      detail::takes_arrays<S, A...>,
+      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
+      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
+  if constexpr (detail::takes_arrays<S, A...>)
+    return forward_kinematics<S>(detail::as_joint_values<S>(given)...);
+  else
+    return ForwardKinematics<robot_of<S>, float>{};
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
-[[nodiscard]] constexpr Jacobian<robot_of<S>, float> jacobian(const A&...) {
-  static_assert(detail::takes_arrays<A...>,
-                "axial: joint values are axial::Joints<Robot, float>, not an array; copy its numbers: q[i] = array[i]");
-  return {};
+[[nodiscard]] constexpr auto jacobian(const A&... given) {
+  static_assert(
+      detail::takes_arrays<S, A...>,
+      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
+      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
+  if constexpr (detail::takes_arrays<S, A...>)
+    return jacobian<S>(detail::as_joint_values<S>(given)...);
+  else
+    return Jacobian<robot_of<S>, float>{};
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
-[[nodiscard]] constexpr Separated<S, float> separate(const A&...) {
-  static_assert(detail::takes_arrays<A...>,
-                "axial: joint values are axial::Joints<Robot, float>, not an array; copy its numbers: q[i] = array[i]");
-  return {};
+[[nodiscard]] constexpr auto separate(const A&... given) {
+  static_assert(
+      detail::takes_arrays<S, A...>,
+      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
+      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
+  if constexpr (detail::takes_arrays<S, A...>)
+    return separate<S>(detail::as_joint_values<S>(given)...);
+  else
+    return Separated<S, float>{};
 }
 template <class S, int Joint, class... A, class = detail::IfAnyIsPlainArray<A...>>
-[[nodiscard]] constexpr float joint_torque(const A&...) {
-  static_assert(detail::takes_arrays<A...>,
-                "axial: joint values are axial::Joints<Robot, float>, not an array; copy its numbers: q[i] = array[i]");
-  return {};
+[[nodiscard]] constexpr auto joint_torque(const A&... given) {
+  static_assert(
+      detail::takes_arrays<S, A...>,
+      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
+      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
+  if constexpr (detail::takes_arrays<S, A...>)
+    return joint_torque<S, Joint>(detail::as_joint_values<S>(given)...);
+  else
+    return 0.0F;
+}
+template <class S, int Joint, class... A, class = detail::IfAnyIsPlainArray<A...>>
+[[nodiscard]] constexpr auto gravity_torque(const A&... given) {
+  static_assert(
+      detail::takes_arrays<S, A...>,
+      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
+      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
+  if constexpr (detail::takes_arrays<S, A...>)
+    return gravity_torque<S, Joint>(detail::as_joint_values<S>(given)...);
+  else
+    return 0.0F;
 }
 ///@}
 

@@ -92,13 +92,22 @@ AXIAL_INLINE constexpr auto product_force(Prismatic, const Link& link, const B& 
            Zero{}}};
 }
 
+/// Whether the types say that j < m does not hold; else a compiler may look at the pair of a joint with itself.
+///@{
+template <class J, class M>
+inline constexpr bool never_below = false;
+template <int J, int M>
+inline constexpr bool never_below<Index<J>, Index<M>> = !(J < M);
+///@}
+
 /// Sets a coefficient of qd_j qd_i that joint m feels, j and m both inboard of i, and the coefficient that follows from
 /// it. As M(a, b) depends on joints beyond the inner one of a and b alone, Christoffel's symbols give
 /// b(i; j m) = -b(m; j i) for j inboard of m, c(i; j j) = -b(j; j i) / 2, and nothing for b(i; j i) and c(i; i i).
 template <class Terms, class M, class J, class I, class V>
 AXIAL_INLINE constexpr void set_product(Terms& terms, M m, J j, I i, const V& value) {
   terms.product(m, j, i, value);
-  if (j < m) terms.product(i, j, m, -value);
+  if constexpr (!never_below<J, M>)
+    if (j < m) terms.product(i, j, m, -value);
   if (j == m) terms.square(i, j, -half(value));
 }
 

@@ -20,7 +20,7 @@ struct IsModel<Model<N, Features...>> : std::true_type {};
 
 namespace detail {
 template <int N, class... Features>
-struct SceneOf<Model<N, Features...>, false> {
+struct SceneOf<Model<N, Features...>> {
   using type = typename Model<N, Features...>::Scene;
 };
 }  // namespace detail

@@ -53,22 +53,46 @@ struct Scene {
                 "SplitArticulatedBody and CompositeBody, or none to let the compiler choose");
 };
 
-/// Whether a type is a Scene.
-///@{
-template <class T>
-struct IsScene : std::false_type {};
-template <class Robot, class... Features>
-struct IsScene<Scene<Robot, Features...>> : std::true_type {};
-///@}
-
 namespace detail {
-template <class S, bool scene = IsScene<S>::value>
-struct SceneOf {
-  using type = Scene<S, Gravity, RotorInertia>;
+/// Whether chain() has stopped the compiler, with a message of its own: there are links, and they are no constant.
+template <class R, bool = (R::chain.links[0].mass < 0.0 || true)>
+std::false_type is_malformed(int);
+template <class R>
+auto is_malformed(long) -> decltype(R::chain.links[0].mass, std::true_type());
+template <class R>
+std::false_type is_malformed(...);
+
+/// What kernels then compute with, so that nothing more is said: as many links that have every limit.
+template <class R>
+struct StandIn {
+  static constexpr auto chain = [] {
+    std::decay_t<decltype(R::chain)> sound{};
+    for (LinkParameters& p : sound.links)
+      p.mass = p.inertia_com[0] = p.inertia_com[1] = p.inertia_com[2] = p.speed_limit = p.acceleration_limit = 1.0,
+      p.position_min = -1.0, p.position_max = p.effort_limit = 1.0;
+    sound.payload_limit = {1.0, 1.0, 1.0, true}, sound.tip_wrench_limit = {1.0, 1.0, true};
+    return sound;
+  }();
+};
+template <class R, bool malformed = decltype(is_malformed<R>(0))::value>
+struct Computed {
+  using type = R;   ///< the robot that kernels compute with
+  using Named = R;  ///< the one that a user named
+};
+template <class R>
+struct Computed<R, true> : Computed<StandIn<R>, false> {};
+template <class R>
+struct Computed<StandIn<R>, false> {
+  using type = StandIn<R>;
+  using Named = R;
 };
 template <class S>
-struct SceneOf<S, true> {
-  using type = S;
+struct SceneOf {
+  using type = Scene<typename Computed<S>::type, Gravity, RotorInertia>;
+};
+template <class Robot, class... Features>
+struct SceneOf<Scene<Robot, Features...>> {
+  using type = Scene<typename Computed<Robot>::type, Features...>;
 };
 }  // namespace detail
 
@@ -77,7 +101,7 @@ template <class S>
 using scene_of = typename detail::SceneOf<S>::type;
 /// The robot of a scene, or the robot itself.
 template <class S>
-using robot_of = typename scene_of<S>::Robot;
+using robot_of = typename detail::Computed<typename scene_of<S>::Robot>::Named;
 
 /// Number of joints of a robot or a scene; for a run-time Model<N>, its capacity.
 template <class S>

@@ -1,0 +1,77 @@
+// Arrays, std::array and pointers with a length give what joint values of the same numbers give.
+#include <axial/axial.hpp>
+#include <robots/scara.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace {
+
+using R = robots::Scara;
+using Q = axial::Joints<R, float>;
+
+constexpr Q joints{0.4F, -0.7F, 0.06F}, rates{1.1F, -0.3F, 0.2F}, loads{2.0F, -1.0F, 9.0F};
+constexpr float q[3] = {0.4F, -0.7F, 0.06F};
+constexpr std::array<float, 3> qd{1.1F, -0.3F, 0.2F};
+constexpr float far[5] = {9.0F, 2.0F, -1.0F, 9.0F, 9.0F};
+const auto u = axial::pointed<3>(&far[1]);
+
+template <class Left, class Right>
+void expect_same(const Left& left, const Right& right) {
+  for (int i = 0; i < 3; ++i)
+    EXPECT_EQ(left[i], right[i]) << i;
+}
+
+TEST(PlainArrays, EveryKernelTakesThem) {
+  expect_same(axial::inverse_dynamics<R>(q, qd, u), axial::inverse_dynamics<R>(joints, rates, loads));
+  expect_same(axial::gravity_torque<R>(q), axial::gravity_torque<R>(joints));
+  expect_same(axial::bias_torque<R>(q, qd), axial::bias_torque<R>(joints, rates));
+  expect_same(axial::forward_dynamics<R>(q, qd, u), axial::forward_dynamics<R>(joints, rates, loads));
+  EXPECT_EQ((axial::joint_torque<R, 1>(q, qd, u)), (axial::joint_torque<R, 1>(joints, rates, loads)));
+  EXPECT_EQ((axial::gravity_torque<R, 2>(q)), (axial::gravity_torque<R, 2>(joints)));
+  EXPECT_EQ(axial::mass_matrix<R>(q)(0, 1), axial::mass_matrix<R>(joints)(0, 1));
+  EXPECT_EQ(axial::forward_kinematics<R>(q).tool.position.x, axial::forward_kinematics<R>(joints).tool.position.x);
+  EXPECT_EQ(axial::jacobian<R>(q)[1].linear.x, axial::jacobian<R>(joints)[1].linear.x);
+  EXPECT_EQ(axial::separate<R>(q).A[0][1], axial::separate<R>(joints).A[0][1]);
+}
+
+TEST(PlainArrays, MixWithJointValuesAndInputs) {
+  using Scene = axial::Scene<R, axial::RuntimeGravity>;
+  axial::Inputs<Scene, float> in{};
+  in.gravity = {0.5F, 0.0F, -9.0F};
+  expect_same(axial::inverse_dynamics<Scene>(q, rates, loads, in),
+              axial::inverse_dynamics<Scene>(joints, rates, loads, in));
+}
+
+TEST(PlainArrays, AreOfDoubleToo) {
+  const double values[3] = {0.4, -0.7, 0.06};
+  const axial::Joints<R, double> same{0.4, -0.7, 0.06};
+  static_assert(std::is_same_v<decltype(axial::gravity_torque<R>(values)), axial::Efforts<R, double>>);
+  expect_same(axial::gravity_torque<R>(values), axial::gravity_torque<R>(same));
+}
+
+TEST(PlainArrays, ControlStepTakesThem) {
+  axial::FeedforwardState<R, float> of_arrays{}, of_joints{};
+  const Q still{0.1F, 0.1F, 0.1F};
+  const auto ours = axial::feedforward<R>(of_arrays, q, qd, still),
+             theirs = axial::feedforward<R>(of_joints, joints, rates, still);
+  ASSERT_TRUE(theirs.status.ok());
+  EXPECT_TRUE(ours.status.ok());
+  expect_same(ours.tau, theirs.tau);
+  expect_same(of_arrays.last_safe, theirs.tau);
+}
+
+// What a length is taken from.
+static_assert(axial::detail::plain_length<float[4]> == 4);
+static_assert(axial::detail::plain_length<std::array<float, 4>> == 4);
+static_assert(axial::detail::plain_length<axial::Pointed<4, float>> == 4);
+static_assert(axial::detail::plain_length<const float*> == 0);
+static_assert(axial::detail::plain_length<Q> == -1);
+static_assert(axial::detail::takes_arrays<R, float[3], Q, axial::Inputs<R, float>>);
+static_assert(!axial::detail::takes_arrays<R, float[3], float[4]>);
+static_assert(!axial::detail::takes_arrays<R, float[3], double[3]>);
+static_assert(!axial::detail::takes_arrays<R, int[3]>);
+static_assert(!axial::detail::takes_arrays<R, const float*>);
+
+}  // namespace
