@@ -11,7 +11,7 @@ in QEMU, and an estimate of cycles from them (doc/measurements/size.md). Prints 
   --board ANY_BOARD   only this board
   --robot ROBOT...    only these, commas between
   --scene WORD...     likewise
-  --algorithm WORD... likewise
+  --algorithm WORD...  likewise
   --scalar WORD...    likewise: float, double, fixed32 to nearest, fixed32_down, fixed32_high (upper words of products), fixed16
   --variant WORD...   likewise: unrolled, compact
   --contract WORD...  likewise: off, fast
