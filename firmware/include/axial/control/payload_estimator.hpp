@@ -161,7 +161,8 @@ template <class Tuning, class S, class T>
     result.variance[i] = unit[i];
     constexpr double mass = Tuning::mass_deviation, moment = Tuning::moment_deviation;
     const X most = select(i == 0, N::constant(mass * mass), N::constant(moment * moment));
-    sure = sure & (unit[i] > X(Zero{})) & (unit[i] <= most);
+    const bool positive = unit[i] > X(Zero{}), little = unit[i] <= most;
+    sure = sure & positive & little;
   }
   Soundness<X> all;
   all.number(result.mass), all.number(result.first_moment.x), all.number(result.first_moment.y);

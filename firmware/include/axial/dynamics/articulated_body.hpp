@@ -222,8 +222,8 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
     auto link = links.link(i);
     auto body = loads.body(link);
     auto differences = loaded_differences<typename Links::Scene>(link, body);
-    auto own = alone(link, body, differences, velocities[i], situation.external(i, link, body, velocities[i]));
-    return link.shape(immersed(water_about(links, i), own));
+    auto dry = alone(link, body, differences, velocities[i], situation.external(i, link, body, velocities[i]));
+    return link.shape(immersed(water_about(links, i), dry));
   };
   auto joints = inward(links, own, [&](auto i, const auto& tree) AXIAL_INLINE {
     auto link = links.link(i);
@@ -240,9 +240,9 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
     auto moved = with_joint(link, to_child(screws[i], to_child(link.x(), parent, link), link), left.zeta);
     bool lost = left.singular;
     auto answer = link.on_joint([&](auto joint) AXIAL_INLINE {
-      auto own = joint_acceleration(link, left.free, left.gain, moved, left.left, lost);
-      links.write_limited(qdd, i, own, lost);
-      return link.shape(with_joint(link, moved, along_axis(joint, own)));
+      auto acceleration = joint_acceleration(link, left.free, left.gain, moved, left.left, lost);
+      links.write_limited(qdd, i, acceleration, lost);
+      return link.shape(with_joint(link, moved, along_axis(joint, acceleration)));
     });
     singular = first_found(singular, lost, static_cast<int>(i));
     return answer;

@@ -4,7 +4,10 @@
 // are: unoptimised, forced inlining makes a stack slot of every temporary (doc/guides/any_build.md). The options go
 // with each function and template, wherever it is instantiated; the user's own code keeps the user's.
 // AXIAL_USER_OPTIONS turns this off.
-#if defined(__GNUC__) && !defined(__clang__) && !defined(AXIAL_USER_OPTIONS)
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // GCC 12 warns of each array that is as long as a template's int says
+#ifndef AXIAL_USER_OPTIONS
 #pragma GCC push_options
 #ifdef __NO_INLINE__
 #pragma GCC optimize("inline")  // which O2 does not bring back where the user's -O0 took it away
@@ -12,5 +15,6 @@
 #pragma GCC optimize("O2", "no-schedule-insns", "no-tree-ter", "rename-registers")
 #ifndef __ARM_ARCH_6M__
 #pragma GCC optimize("live-range-shrinkage")  // on a Cortex-M0 it makes fixed point spill
+#endif
 #endif
 #endif

@@ -66,14 +66,17 @@ template <class S, class Word>
 constexpr bool payload_within(const PayloadBody<Stored<Word>>& load) {
   using F = InputFormats<robot_of<S>, Stored<Word>>;
   const auto& j = load.inertia_com;
-  bool within = (load.mass.raw >= 0) & within_magnitude(load.mass, F::load.mass, F::payload_mass) &
-                within_length(load.com, F::load.com_reach, F::payload_com);
+  const bool mass = within_magnitude(load.mass, F::load.mass, F::payload_mass);
+  const bool com = within_length(load.com, F::load.com_reach, F::payload_com), inertia = is_not_negative(j);
+  bool within = (load.mass.raw >= 0) & mass & com & inertia;
   const Stored<Word> entries[] = {j.xx, j.yy, j.zz, j.xy, j.xz, j.yz};
-  for (const auto& entry : entries)
-    within = within & within_magnitude(entry, F::load.inertia, F::payload_inertia);
+  for (const auto& entry : entries) {
+    const bool bounded = within_magnitude(entry, F::load.inertia, F::payload_inertia);
+    within = within & bounded;
+  }
   for (int i = 0; i < 3; ++i)
     within = within & (entries[i].raw >= 0);
-  return within & is_not_negative(j);
+  return within;
 }
 
 /// The other run-time inputs: what is beyond its format would be another number there.

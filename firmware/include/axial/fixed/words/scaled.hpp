@@ -85,8 +85,8 @@ struct Scaled {
 
 /// By masks.
 AXIAL_INLINE constexpr Scaled select(bool condition, const Scaled& yes, const Scaled& no) {
-  return {static_cast<std::int32_t>(select(condition, static_cast<int>(yes.mantissa), static_cast<int>(no.mantissa))),
-          select(condition, yes.exponent, no.exponent)};
+  const int y = yes.mantissa, n = no.mantissa;
+  return {select(condition, y, n), select(condition, yes.exponent, no.exponent)};
 }
 /// 1 / x of x that is not 0; of 0 a large number.
 AXIAL_INLINE constexpr Scaled reciprocal(const Scaled& x) {

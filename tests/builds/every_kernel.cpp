@@ -1,0 +1,152 @@
+// Every kernel that a user can call, instantiated over every kind of number: for what a compiler has to say about them.
+// The build gives the headers (-include); robots are a planar arm, the SCARA of the closed form, and a tree.
+#include <robots/planar2r.hpp>
+#include <robots/scara.hpp>
+#include <robots/two_arm.hpp>
+
+namespace {
+
+using namespace axial;
+
+struct Drive {
+  template <class Instant, class Tau, class In>
+  constexpr void operator()(const Instant&, Tau&, In&) const {}
+};
+
+template <class S, class T>
+bool kinematics(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in) {
+  return check_finite(forward_kinematics<S>(q, in).tool).ok() && check_finite(jacobian<S>(q, in)).ok();
+}
+
+template <class S, class T>
+bool dynamics(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+              const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in) {
+  auto tau = inverse_dynamics<S>(q, qd, qdd, in);
+  tau[0] = joint_torque<S, 0>(q, qd, qdd, in);
+  const auto m = mass_matrix<S>(q, in);
+  const auto a = forward_dynamics<S, T>(q, qd, tau, in);
+  const auto terms = momentum_terms<S>(q, qd, in);
+  return gravity_torque<S>(q, in)[0] == bias_torque<S>(q, qd, in)[0] && check_finite(m).ok() && a.status.ok() &&
+         terms.status.ok();
+}
+
+template <class S, class T>
+bool separated(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+               const Accelerations<robot_of<S>, T>& qdd) {
+  TwoRateState<S, T> slow{};
+  return refresh<S>(slow, q).ok() && two_rate_feedforward<S>(slow, qd, qdd).status.ok() &&
+         check_finite(torque(separate<S>(q), qd, qdd)).ok();
+}
+
+template <class S, class T>
+bool control(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+             const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in) {
+  FeedforwardState<S, T> state{};
+  FallBack<S, T> drives{FallBackTimes{}};
+  drives.advance(1, in);
+  return feedforward<S>(state, q, qd, qdd, in).status.ok() && clamped_request<S>(q, qd, qdd).status.ok() &&
+         drives.hold_at(q, in);
+}
+
+struct Tuning {
+  static constexpr double period = 1e-3, gain = 200.0;
+  static constexpr double fraction = 0.025, uncertainty = 0.05, release = 0.5;
+  static constexpr int confirm = 3, calm = 5;
+  static constexpr double deviation = 0.001, memory = 100.0, mass_deviation = 0.02, moment_deviation = 0.01;
+};
+
+template <class S, class T>
+bool observed(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau) {
+  ObserverState<S, T, Tuning> observer{};
+  CollisionState collision{};
+  PayloadState<S, T> payload{};
+  return observe<S, T, Tuning>(observer, q, qd, tau).ok() && detect(collision, observer.residual).status.ok() &&
+         update_payload<S, T, Tuning>(payload, q, qd, observer.residual).ok() && estimate<Tuning>(payload).status.ok();
+}
+
+template <class T>
+bool modelled() {
+  using M = Model<2, Gravity, RotorInertia>;
+  M model;
+  const Positions<M, T> q{};
+  const auto tau = inverse_dynamics(model, q, q, q);
+  return model.add(robots::Planar2r::chain.links[0]) && check_finite(mass_matrix(model, q)).ok() &&
+         forward_dynamics(model, q, q, tau).status.ok() && check_finite(forward_kinematics(model, q).tool).ok() &&
+         check_finite(torque(model, separate(model, q), q, q)).ok();
+}
+
+// What the compiler computes of kernels.
+template <class S>
+bool counted() {
+  constexpr Operations operations = cost<S>(algorithm::inverse_dynamics);
+  return operations.total() > 0 && cost<S>(algorithm::forward_dynamics).total() > 0;
+}
+template <class S>
+bool bounded() {
+  constexpr auto bound = error_bound<S>(algorithm::inverse_dynamics);
+  return bound.worst() < 1.0 && error_bound<S>(algorithm::mass_matrix).worst() < 1.0;
+}
+
+// The border of fixed point.
+template <class S>
+bool converted() {
+  using Q = Positions<S, Fixed32>;
+  const Joints<S, float> x{};
+  const auto q = to_fixed<Q>(x);
+  const auto request = to_fixed_request<S, std::int32_t>(x, x, x);
+  using Values = Velocities<S, Fixed32>;
+  return q.status.ok() && request.status.ok() && to_real<float>(q.values)[0] == x[0] &&
+         RotaryEncoder<4096>::velocity<Values, 0>(1).status.ok();
+}
+
+template <class S, class T>
+bool all_of() {
+  const Positions<robot_of<S>, T> q{};
+  const Velocities<robot_of<S>, T> qd{};
+  const Accelerations<robot_of<S>, T> qdd{};
+  const Inputs<S, T> in{};
+  bool observer = true;
+  if constexpr (!std::is_same_v<T, Fixed16>) observer = observed<robot_of<S>, T>(q, qd, {});
+  return observer && kinematics<S, T>(q, in) && dynamics<S, T>(q, qd, qdd, in) && control<S, T>(q, qd, qdd, in);
+}
+
+template <class S, class T>
+bool simulated() {
+  CompensatedMotion<S, T> x{};
+  const T h = step_limit<SemiImplicitEuler, S>(x.q);
+  return advance<SemiImplicitEuler>(x, h, Drive{}).ok() && advance<RungeKutta4>(x, h, Drive{}).ok() &&
+         advance<LinearlyImplicitEuler>(x, h, Drive{}).ok();
+}
+
+template <class Robot, class... Tags>
+using Loaded = Scene<Robot, Gravity, RotorInertia, Friction, Payload, Tags...>;
+
+}  // namespace
+
+AXIAL_C_DECLARE(arm, 3, float);
+AXIAL_C_EXPORT(arm, robots::Scara, float)
+AXIAL_C_DECLARE(fixed_arm, 3, fixed32);
+AXIAL_C_EXPORT(fixed_arm, robots::Scara, fixed32)
+
+bool in_floating_point();
+bool in_floating_point() {
+  using robots::Planar2r, robots::Scara, robots::TwoArm;
+  return all_of<Planar2r, float>() && all_of<Planar2r, double>() && all_of<TwoArm, float>() &&
+         all_of<Loaded<Scara>, float>() && all_of<Loaded<Scara, Looped>, double>() &&
+         separated<Scara, float>({}, {}, {}) && simulated<Planar2r, float>() && simulated<Planar2r, double>() &&
+         modelled<float>() && modelled<double>() && counted<Scara>() &&
+         check_finite(
+             closed_form::scara_torque<Scara>(Joints<Scara, float>{}, Joints<Scara, float>{}, Joints<Scara, float>{}))
+             .ok();
+}
+
+bool in_fixed_point();
+bool in_fixed_point() {
+  using robots::Planar2r, robots::Scara;
+  return all_of<Planar2r, Fixed32>() && all_of<Planar2r, Fixed16>() && all_of<Loaded<Scara>, Fixed32>() &&
+         separated<Scara, Fixed32>({}, {}, {}) && converted<Planar2r>() && bounded<Planar2r>() &&
+         certified_forward_dynamics<Planar2r, Fixed32>({}, {}, {}).status.ok() &&
+         closed_form::scara_torque<Scara>(Positions<Scara, Fixed32>{}, Velocities<Scara, Fixed32>{},
+                                          Accelerations<Scara, Fixed32>{})[0]
+                 .raw == 0;
+}
