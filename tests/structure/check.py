@@ -178,6 +178,29 @@ def check_readmes(root):
             yield f"{folder}: no README.md"
 
 
+def check_host_sim(root):
+    """What host_sim/README.md says of its folders, and of who uses the library."""
+    folder = root / "host_sim"
+    if not folder.is_dir():
+        return
+    page = (folder / "README.md").read_text()
+    rows = set(re.findall(r"`(\w+)/`", "".join(re.findall(r"^\|[^|]*\|", page, re.MULTILINE))))
+    present = {path.parent.name for path in folder.glob("*/README.md")}
+    if rows != present:
+        yield f"{folder}/README.md: its table and its folders differ in {', '.join(sorted(rows ^ present))}"
+    named = re.search(r"^The library beyond.*? is used by(.*?)alone", page, re.MULTILINE | re.DOTALL)
+    users = set()
+    for path in folder.rglob("*.[hc]pp*"):
+        own = path.relative_to(folder).parts[0]
+        users |= {own for name in includes(path) if re.match(r"axial/(?!robot/|scalar/)", name)}
+        for name in includes(path):
+            if re.match(r"host_sim/(demo|on_board)/", name) and own not in ("main.cpp", "demo", "on_board") and \
+                    (own, name) != ("loop", "host_sim/on_board/provenance.hpp"):
+                yield f"{path}: includes {name}; a program's parts are its own"
+    if not named or users != set(re.findall(r"`(\w+)/`", named[1])):
+        yield f"{folder}/README.md: the library is used by {', '.join(sorted(users))}"
+
+
 def violations(root):
     yield from check_library(root)
     yield from check_options(root)
@@ -187,6 +210,7 @@ def violations(root):
     yield from check_folder(root, "robots", r"axial/(?!robot/)", "robots see robot only")
     yield from check_folder(root, "tests/oracle", r"axial/(?!robot/chain\.hpp)", "an oracle shares no code with what it checks")
     yield from check_results(root)
+    yield from check_host_sim(root)
     yield from check_readmes(root)
 
 

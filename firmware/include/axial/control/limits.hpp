@@ -12,8 +12,8 @@ namespace axial {
 /// The largest number T not beyond a declared limit, so that the limit itself is inside.
 template <class T>
 [[nodiscard]] constexpr T limit(double value) {
-  constexpr double largest = static_cast<double>(std::numeric_limits<T>::max());
-  if (value > largest) return std::numeric_limits<T>::max();
+  constexpr double largest = static_cast<double>((std::numeric_limits<T>::max)());
+  if (value > largest) return (std::numeric_limits<T>::max)();
   if (value < -largest) return std::numeric_limits<T>::lowest();
   return NumberTraits<T>::constant(value);
 }
@@ -32,9 +32,9 @@ struct Limits {
 namespace detail {
 template <class T>
 constexpr T exact(const LinkParameters& p, double position) {
-  constexpr double far = static_cast<double>(largest_angles<T>);
+  constexpr double farthest = static_cast<double>(largest_angles<T>);
   const bool turns = p.type == JointType::revolute;
-  return limit<T>(turns && position > far ? far : turns && position < -far ? -far : position);
+  return limit<T>(turns && position > farthest ? farthest : turns && position < -farthest ? -farthest : position);
 }
 }  // namespace detail
 
@@ -138,14 +138,14 @@ template <class S, class T>
                                                       const Velocities<robot_of<S>, T>& qd,
                                                       const Accelerations<robot_of<S>, T>& qdd) {
   using For = detail::LimitsFor<S, T>;
-  Request<S, T> near{q, qd, qdd, check_request<S>(q, qd, qdd)};
+  Request<S, T> kept{q, qd, qdd, check_request<S>(q, qd, qdd)};
   for (int i = 0; i < joint_count<S>; ++i) {
     const auto& l = For::joint(i);
-    near.q[i] = For::nearest_position(l, q[i]);
-    near.qd[i] = For::nearest(l.speed, qd[i]);
-    near.qdd[i] = For::nearest(l.acceleration, qdd[i]);
+    kept.q[i] = For::nearest_position(l, q[i]);
+    kept.qd[i] = For::nearest(l.speed, qd[i]);
+    kept.qdd[i] = For::nearest(l.acceleration, qdd[i]);
   }
-  return near;
+  return kept;
 }
 
 /// Whether a run-time payload is within what the robot declares; NaN is not.

@@ -22,9 +22,9 @@ struct PayloadColumns {
 // A payload of mass m and first moment h about the tool point has the momentum l = m v + w x h, n = h x v; along
 // a motion (a, b) that is m b.v + h.(b x w + v x a). Its inertia about the tool point is left out.
 template <class T, class Along, class Across, class R, class Round, class Store>
-constexpr PayloadRow<T> payload_row(const Along& along, const Across& across, const R& rotation, const Round& round,
+constexpr PayloadRow<T> payload_row(const Along& along, const Across& across, const R& rotation, const Round& rounded,
                                     const Store& store) {
-  auto h = round(transpose_times(rotation, across));
+  auto h = rounded(transpose_times(rotation, across));
   return {{store(along), store(h.x), store(h.y), store(h.z)}};
 }
 

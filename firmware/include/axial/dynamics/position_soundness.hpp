@@ -29,11 +29,11 @@ constexpr bool stays_below(double most, double slide) {
 /// What makes slides infinite from which something might overflow: some 1e15 m in float.
 template <class Robot, class T>
 constexpr auto slide_scale(int) -> decltype(Robot::chain.links, T()) {
-  double far = 1.0;
-  constexpr double most = static_cast<double>(std::numeric_limits<T>::max());
-  while (stays_below<Robot>(most, 4.0 * far))
-    far *= 2.0;
-  return static_cast<T>(most / far);
+  double farthest = 1.0;
+  constexpr double most = static_cast<double>((std::numeric_limits<T>::max)());
+  while (stays_below<Robot>(most, 4.0 * farthest))
+    farthest *= 2.0;
+  return static_cast<T>(most / farthest);
 }
 /// Of a run-time model, whose answers are looked at instead.
 template <class Robot, class T>
@@ -54,11 +54,11 @@ constexpr bool is_known(...) {
 template <class Links, class T, class Input, class Q>
 AXIAL_INLINE constexpr void judge_positions(Soundness<T>& all, const Links& links, const Input& in, const Q& q) {
   if constexpr (std::is_floating_point_v<T>) {
-    constexpr T far = slide_scale<typename Links::Scene::Robot, T>(0);
+    constexpr T farthest = slide_scale<typename Links::Scene::Robot, T>(0);
     for_each_link(links, [&](auto i) AXIAL_INLINE {
       links.link(i).on_joint([&](auto kind) AXIAL_INLINE {
         if constexpr (std::is_same_v<decltype(kind), Prismatic>) {
-          all.number(far * q[i]);
+          all.number(farthest * q[i]);
         } else if constexpr (Links::Scene::template has<SineCosines>) {
           const auto& pair = in.turns[i];
           all.angle(T(4) * largest_angles<T> * ((pair.sin * pair.sin - T(1)) + pair.cos * pair.cos));

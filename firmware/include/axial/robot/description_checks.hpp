@@ -22,7 +22,7 @@ inline constexpr double inertia_defect = 0.05;   // share by which published ten
 
 constexpr double magnitude_of(double x) { return x < 0.0 ? -x : x; }
 constexpr bool finite(double x) {
-  return x >= -std::numeric_limits<double>::max() && x <= std::numeric_limits<double>::max();
+  return x >= -(std::numeric_limits<double>::max)() && x <= (std::numeric_limits<double>::max)();
 }
 constexpr bool finite(const double* values, int count) {
   for (int i = 0; i < count; ++i)

@@ -53,7 +53,7 @@ struct LinkParameters {
 
 namespace detail {
 /// Whether a limit was declared.
-constexpr bool is_bounded(double limit) { return limit < std::numeric_limits<double>::max(); }
+constexpr bool is_bounded(double limit) { return limit < (std::numeric_limits<double>::max)(); }
 }  // namespace detail
 
 }  // namespace axial

@@ -16,7 +16,7 @@ AXIAL_INLINE constexpr T magnitude(const T& x) {
 /// Square root by Newton's iteration, within 1 ulp; NaN for negative arguments. Meant for constants: it loops.
 template <class T>
 constexpr T square_root(T x) {
-  if (!(x > T(0)) || x > std::numeric_limits<T>::max())
+  if (!(x > T(0)) || x > (std::numeric_limits<T>::max)())
     return x == T(0) || x > T(0) ? x : std::numeric_limits<T>::quiet_NaN();
   T scale = T(1);
   while (x >= T(4))

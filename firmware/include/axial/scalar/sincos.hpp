@@ -96,8 +96,8 @@ AXIAL_INLINE constexpr T cosine_near_zero(T r, T t, Low low) {
   if constexpr (C::is_short) {
     return Number(1) + t * (Number(-0.5) + tail);
   } else {
-    const T half = Number(0.5) * t, near = Number(1) - half;
-    return near + (((Number(1) - near) - half) + (t * tail - r * low));
+    const T half = Number(0.5) * t, leading = Number(1) - half;
+    return leading + (((Number(1) - leading) - half) + (t * tail - r * low));
   }
 }
 

@@ -16,7 +16,7 @@ namespace axial {
 template <class X, class W, class C2, class SC, class SC2>
 struct DoubleAngle {
   X exchange{};  ///< whether the axes are exchanged: a bool or a type
-  W small{};     ///< s^2, or -c^2 behind an exchange
+  W lesser{};    ///< s^2, or -c^2 behind an exchange
   C2 cc_ss{};    ///< c^2 - s^2
   SC sc{};       ///< s c
   SC2 two_sc{};  ///< 2 s c
@@ -47,8 +47,8 @@ AXIAL_INLINE constexpr auto pick(bool condition, const A& yes, const B& no) {
     return select(condition, yes, A(no));
 }
 
-template <class Axis, class C, class S, class L, class Turn, class SS>
-AXIAL_INLINE constexpr auto beyond_45_degrees(const AxialScrew<Axis, C, S, L, Turn>&, const SS& ss) {
+template <class Axis, class C, class S, class L, class Turn, class S2>
+AXIAL_INLINE constexpr auto beyond_45_degrees(const AxialScrew<Axis, C, S, L, Turn>&, const S2& ss) {
   if constexpr (!std::is_same_v<Turn, AnyTurn>)
     return Turn{};
   else if constexpr (is_zero_v<C>)
@@ -56,7 +56,7 @@ AXIAL_INLINE constexpr auto beyond_45_degrees(const AxialScrew<Axis, C, S, L, Tu
   else if constexpr (is_zero_v<S>)
     return std::false_type{};
   else
-    return ss > NumberTraits<SS>::constant(0.5);
+    return ss > NumberTraits<S2>::constant(0.5);
 }
 
 }  // namespace detail
@@ -83,9 +83,9 @@ namespace detail {
 // R S R^T about z, step B or C of Table I: 8M 7A.
 template <class A, class Screw, class XX, class YY, class ZZ, class XY, class XZ, class YZ>
 AXIAL_INLINE constexpr auto turn(const A& twice, const Screw& x, const Sym3<XX, YY, ZZ, XY, XZ, YZ>& s) {
-  using W = decltype(twice.small);
+  using W = decltype(twice.lesser);
   auto difference = s.xx - s.yy;
-  auto k1 = turned(difference * twice.small + s.xy * twice.two_sc);
+  auto k1 = turned(difference * twice.lesser + s.xy * twice.two_sc);
   auto k2 = turned(difference * twice.sc + s.xy * twice.cc_ss);
   auto column = to_parent(z_screw(x.cos, x.sin, Zero{}), Vec3{s.xz, s.yz, Zero{}});
   return Sym3{
@@ -95,11 +95,11 @@ AXIAL_INLINE constexpr auto turn(const A& twice, const Screw& x, const Sym3<XX, 
 // R M R^T about z for a general M, step D of Table I: 12M 14A, 8M 10A with a zero row.
 template <class A, class Screw, class R1, class R2, class R3>
 AXIAL_INLINE constexpr auto turn(const A& twice, const Screw& x, const Mat3<R1, R2, R3>& m) {
-  using W = decltype(twice.small);
+  using W = decltype(twice.lesser);
   auto difference = m.x.x - m.y.y;
   auto sum = m.x.y + m.y.x;
-  auto k1 = turned(difference * twice.small + sum * twice.sc);
-  auto k2 = turned(difference * twice.sc - sum * twice.small);
+  auto k1 = turned(difference * twice.lesser + sum * twice.sc);
+  auto k2 = turned(difference * twice.sc - sum * twice.lesser);
   auto plane = z_screw(x.cos, x.sin, Zero{});
   auto column = to_parent(plane, Vec3{m.x.z, m.y.z, Zero{}});
   auto row = to_parent(plane, Vec3{m.z.x, m.z.y, m.z.z});

@@ -49,15 +49,15 @@ TEST(Scaled, KnowsZeroAndExtremes) {
 }
 TEST(Scaled, BecomesAWordOrSaysThatItIsLost) {
   bool lost = false;
-  EXPECT_EQ(number(3.0).word(29, lost), 3 << 29);
-  EXPECT_EQ(number(-0.75).word(2, lost), -3);
-  EXPECT_EQ(number(1e-30).word(20, lost), 0);
-  EXPECT_EQ(Scaled{}.word(31, lost), 0);
+  EXPECT_EQ(number(3.0).as_word(29, lost), 3 << 29);
+  EXPECT_EQ(number(-0.75).as_word(2, lost), -3);
+  EXPECT_EQ(number(1e-30).as_word(20, lost), 0);
+  EXPECT_EQ(Scaled{}.as_word(31, lost), 0);
   EXPECT_FALSE(lost);
-  EXPECT_EQ(number(4.0).word(29, lost), INT32_MAX);
+  EXPECT_EQ(number(4.0).as_word(29, lost), INT32_MAX);
   EXPECT_TRUE(lost);
   lost = false;
-  EXPECT_EQ(number(-1e30).word(29, lost), -INT32_MAX);
+  EXPECT_EQ(number(-1e30).as_word(29, lost), -INT32_MAX);
   EXPECT_TRUE(lost);
 }
 TEST(WideSum, IsExactUpToItsBound) {

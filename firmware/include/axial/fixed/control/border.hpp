@@ -60,8 +60,8 @@ constexpr Status::Code convert(typename Values::Value& to, int i, const T& x) {
     const PositionRange& reached = fixed_limits_of<typename Traits::S, typename Traits::Word>.joints[i];
     const Fixed32 angle = reached.nearest({to_angle(x)});  // a limit may round outwards
     to = {static_cast<Word>(angle.raw)};
-    const T far = static_cast<T>(most_radians);
-    under = under || below(x, -far), over = over || below(far, x);
+    const T farthest = static_cast<T>(most_radians);
+    under = under || below(x, -farthest), over = over || below(farthest, x);
   } else {
     const Word raw = to_word<Word>(x, Values::exponent(i));
     to = {raw < range.raw_low ? range.raw_low : raw > range.raw_high ? range.raw_high : raw};

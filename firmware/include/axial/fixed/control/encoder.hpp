@@ -47,7 +47,7 @@ constexpr std::int32_t scaled(std::int32_t x, std::int32_t most, bool& saturated
 
 /// 2^32 / counts in 2^-32, to nearest.
 constexpr std::uint64_t units_a_count(std::uint32_t counts) {
-  constexpr std::uint64_t all = std::numeric_limits<std::uint64_t>::max();
+  constexpr std::uint64_t all = (std::numeric_limits<std::uint64_t>::max)();
   const std::uint64_t rest = all % counts + 1;
   return all / counts + static_cast<std::uint64_t>(2 * rest >= counts);
 }
@@ -117,7 +117,7 @@ struct LinearEncoder {
   template <class Values, int i>
   [[nodiscard]] static constexpr ConvertedValue<typename Values::Value> position(std::int32_t reading) {
     return detail::counted<Values, i, detail::UnitsACount<Values, i, counts, false>>(
-        detail::from_zero<direction>(reading, zero), std::numeric_limits<std::int32_t>::max(),
+        detail::from_zero<direction>(reading, zero), (std::numeric_limits<std::int32_t>::max)(),
         Status::Code::position_limit);
   }
   /// As RotaryEncoder::velocity().

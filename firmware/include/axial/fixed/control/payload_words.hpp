@@ -33,13 +33,14 @@ template <class S, class Word = std::int32_t>
   using Words = PayloadWords<S, Word>;
   bool lost = false;
   const auto at = [&lost](int exponent, const Vec3<Scaled>& v) {
-    return Vec3<Stored<Word>>{{v.x.word(exponent, lost)}, {v.y.word(exponent, lost)}, {v.z.word(exponent, lost)}};
+    return Vec3<Stored<Word>>{
+        {v.x.as_word(exponent, lost)}, {v.y.as_word(exponent, lost)}, {v.z.as_word(exponent, lost)}};
   };
   Words words;
-  words.mass.raw = estimate.mass.word(Words::mass_exponent, lost);
+  words.mass.raw = estimate.mass.as_word(Words::mass_exponent, lost);
   words.first_moment = at(Words::first_moment_exponent, estimate.first_moment);
   const auto body = estimate.body();
-  words.body.mass.raw = body.mass.word(Words::mass_exponent, lost);
+  words.body.mass.raw = body.mass.as_word(Words::mass_exponent, lost);
   words.body.com = at(Words::com_exponent, body.com);
   const int beyond = select(estimate.status.ok() & lost, static_cast<int>(Status::Code::payload_limit),
                             static_cast<int>(estimate.status.code));

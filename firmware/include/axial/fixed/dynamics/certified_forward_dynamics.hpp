@@ -129,7 +129,7 @@ template <class S, class T>
 AXIAL_INLINE constexpr bool publish(CertifiedDynamics<S, T>& answer, const Enclosure<joint_count<S>>& system,
                                     const typename Certificate<S, T>::Requests& x, bool known) {
   using C = Certificate<S, T>;
-  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+  constexpr std::int64_t most = (std::numeric_limits<std::int32_t>::max)();
   bool tight = known;
   for (int i = 0; i < C::size; ++i) {
     constexpr int finest = 31;

@@ -17,7 +17,7 @@ inline constexpr int most_halvings = 5, most_doublings = 12;
 /// limit 2^k without its last bit, at most what a word holds.
 template <std::int64_t limit, int k>
 inline constexpr std::uint32_t half_of = [] {
-  constexpr std::int64_t most = std::numeric_limits<std::uint32_t>::max();
+  constexpr std::int64_t most = (std::numeric_limits<std::uint32_t>::max)();
   return static_cast<std::uint32_t>(limit > most >> k ? most : (limit << k) >> 1);
 }();
 

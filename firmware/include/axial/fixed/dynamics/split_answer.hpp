@@ -49,8 +49,8 @@ AXIAL_INLINE constexpr Status answer_in_ranges(const Links& links, const Screws&
   for_each_link(links, [&](auto i) AXIAL_INLINE {
     constexpr int exponent = decltype(links.link(i))::format.joint_acceleration;
     const std::int32_t first = all[0].raw[i], second = all[solves - 1].raw[i];
-    const std::int32_t near = detail::moved_down<S>(second, static_cast<unsigned char>(magnified));
-    const auto apart = static_cast<std::int32_t>(static_cast<std::uint32_t>(near) - static_cast<std::uint32_t>(first));
+    const std::int32_t moved = detail::moved_down<S>(second, static_cast<unsigned char>(magnified));
+    const auto apart = static_cast<std::int32_t>(static_cast<std::uint32_t>(moved) - static_cast<std::uint32_t>(first));
     const int agreement = static_cast<int>(is_negative(all[solves - 1].lost)) &
                           static_cast<int>(detail::is_less(apart, second_solve_tolerance)) &
                           static_cast<int>(detail::is_less(-second_solve_tolerance, apart));

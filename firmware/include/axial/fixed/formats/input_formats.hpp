@@ -13,7 +13,7 @@ namespace axial {
 template <class Robot, class T>
 struct InputFormats {
   /// largest raw value of a word
-  static constexpr double capacity = static_cast<double>(std::numeric_limits<typename T::Word>::max());
+  static constexpr double capacity = static_cast<double>((std::numeric_limits<typename T::Word>::max)());
   /// The exponent of what reaches `most` (SI).
   static constexpr int of(double most) { return detail::fitting_exponent(most, capacity); }
   static constexpr PayloadLimit load = Robot::chain.payload_limit;  ///< as declared

@@ -97,9 +97,9 @@ inline constexpr double whole_turn = 6.283185307179586;  // rad
 /// value * 2^exponent to nearest, at most what a word holds.
 template <class Word>
 constexpr Word raw_limit(double value, int exponent) {
-  constexpr double most = static_cast<double>(std::numeric_limits<Word>::max());
+  constexpr double most = static_cast<double>((std::numeric_limits<Word>::max)());
   const double scaled = value * power_of_two(exponent);
-  return scaled >= most ? std::numeric_limits<Word>::max()
+  return scaled >= most ? (std::numeric_limits<Word>::max)()
                         : static_cast<Word>(scaled <= -most ? -nearest_integer(most) : nearest_integer(scaled));
 }
 
@@ -111,7 +111,7 @@ constexpr PositionRange position_range(const LinkParameters& p, int exponent) {
   PositionRange range;
   range.wraps = p.type == JointType::revolute;
   if (range.wraps && !(p.position_max - p.position_min < whole_turn)) {
-    range.span = std::numeric_limits<std::uint32_t>::max();
+    range.span = (std::numeric_limits<std::uint32_t>::max)();
     return range;
   }
   range.min = range.wraps ? raw_angle(p.position_min) : raw_limit<std::int32_t>(p.position_min, exponent);

@@ -37,7 +37,7 @@ constexpr bool is_sum_positive(const std::int32_t (&x)[3], const std::int64_t (&
   std::int64_t high = 0, low = 0;
   for (int i = 0; i < 3; ++i) {
     high = integer::accumulate(high, x[i], static_cast<std::int32_t>(a[i] >> 31));
-    low = integer::accumulate(low, x[i], static_cast<std::int32_t>(a[i] & std::numeric_limits<std::int32_t>::max()));
+    low = integer::accumulate(low, x[i], static_cast<std::int32_t>(a[i] & (std::numeric_limits<std::int32_t>::max)()));
   }
   return high + (low >> 31) >= 0;
 }
@@ -48,17 +48,17 @@ constexpr bool is_sum_positive(const std::int32_t (&x)[3], const std::int64_t (&
 template <class Word>
 constexpr bool is_not_negative(const Sym3<Stored<Word>>& j) {
   constexpr int dropped = sizeof(Word) == 4 ? 2 : 0, half = dropped == 0 ? 0 : 1 << (dropped - 1);
-  const auto word = [](const Stored<Word>& x, int more) {
+  const auto upper = [](const Stored<Word>& x, int more) {
     return static_cast<std::int32_t>((std::int64_t{x.raw} + half) >> dropped) + more;
   };
-  const std::int32_t xx = word(j.xx, 2), yy = word(j.yy, 2), zz = word(j.zz, 2);
-  const std::int32_t xy = word(j.xy, 0), xz = word(j.xz, 0), yz = word(j.yz, 0);
-  const auto minor = [](std::int32_t a, std::int32_t d, std::int32_t b, std::int32_t c) {
+  const std::int32_t xx = upper(j.xx, 2), yy = upper(j.yy, 2), zz = upper(j.zz, 2);
+  const std::int32_t xy = upper(j.xy, 0), xz = upper(j.xz, 0), yz = upper(j.yz, 0);
+  const auto determinant = [](std::int32_t a, std::int32_t d, std::int32_t b, std::int32_t c) {
     return integer::deduct(integer::multiply(a, d), b, c);
   };
-  const std::int64_t along_z = minor(xx, yy, xy, xy);
+  const std::int64_t along_z = determinant(xx, yy, xy, xy);
   return (xx > 0) & (along_z > 0) &
-         is_sum_positive({xz, yz, zz}, {minor(xy, yz, xz, yy), minor(xy, xz, yz, xx), along_z});
+         is_sum_positive({xz, yz, zz}, {determinant(xy, yz, xz, yy), determinant(xy, xz, yz, xx), along_z});
 }
 
 /// A payload in fixed point against the declared one.

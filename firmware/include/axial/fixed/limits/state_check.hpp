@@ -23,7 +23,7 @@ struct Outside {
 template <class S, class Word, int I, class Q, class V>
 AXIAL_INLINE constexpr std::uint32_t with_joint(std::uint32_t found, const Q& q, const V& qd) {
   constexpr const auto& limits = fixed_limits_of<S, Word>.joints[I];
-  constexpr bool any_angle = limits.span == std::numeric_limits<std::uint32_t>::max();
+  constexpr bool any_angle = limits.span == (std::numeric_limits<std::uint32_t>::max)();
   constexpr bool unread = scene_of<S>::template has<SineCosines> && turns_of<robot_of<S>>.of[I];
   found = found + found;
   if constexpr (!any_angle && !unread) found -= static_cast<std::uint32_t>(limits.outside(q.values[I]));

@@ -28,10 +28,10 @@ AXIAL_INLINE constexpr std::int32_t shifted_by(std::int64_t x, int shift) {
   const auto low = static_cast<std::uint32_t>(x),
              high = static_cast<std::uint32_t>(static_cast<std::uint64_t>(x) >> 32);
   const auto sign = static_cast<std::uint32_t>(static_cast<std::int32_t>(high) >> 31);
-  const std::uint32_t far = 0U - ((static_cast<std::uint32_t>(shift) >> 5) & 1U);
-  const unsigned near = static_cast<unsigned>(shift) & 31U;
-  const std::uint32_t l = (low & ~far) | (high & far), h = (high & ~far) | (sign & far);
-  return static_cast<std::int32_t>((l >> near) | ((h << 1) << (31U - near)));
+  const std::uint32_t whole = 0U - ((static_cast<std::uint32_t>(shift) >> 5) & 1U);
+  const unsigned rest = static_cast<unsigned>(shift) & 31U;
+  const std::uint32_t l = (low & ~whole) | (high & whole), h = (high & ~whole) | (sign & whole);
+  return static_cast<std::int32_t>((l >> rest) | ((h << 1) << (31U - rest)));
 }
 
 }  // namespace detail

@@ -82,7 +82,7 @@ template <class Word, class T>
 constexpr Word to_word(const T& x, int exponent) {
   using Bits = typename Ieee<T>::Bits;
   const auto p = parts_of(x);
-  const auto most = static_cast<Bits>(std::numeric_limits<Word>::max());
+  const auto most = static_cast<Bits>((std::numeric_limits<Word>::max)());
   const Bits magnitude = shifted_to<Bits>(p.significand, p.exponent + exponent, most);
   const Bits number = Bits{0} - static_cast<Bits>(!p.nan);
   return static_cast<Word>(signed_word(static_cast<std::uint32_t>(magnitude & number), p.negative));
@@ -96,7 +96,7 @@ template <class T>
 constexpr std::int32_t to_angle(const T& radians) {
   constexpr int fraction = 54;                                    // 512 rad fit 63 bits
   constexpr std::uint32_t high = 0x28BE60DBU, low = 0x9391054AU;  // 2^64 / (2 pi)
-  constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
+  constexpr std::uint64_t most = (std::numeric_limits<std::int64_t>::max)();
   const auto p = parts_of(radians);
   const auto r = shifted_to<std::uint64_t>(p.significand, p.exponent + fraction, most);
   const auto r1 = static_cast<std::uint32_t>(r >> 32), r0 = static_cast<std::uint32_t>(r);

@@ -25,12 +25,12 @@ struct Scaled {
   static constexpr Scaled normal(std::int64_t x, int e) {
     const auto sign = static_cast<std::uint64_t>(x >> 63), size = (static_cast<std::uint64_t>(x) ^ sign) - sign;
     const auto high = static_cast<std::uint32_t>(size >> 32), low = static_cast<std::uint32_t>(size);
-    const std::uint32_t far = 0U - static_cast<std::uint32_t>(high != 0U);
-    const std::uint32_t first = (high & far) | (low & ~far), second = low & far, none = first == 0U ? 1U : 0U;
+    const std::uint32_t upper = 0U - static_cast<std::uint32_t>(high != 0U);
+    const std::uint32_t first = (high & upper) | (low & ~upper), second = low & upper, none = first == 0U ? 1U : 0U;
     const auto zeros = static_cast<unsigned>(integer::detail::leading_zeros(first | none));
     const std::uint32_t top = (first << zeros) | ((second >> 1) >> (31U - zeros));
     const auto m = static_cast<std::int32_t>(top >> 1), s = static_cast<std::int32_t>(x >> 63);
-    const int own = e + static_cast<int>(far & 32U) + 1 - static_cast<int>(zeros);
+    const int own = e + static_cast<int>(upper & 32U) + 1 - static_cast<int>(zeros);
     return {(m ^ s) - s, select(none != 0U, -4096, own)};
   }
   /// sum 2^e.
@@ -38,18 +38,18 @@ struct Scaled {
     const std::int32_t word = static_cast<std::int32_t>(sum.high);
     const bool fits = sum.high == std::int64_t{word};
     const auto mask = std::uint64_t{0} - static_cast<std::uint64_t>(fits);
-    const std::uint64_t near = (static_cast<std::uint64_t>(sum.high) << 32) | sum.low;
-    const std::uint64_t chosen = (near & mask) | (static_cast<std::uint64_t>(sum.high) & ~mask);
+    const std::uint64_t joined = (static_cast<std::uint64_t>(sum.high) << 32) | sum.low;
+    const std::uint64_t chosen = (joined & mask) | (static_cast<std::uint64_t>(sum.high) & ~mask);
     return normal(static_cast<std::int64_t>(chosen), e + select(fits, 0, 32));
   }
   /// The word at an exponent, rounded down; what does not fit is held at the largest, and `lost` set.
-  constexpr std::int32_t word(int at, bool& lost) const {
+  constexpr std::int32_t as_word(int at, bool& lost) const {
     const int shift = -(exponent + at);
     const bool beyond = is_negative(shift) & (mantissa != 0);
     const int down = select(is_negative(shift), 0, shift), kept = select(is_negative(31 - down), 31, down);
     const std::int32_t sign = mantissa >> 31;
     lost = lost | beyond;
-    return select(beyond, (std::numeric_limits<std::int32_t>::max() ^ sign) - sign, mantissa >> kept);
+    return select(beyond, ((std::numeric_limits<std::int32_t>::max)() ^ sign) - sign, mantissa >> kept);
   }
 
   /// The opposite number.
