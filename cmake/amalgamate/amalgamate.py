@@ -153,7 +153,7 @@ def main():
     try:
         pathlib.Path(options.output).write_text(text)
     except OSError as error:
-        print(f"axial: can not write {options.output}: {error.strerror}; give another file with -o", file=sys.stderr)
+        print(f"axial: cannot write {options.output}: {error.strerror}; give another file with -o", file=sys.stderr)
         return 1
     print(f"axial: wrote {options.output}: {len(text.splitlines())} lines, {len(text.encode())} bytes")
     return 0

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What the driver says while it works: one line a step; a long silent step shows its elapsed time.
+# What the driver says while it works: one line per step; a long silent step shows its elapsed time.
 
 say() { printf 'axial: %s\n' "$*"; }
 

@@ -26,7 +26,7 @@ struct DriveChange {
 struct HostBoardState {
   std::deque<std::uint8_t> to_board, from_board;
   std::uint32_t ticks = 0, overruns = 0, tick_rate_Hz = 0, entropy = 0;
-  std::uint32_t count = 0;                ///< what measured code costs
+  std::uint32_t count = 0;  ///< what measured code costs
   CounterKind counter = CounterKind::none;
   std::string printed;
   bool exited = false;

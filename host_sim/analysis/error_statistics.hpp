@@ -20,7 +20,7 @@ class ErrorStatistics {
     ++count_;
   }
 
-  /// Infinite as soon as one value was not finite: an error that can not be missed.
+  /// Infinite as soon as one value was not finite: an error that cannot be missed.
   double largest() const { return finite_ ? largest_ : std::numeric_limits<double>::infinity(); }
   double rms() const {
     if (!finite_) return std::numeric_limits<double>::infinity();

@@ -79,7 +79,7 @@ def write_json(path, value):
 
 
 def write_pins(rows):
-    """A line a row, so that a change of the kernels is read line by line."""
+    """A line per row, so that a change of the kernels is read line by line."""
     pins = [json.dumps({name: row[name] for name in (*KEY, *OPERATIONS)}) for row in rows]
     PINS.write_text("[\n" + ",\n".join(pins) + "\n]\n", encoding="utf-8")
     print(f"written: {PINS} ({len(pins)} rows)")

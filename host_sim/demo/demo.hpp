@@ -16,7 +16,7 @@ struct DemoOptions {
 };
 
 /// Runs the demo and returns the exit status: 0 when every error is within its bound, else 1.
-/// Throws std::runtime_error when it can not run or a frame is lost.
+/// Throws std::runtime_error when it cannot run or a frame is lost.
 int run_demo(const DemoOptions& options);
 
 }  // namespace host_sim

@@ -9,7 +9,7 @@
 
 namespace description {
 
-/// A description that can not be used. The message has a line a problem: what, value, remedy.
+/// A description that cannot be used. The message has a line a problem: what, value, remedy.
 class Refused : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

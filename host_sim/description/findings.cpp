@@ -79,7 +79,7 @@ class Inspector {
   void limits() {
     if (!(p_.position_min < p_.position_max))
       refuse(joint() + "position limits are upside down: " + number(p_.position_min) + " to " + number(p_.position_max),
-             "give the lower one first; a joint that can not move is a fixed joint");
+             "give the lower one first; a joint that cannot move is a fixed joint");
     limit("speed", p_.speed_limit), limit("acceleration", p_.acceleration_limit), limit("effort", p_.effort_limit);
   }
   void range() {

@@ -153,7 +153,8 @@ axial::FixedPose read_pose(const JsonObject& of, const std::string& key) {
 }
 
 void read_robot(const JsonObject& file, Description& robot, const std::string& from) {
-  robot.name = file.text("name", ""), robot.source = file.text("source", from.substr(from.find_last_of("/\\") + 1)), robot.notes = file.texts("notes");
+  robot.name = file.text("name", ""), robot.source = file.text("source", from.substr(from.find_last_of("/\\") + 1)),
+  robot.notes = file.texts("notes");
   if (robot.name.empty()) file.refuse("name is missing", "give \"name\": \"my_arm\"");
   const auto g = file.numbers("gravity", {3});
   if (!g.empty())
@@ -188,7 +189,7 @@ std::string read_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (!file || !(text << file.rdbuf()) || file.bad())
-    throw Refused("can not read '" + path + "'; is there such a file, is it not empty, and may it be read?");
+    throw Refused("cannot read '" + path + "'; is there such a file, is it not empty, and may it be read?");
   if (static_cast<std::streamsize>(text.tellp()) > most)
     throw Refused(path + ": more than 16 MiB; a description of a robot is smaller");
   return text.str();

@@ -53,14 +53,14 @@ SerialListener::SerialListener(const std::string& path) : socket_(::socket(AF_UN
   const sockaddr_un address = address_of(path);
   const auto* generic = reinterpret_cast<const sockaddr*>(&address);
   if (::bind(socket_.value(), generic, sizeof address) != 0 || ::listen(socket_.value(), 1) != 0)
-    throw std::runtime_error("can not listen at " + path + ": " + std::strerror(errno));
+    throw std::runtime_error("cannot listen at " + path + ": " + std::strerror(errno));
 }
 
 bool SerialListener::wait(std::chrono::milliseconds limit) const { return wait_readable(socket_.value(), limit); }
 
 SerialLine SerialListener::accept() const {
   Descriptor line(::accept4(socket_.value(), nullptr, nullptr, SOCK_CLOEXEC));
-  if (line.value() < 0) throw std::runtime_error("can not accept the emulator's serial line");
+  if (line.value() < 0) throw std::runtime_error("cannot accept the emulator's serial line");
   return SerialLine(std::move(line));
 }
 

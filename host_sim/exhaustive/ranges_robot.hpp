@@ -1,4 +1,4 @@
-// What `./axial exhaustive --ranges` asks of one robot; a source a robot instantiates it (ranges_robot.cpp.in).
+// What `./axial exhaustive --ranges` asks of one robot; a source per robot instantiates it (ranges_robot.cpp.in).
 #pragma once
 
 #include <host_sim/exhaustive/fixed_quantities.hpp>

@@ -18,7 +18,7 @@ struct Options {
 };
 
 /// Adds the overflows of a robot's kernels, and unless options say otherwise its errors and bounds; `holds` becomes
-/// false where one is not as certified. A specialisation a robot, each in a source of its own.
+/// false where one is not as certified. A specialisation per robot, each in a source of its own.
 template <class R>
 void add_rows(const Options& options, ordered_json& rows, bool& holds);
 

@@ -4,7 +4,7 @@ import sys
 
 
 def run(name, job):
-    """The exit status of a job: 1 where it is refused or a file can not be read or written."""
+    """The exit status of a job: 1 where it is refused or a file cannot be read or written."""
     try:
         job()
     except (ValueError, OSError) as error:

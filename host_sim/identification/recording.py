@@ -22,7 +22,7 @@ class RecordingError(ValueError):
 @dataclasses.dataclass
 class Recording:
     time: np.ndarray  # even steps
-    q: np.ndarray  # a row an instant, a column a joint; so are the others
+    q: np.ndarray  # a row per instant, a column per joint; so are the others
     qd: np.ndarray | None
     tau: np.ndarray
     notes: list
@@ -40,7 +40,7 @@ def read(path, robot):
             columns = _columns(header, len(robot))
             values = _numbers(file, header)
     except OSError as error:
-        raise RecordingError(f"can not be read: {error.strerror}") from error
+        raise RecordingError(f"cannot be read: {error.strerror}") from error
     except UnicodeDecodeError as error:
         raise RecordingError("is not text; give comma separated numbers below a header line") from error
     _check_time(values[:, columns["time"][0]])
@@ -107,7 +107,7 @@ def _check_time(time):
 
 
 def _doubts(groups, robot):
-    """Raises where units can not be right; returns what is only doubtful."""
+    """Raises where units cannot be right; returns what is only doubtful."""
     time, notes = groups["time"][:, 0], []
     if np.median(np.diff(time)) >= 1.0:
         raise RecordingError(f"rows are {np.median(np.diff(time)):g} s apart; time is in seconds: are these milliseconds?")

@@ -49,7 +49,7 @@ class Robot:
         return "N" if self.joints[joint]["prismatic"] else "N m"
 
     def limits(self, name, missing):
-        """One limit of every joint, `missing` (a number or one a joint) where the description has none."""
+        """One limit of every joint, `missing` (a number or one per joint) where the description has none."""
         missing = np.broadcast_to(missing, len(self))
         return np.array([other if joint[name] is None else joint[name] for joint, other in zip(self.joints, missing)])
 

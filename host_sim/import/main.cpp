@@ -47,7 +47,7 @@ void write_json(const std::string& path, const nlohmann::json& value) {
   std::ofstream file(path);
   file << value.dump(2) << '\n';
   file.flush();
-  if (!file) throw description::Refused("can not write '" + path + "'; is there such a folder?");
+  if (!file) throw description::Refused("cannot write '" + path + "'; is there such a folder?");
 }
 
 void print(const importer::Result& result) {

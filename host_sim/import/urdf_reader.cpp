@@ -38,7 +38,7 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& text, const std::string& 
   std::string thrown;
   try {
     auto model = urdf::parseURDF(text);
-    // urdfdom leaves a body out that it can not read, and goes on.
+    // urdfdom leaves a body out that it cannot read, and goes on.
     if (model && messages.text().find("nertia") == std::string::npos) return model;
   } catch (const std::exception& error) {
     thrown = description::harmless(error.what());
@@ -167,7 +167,7 @@ class Reader {
     const std::string here = "joint '" + joint.name + "': ";
     if (joint.has_limits && !joint.held && !(joint.lower < joint.upper))
       refuse(here + "position limits are upside down: lower " + number(joint.lower) + ", upper " + number(joint.upper),
-             "give the lower one first; a joint that can not move is a fixed joint");
+             "give the lower one first; a joint that cannot move is a fixed joint");
     if (joint.speed < 0.0) refuse(here + "velocity limit is " + number(joint.speed), "give a value > 0");
     if (joint.effort < 0.0) refuse(here + "effort limit is " + number(joint.effort), "give a value > 0");
   }

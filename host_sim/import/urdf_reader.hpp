@@ -15,7 +15,7 @@ struct UrdfOptions {
 };
 
 /// Throws description::Refused with everything that is wrong, one line each: what urdfdom refuses, roots and tips that
-/// are not there, joints that can not be expressed (mimic, planar, floating), bodies with impossible numbers.
+/// are not there, joints that cannot be expressed (mimic, planar, floating), bodies with impossible numbers.
 SourceTree read_urdf(const std::string& text, const std::string& from, const UrdfOptions& options);
 
 }  // namespace importer

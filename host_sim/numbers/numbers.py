@@ -49,7 +49,7 @@ def in_every_system(errors):
 
 
 def joined(errors, sizes):
-    """A row a robot, algorithm, number system and board."""
+    """A row per robot, algorithm, number system and board."""
     rows = []
     for error in in_every_system(errors):
         costs = {row["board"]: row for row in sizes if key(row) == key(error) and plain(row)}

@@ -13,7 +13,7 @@ struct OnBoardOptions {
 };
 
 /// Runs the kernels images and returns the exit status: 0 when every error is within its bound, else 1.
-/// Throws std::runtime_error when an image can not be run or prints something else.
+/// Throws std::runtime_error when an image cannot be run or prints something else.
 int run_on_board(const OnBoardOptions& options);
 
 }  // namespace host_sim

@@ -18,7 +18,7 @@ constexpr auto plot_limit = std::chrono::seconds(120);
 
 std::ofstream create(const std::string& path) {
   std::ofstream file(path);
-  if (!file) throw std::runtime_error("can not write " + path);
+  if (!file) throw std::runtime_error("cannot write " + path);
   return file;
 }
 
@@ -52,7 +52,7 @@ void CsvFile::end_row() {
 void make_folder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
-  if (error) throw std::runtime_error("can not make folder " + path + ": " + error.message());
+  if (error) throw std::runtime_error("cannot make folder " + path + ": " + error.message());
 }
 
 void write_json(const std::string& path, const nlohmann::json& value) { create(path) << value.dump(2) << '\n'; }

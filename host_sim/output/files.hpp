@@ -9,7 +9,7 @@
 
 namespace host_sim {
 
-/// Rows of comma separated numbers below a header line. Throws std::runtime_error when the file can not be written.
+/// Rows of comma separated numbers below a header line. Throws std::runtime_error when the file cannot be written.
 class CsvFile {
  public:
   CsvFile(const std::string& path, const std::vector<std::string>& header);
@@ -27,7 +27,7 @@ class CsvFile {
 /// Creates the folder when it is missing; throws std::runtime_error when that is impossible.
 void make_folder(const std::string& path);
 
-/// Throws std::runtime_error when the file can not be written.
+/// Throws std::runtime_error when the file cannot be written.
 void write_json(const std::string& path, const nlohmann::json& value);
 
 /// Runs host_sim/plot/<script> with arguments; throws std::runtime_error with its messages when it fails.

@@ -27,7 +27,7 @@ def cell(row):
 
 
 def choices(rows, job, unit):
-    """A line a board: what is cheapest inside each error."""
+    """A line per board: what is cheapest inside each error."""
     here = [row for row in rows if (row.get("job"), row["robot"], row["unit_of_work"]) == (job, ROBOT, unit)]
     boards = sorted({row["board"] for row in here})
     lines = [[board] + [cell(cheapest([row for row in here if row["board"] == board], error)) for error in ERRORS] for board in boards]

@@ -15,7 +15,7 @@ class Data:
 
 
 def of_build(build):
-    """Seconds and MiB of every number, a row a robot and kernel; what only includes is the same for all numbers."""
+    """Seconds and MiB of every number, a row per robot and kernel; what only includes is the same for all numbers."""
     def table(data):
         found = {(row["robot"], row["kernel"], row["number"]): row for row in data.rows if row["build"] == build}
         numbers = unique(row["number"] for row in data.rows)

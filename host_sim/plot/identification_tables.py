@@ -7,7 +7,7 @@ from tables import command, load, markdown
 
 
 def study(folder):
-    """A row a robot; the exact log beside the noisy one."""
+    """A row per robot; the exact log beside the noisy one."""
     data = load(folder / "identification.json")
     exact, noisy = ([row for row in data if row["case"] == case] for case in ("exact", "noisy"))
     header = ["robot", "base parameters of standard ones", "exact log: error over the largest", "over itself", "noisy log: condition",

@@ -1,4 +1,4 @@
-"""Draws error against instructions of every number system, a panel a kernel.
+"""Draws error against instructions of every number system, a panel per kernel.
 
 usage: number_systems.py NUMBER_SYSTEMS.json   (writes NUMBER_SYSTEMS.png beside it)
 """

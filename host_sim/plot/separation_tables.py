@@ -34,7 +34,7 @@ def separation_methods(data):
 
 
 def separation_rates(data):
-    header = ["robot", "ms between refreshes", "largest error", "RMS error", "largest error, ahead", "instructions a tick",
+    header = ["robot", "ms between refreshes", "largest error", "RMS error", "largest error, ahead", "instructions per tick",
               "full rate"]
     return markdown(header, [[row["robot"], str(row["ticks"]), f"{row['error']:.1e}", f"{row['error_rms']:.1e}",
                               f"{row['error_ahead']:.1e}", number(row["stm32f405_per_tick"]),

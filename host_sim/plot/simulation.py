@@ -1,4 +1,4 @@
-"""Draws error against work of the integrators, a panel a motion.
+"""Draws error against work of the integrators, a panel per motion.
 
 usage: simulation.py SIMULATION.json   (writes SIMULATION.png beside it)
 """

@@ -54,7 +54,7 @@ def draw_kernels(panel, rows, robots):
     """Filled: unrolled; hollow: compact."""
     panel.set_xscale("log")
     panel.set_yscale("log")
-    panel.set_xlabel("instructions a call")
+    panel.set_xlabel("instructions per call")
     for row in rows:
         colour = style.COLOURS[robots.index(row["robot"])]
         panel.plot(row["instructions"], row["flash_bytes"], marker_of(row), color=colour, markersize=6, markeredgewidth=0.9,

@@ -39,7 +39,7 @@ def is_serial(row):
 
 
 def worse_compiler(rows):
-    """One row a robot, algorithm, scalar and peer: that of the compiler with the smaller ratio."""
+    """One row per robot, algorithm, scalar and peer: that of the compiler with the smaller ratio."""
     worst = {}
     for row in rows:
         key = row["robot"], row["algorithm"], row["scalar"], row["peer"]
@@ -126,7 +126,7 @@ def draw_joints(rows, stem):
         log_axes(panel, sorted({n for points in found.values() for n, _ in points}))
         panel.legend(fontsize=8, loc="upper left")
     panels[0][0].set_ylim(top=panels[0][0].get_ylim()[1] * 4)  # room for the legend
-    panels[0][0].set_ylabel("ns a joint (this machine)")
+    panels[0][0].set_ylabel("ns per joint (this machine)")
     figure.tight_layout()
     style.save(figure, stem, "Time per joint of forward dynamics, against the number of joints")
 

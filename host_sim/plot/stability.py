@@ -138,7 +138,7 @@ def provenance():
 
 
 def write_rows(path, rows):
-    """A row a line."""
+    """A row per line."""
     lines = ",\n".join(json.dumps(row) for row in rows)
     pathlib.Path(path).write_text(f"[\n{lines}\n]\n", encoding="utf-8")
 

@@ -79,7 +79,7 @@ def provenance(data):
 
 
 def demo(data):
-    """The main job: one row a robot and board."""
+    """The main job: one row per robot and board."""
     header = ["robot, board", "set-points", "largest error", "bound", "instructions per torque", "flash, bytes",
               "RAM, bytes", "stack, bytes"]
     rows = []
@@ -146,7 +146,7 @@ def size_rows(data, scalar="float", **wanted):
 
 
 def size_of(data, board, contract="off"):
-    """A row a kernel: unrolled beside compact."""
+    """A row per kernel: unrolled beside compact."""
     figures = {"instructions": "instructions", "cycles": "cycles_estimated", "flash": "flash_bytes", "stack": "stack_bytes"}
     header = [f"{board}, unrolled and compact"] + [f"{name}, {form}" for name in figures for form in ("u", "c")]
     rows = []
@@ -181,7 +181,7 @@ def proved(data):
 
 
 def fixed_overflows(data):
-    """A row a robot, a column a kernel and arithmetic: states, and results that did not fit."""
+    """A row per robot, a column per kernel and arithmetic: states, and results that did not fit."""
     robots = unique(row["robot"] for row in data.overflows)
     kernels = unique((row["kernel"], row["arithmetic"]) for row in data.overflows)
     cells = {(row["robot"], row["kernel"], row["arithmetic"]): f"{row['overflows']} in {grouped(row['states'])}" for row in data.overflows}

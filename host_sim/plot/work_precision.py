@@ -30,7 +30,7 @@ def unique(values):
 
 
 def draw_kernels(rows, unit, stem):
-    """A row of panels a job, a column a board; colour: number system, marker: robot. A line joins a robot's front."""
+    """A row of panels a job, a column per board; colour: number system, marker: robot. A line joins a robot's front."""
     rows = [row for row in rows if row.get("job") in JOBS and row["unit_of_work"] == unit and row["robot"] in DRAWN]
     if not rows:
         return
@@ -106,7 +106,7 @@ def draw_two_rate(rows, stem):
         panel.set_yscale("log")
     left.set_ylabel("largest error / largest torque")
     left.set_xlabel("ticks of 1 ms between refreshes (dashed: ahead)")
-    right.set_xlabel(f"instructions a tick, average ({board}, QEMU)\ndotted: full rate; hollow: the tick that refreshes")
+    right.set_xlabel(f"instructions per tick, average ({board}, QEMU)\ndotted: full rate; hollow: the tick that refreshes")
     ticks = unique(row["ticks"] for row in rows)
     left.set_xticks(ticks, map(str, ticks))
     left.minorticks_off()
@@ -116,7 +116,7 @@ def draw_two_rate(rows, stem):
 
 
 def draw_simulation(rows, stem):
-    """A panel a robot or scenario and unit of work; a line an integrator."""
+    """A panel per robot or scenario and unit of work; a line an integrator."""
     rows = [row for row in rows if "job" not in row and row["subject"] != "two_rate_feedforward" and not row.get("diverged")]
     panels = unique((row["subject"], row["robot"], row["unit_of_work"]) for row in rows)
     if not panels:

@@ -37,7 +37,7 @@ def fronts(rows, board):
 
 
 def two_rate(rows):
-    header = ["robot", "ticks between refreshes", "largest error", "largest error, ahead", "instructions a tick, average, stm32f405", "worst tick",
+    header = ["robot", "ticks between refreshes", "largest error", "largest error, ahead", "instructions per tick, average, stm32f405", "worst tick",
               "full rate", "average, nrf51", "worst tick", "full rate"]
     found = {}
     for row in rows:

@@ -40,7 +40,7 @@ def all_rows(options):
 
 
 def write_json(path, rows):
-    """A line a row."""
+    """A line per row."""
     lines = ",\n".join(json.dumps(row) for row in rows)
     pathlib.Path(path).write_text(f"[\n{lines}\n]\n", encoding="utf-8")
 

@@ -162,7 +162,7 @@ void write_csv(const std::string& path, const std::vector<Sample>& samples) {
         file << ',' << value;
     file << '\n';
   }
-  if (!file.flush()) throw std::runtime_error("can not write '" + path + "'; is there such a folder?");
+  if (!file.flush()) throw std::runtime_error("cannot write '" + path + "'; is there such a folder?");
 }
 
 void write_json(const std::string& path, const Options& options, const std::string& scene, const Verdict& verdict,
@@ -179,7 +179,7 @@ void write_json(const std::string& path, const Options& options, const std::stri
                          {"within_bound", good}}
               .dump(2)
        << '\n';
-  if (!file.flush()) throw std::runtime_error("can not write '" + path + "'; is there such a folder?");
+  if (!file.flush()) throw std::runtime_error("cannot write '" + path + "'; is there such a folder?");
 }
 
 int run(const Options& options) {

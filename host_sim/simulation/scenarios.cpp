@@ -317,7 +317,7 @@ std::vector<Row> contact_leg() {
   return rows;
 }
 
-// --- What float can not resolve
+// --- What float cannot resolve
 
 std::vector<Row> float_at_rest() {
   const Model model = sprung_arm(0.0, nominal_pose());

@@ -1,5 +1,5 @@
 """Worst-case stack of a function: every path through its instructions and through what it calls, library routines
-included. Whatever can not be bounded (an indirect call, a recursion, a frame of run-time size) is an error with a name.
+included. Whatever cannot be bounded (an indirect call, a recursion, a frame of run-time size) is an error with a name.
 """
 
 import re
@@ -30,7 +30,7 @@ def registers(text):
 
 
 def growth(instruction):
-    """Bytes by which an instruction makes the stack grow; None where it can not be known."""
+    """Bytes by which an instruction makes the stack grow; None where it cannot be known."""
     name, operands = instruction.name, instruction.operands
     if "sp" not in operands and not name.startswith(STACKING):
         return 0

@@ -59,12 +59,12 @@ struct ErrorPipe {
 Process::Process(const std::vector<std::string>& command, const std::string& output_file) {
   ErrorPipe pipe;
   id_ = ::fork();
-  if (id_ < 0) throw std::runtime_error("can not fork");
+  if (id_ < 0) throw std::runtime_error("cannot fork");
   if (id_ == 0) become(command, output_file, pipe.ends[1]);
   const int error = pipe.read_error();
   if (error == 0) return;
   ::waitpid(id_, nullptr, 0);
-  throw std::runtime_error("can not start " + command[0] + ": " + std::strerror(error));
+  throw std::runtime_error("cannot start " + command[0] + ": " + std::strerror(error));
 }
 
 Process::~Process() {

@@ -13,7 +13,7 @@ namespace host_sim {
 /// Runs a program with its output in a file. The destructor ends it, and the kernel does should this process die.
 class Process {
  public:
-  /// Throws std::runtime_error when the program can not be started.
+  /// Throws std::runtime_error when the program cannot be started.
   Process(const std::vector<std::string>& command, const std::string& output_file);
   ~Process();
   Process(const Process&) = delete;

@@ -8,7 +8,7 @@ namespace host_sim {
 
 TemporaryFolder::TemporaryFolder() {
   path_ = (std::filesystem::temp_directory_path() / "axial-XXXXXX").string();
-  if (::mkdtemp(path_.data()) == nullptr) throw std::runtime_error("can not make a temporary folder " + path_);
+  if (::mkdtemp(path_.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder " + path_);
 }
 
 TemporaryFolder::~TemporaryFolder() {

@@ -13,7 +13,7 @@ namespace {
 
 std::ifstream open(const std::string& path) {
   std::ifstream file(path);
-  if (!file) throw std::runtime_error("can not be read");
+  if (!file) throw std::runtime_error("cannot be read");
   return file;
 }
 

@@ -122,7 +122,7 @@ int run(const Options& options) {
   if (!options.json.empty()) {
     std::ofstream file(options.json);
     file << rows.dump(2) << '\n';
-    if (!file.flush()) throw std::runtime_error("can not write " + options.json);
+    if (!file.flush()) throw std::runtime_error("cannot write " + options.json);
   }
   return 0;
 }

@@ -1,6 +1,6 @@
 // Macros that other people's headers define, as they define them, for a header that is included behind them.
-// Sources: Arduino.h and binary.h of the AVR and SAM cores, avr-libc's sfr_defs.h, newlib's ctype.h, CMSIS and ST's device headers,
-// windows.h with windef.h and wingdi.h, C's complex.h and math.h, glibc's sys/sysmacros.h, termios.h.
+// Sources: Arduino.h and binary.h of the AVR and SAM cores, avr-libc's sfr_defs.h, newlib's ctype.h, CMSIS and ST's
+// device headers, windows.h with windef.h and wingdi.h, C's complex.h and math.h, glibc's sys/sysmacros.h, termios.h.
 #pragma once
 
 // Arduino

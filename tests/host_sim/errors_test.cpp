@@ -57,7 +57,8 @@ TEST(Errors, FixedPointIsWithinItsCertifiedErrorAndBetterThanFloat) {
   EXPECT_EQ(checked, 4);
 }
 
-// What the mass matrix amplifies in an acceleration's error is not the kernel's: as torque, a few last bits on any route.
+// What the mass matrix amplifies in an acceleration's error is not the kernel's: as torque, a few last bits on any
+// route.
 TEST(Errors, AccelerationsAreExactInTheTorqueThatTheyStandFor) {
   std::set<std::string> algorithms;
   for (const Row& row : errors::rows({"scara", "", ""})) {

@@ -1,4 +1,4 @@
-"""Identification and excitation, on logs of altered arms by Orocos KDL (simulated_log); logs that can not be used; the verbs' programs.
+"""Identification and excitation, on logs of altered arms by Orocos KDL (simulated_log); logs that cannot be used; the verbs' programs.
 
 usage: identification_test.py --host BUILD_FOLDER [unittest arguments]
 """
@@ -168,7 +168,7 @@ class CommandLine(unittest.TestCase):
 
 
 class Logs(unittest.TestCase):
-    """Each log that can not be used is refused with what is wrong, where, and what to do."""
+    """Each log that cannot be used is refused with what is wrong, where, and what to do."""
 
     def refuse(self, change, *words):
         time = np.arange(300) * 0.01

@@ -23,7 +23,7 @@ inline std::string cell(double x) {
 inline void write(const std::string& file, const Json& rows) {
   std::ofstream stream(file);
   stream << rows.dump(1) << '\n';
-  if (!stream.flush()) throw std::runtime_error("can not write " + file);
+  if (!stream.flush()) throw std::runtime_error("cannot write " + file);
 }
 
 }  // namespace stability

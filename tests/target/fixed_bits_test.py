@@ -20,7 +20,7 @@ class FixedBits(harness.BoardTest):
             for row in (line.split(",") for line in text.splitlines() if line.startswith("fixed,")):
                 name, bits, least, most = ",".join(row[1:4]), row[4], int(row[5]), int(row[6])
                 found[name] = bits
-                self.assertGreater(least, 20, f"{name}: it can not be that few")
+                self.assertGreater(least, 20, f"{name}: it cannot be that few")
                 self.assertEqual(least, most, f"{name}: one count for all inputs")
                 print(f"{name}: {most} instructions")
         self.assertEqual(found, wanted)

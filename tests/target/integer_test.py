@@ -33,7 +33,7 @@ class Integers(harness.BoardTest):
         self.assertEqual(counts.keys(), budget.keys())
         self.assertEqual([f"{name}: {counts[name]}, budget {most}" for name, most in budget.items() if counts[name] > most],
                          [])
-        self.assertGreaterEqual(counts["multiply"], 17 if self.board == "nrf51" else 1, "it can not be that few")
+        self.assertGreaterEqual(counts["multiply"], 17 if self.board == "nrf51" else 1, "it cannot be that few")
 
     def test_counts(self):
         self.check(self.counts("selftest"), BUDGETS.get(self.board, LONG))

@@ -28,19 +28,19 @@ class Observer(harness.BoardTest):
         self.assertEqual(robot, "panda")
         self.assertEqual(int(refused), 0, "all samples are inside the limits")
         self.assertGreater(int(collisions), 100, "samples anywhere inside the limits are no motion")
-        self.assertGreater(int(least), 1000, "it can not be that few")
+        self.assertGreater(int(least), 1000, "it cannot be that few")
         self.assertEqual(least, most, "one count for all samples")
-        print(f"{IMAGE} on {self.board}: {most} instructions a sample")
+        print(f"{IMAGE} on {self.board}: {most} instructions per sample")
         self.expect_weighing(text.splitlines()[1].split(","))
 
     def expect_weighing(self, fields):
         name, robot, bits, ready, least, most, least_estimate, most_estimate = fields
         self.assertEqual([name, robot], ["weighing", "panda"])
         self.assertEqual([bits, ready], host_fields(f"{IMAGE}-weighing"))
-        self.assertGreater(int(least), 1000, "it can not be that few")
+        self.assertGreater(int(least), 1000, "it cannot be that few")
         self.assertEqual(least, most, "one count for all samples")
         self.assertEqual(least_estimate, most_estimate, "one count for all estimates")
-        print(f"{IMAGE} on {self.board}: {most} instructions a sample weighed, {most_estimate} an estimate")
+        print(f"{IMAGE} on {self.board}: {most} instructions per sample weighed, {most_estimate} an estimate")
 
     def test_nothing_forbidden_is_linked(self):
         symbols = symbols_test.defined(emulator.image(self.board, IMAGE))

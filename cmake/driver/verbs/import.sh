@@ -23,7 +23,7 @@ A xacro file is expanded by the program xacro where that is installed. Of a head
   --states N, --seed N  random states to verify on; default 100, 1
   --as-published      keeps inertias, lengths and limits that no robot should have: .accept(axial::as_published)
   --strict            writes nothing where there are warnings
-Exits with 1 and says link, value and remedy when a description can not be used or the figures miss their bounds (poses 1e-12, torques
+Exits with 1 and says link, value and remedy when a description cannot be used or the figures miss their bounds (poses 1e-12, torques
 and mass matrix 1e-9 relative); warnings (no inertia, triangle inequality violated, ...) go to stderr and into the header.
 maintainers:
   --documents         alone: imports tests/data/descriptions, writes doc/data/import.json and the table of doc/measurements/imported.md

@@ -21,7 +21,7 @@ in QEMU, and an estimate of cycles from them (doc/measurements/size.md). Prints 
   --flags             the compiler flags instead: some sets of them (host_sim/size/flags.txt), compiled for seven kernels on the
                       Cortex-M4F and the Cortex-M7, without QEMU; writes flags.csv. May be followed by --json FILE and
                       the option --output, or by --documents alone: writes doc/data/flags* and their table (part of --documents)
-Exits non-zero when something can not be bounded or counts disagree.
+Exits non-zero when something cannot be bounded or counts disagree.
 maintainers:
   --documents         stands alone: measures all anew and writes doc/data/size.*, doc/pictures/size.* and the tables of doc/measurements/size.md
   --update-budgets    alone: writes tests/target/budgets.json, 2 % above what is measured now

@@ -271,7 +271,7 @@ class Feedforward {
     send(stats, stats_number_, session_.id());
   }
 
-  /// Once the line is quiet: a burst of garbage or of requests gets one answer of each kind, so that answers can not
+  /// Once the line is quiet: a burst of garbage or of requests gets one answer of each kind, so that answers cannot
   /// crowd out what comes in.
   void answer_requests() {
     if (!Board::serial_idle()) return;

@@ -1,6 +1,6 @@
 #pragma once
-/// States at which a kernel that branched on data would show it: every second one is made of corners of the number system
-/// and of the robot's limits, the others lie inside the limits.
+/// States at which a kernel that branched on data would show it: every second one is made of corners of the number
+/// system and of the robot's limits, the others lie inside the limits.
 
 #include <axial/axial.hpp>
 

@@ -69,7 +69,7 @@ void write(int part, int parts, const std::string& folder) {
        << robots.str() << "}  // namespace\n\nnamespace stability {\ntemplate <>\nCompiled compiled_robot<" << part
        << ">(const std::string& name) {\n"
        << entries.str() << "  return {};\n}\n}  // namespace stability\n";
-  if (!file.flush()) throw std::runtime_error("can not write to " + folder);
+  if (!file.flush()) throw std::runtime_error("cannot write to " + folder);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What a build of Bullet offers through C: its two builds have the same symbols and can not be linked together.
+// What a build of Bullet offers through C: its two builds have the same symbols and cannot be linked together.
 #pragma once
 
 extern "C" {

@@ -18,7 +18,7 @@ struct Comparison {
   double ratio = 0.0;  ///< ours over theirs, instance by instance, both taken as 8 eps at least
   bool excluded = false;
   bool pass = false;
-  std::string said;  ///< what the engine answers where there is no answer: it can not say so
+  std::string said;  ///< what the engine answers where there is no answer: it cannot say so
 };
 
 /// How many times more exact an engine may be.

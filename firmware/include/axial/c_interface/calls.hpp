@@ -1,4 +1,4 @@
-// What the exported functions do: C's structs to the library's types and back, and the checks that C can not make.
+// What the exported functions do: C's structs to the library's types and back, and the checks that C cannot make.
 #pragma once
 
 #include <axial/axial.h>

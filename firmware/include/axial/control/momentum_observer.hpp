@@ -26,7 +26,7 @@ constexpr double residual_share() {
 
 }  // namespace detail
 
-/// External efforts as the observer sees them, N m or N, one a joint: positive where the environment pushes the joint
+/// External efforts as the observer sees them, N m or N, one per joint: positive where the environment pushes the joint
 /// forwards. A plain number, in fixed point a word with its `exponent(i)`, which follows from the tuning too.
 template <class S, class T, class Tuning>
 struct Residuals : Joints<robot_of<S>, T> {};

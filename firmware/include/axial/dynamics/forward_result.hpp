@@ -9,7 +9,7 @@
 
 namespace axial {
 
-/// Accelerations, one a joint, and what the solver has to say about them.
+/// Accelerations, one per joint, and what the solver has to say about them.
 template <class S, class T>
 struct ForwardDynamics : FreeAccelerations<S, T> {
   Status status{};  ///< first joint that is near singular, or beyond its formats

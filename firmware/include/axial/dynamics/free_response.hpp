@@ -97,7 +97,7 @@ struct Unwatched {
   AXIAL_INLINE static constexpr Zero magnified() { return {}; }  ///< the drive is taken as it is
 };
 
-/// Accelerations of the structure under efforts alone; take(i, qdd_i) gets one a joint. `watch` sees every vector on
+/// Accelerations of the structure under efforts alone; take(i, qdd_i) gets one per joint. `watch` sees every vector on
 /// the way. Returns the first joint that is near singular or beyond its formats, or -1.
 template <class Links, class Screws, class Structure, class Drive, class Watch, class Take>
 AXIAL_INLINE constexpr int respond(const Links& links, const Screws& screws, const Structure& structure,

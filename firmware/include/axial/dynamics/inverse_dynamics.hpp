@@ -194,7 +194,7 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
 
 /// Joint efforts for a desired motion: tau = M(q) qdd + c(q, qd) + g(q) [+ rotor inertia, friction] - J^T wrench.
 /// Source: recursive Newton-Euler (Luh, Walker and Paul 1980) in link frames with successive axial screws.
-/// In: q (rad or m), qd, qdd; `in` carries the run-time inputs that the scene names. Out: N m or N, one a joint.
+/// In: q (rad or m), qd, qdd; `in` carries the run-time inputs that the scene names. Out: N m or N, one per joint.
 /// Gravity as the chain declares it: a link that must be held up has a positive effort along +g's opposite.
 /// NaN and infinities propagate to the result, and in fixed point q, qd and qdd must be inside the declared limits; use
 /// control/feedforward.hpp where inputs are not trusted.

@@ -24,7 +24,7 @@ struct ForwardKinematics {
 /// of joint j gives the tool.
 template <class S, class T>
 struct Jacobian {
-  MotionVector<Vec3<T>, Vec3<T>> columns[joint_count<S>];  ///< one a joint, from the base outwards
+  MotionVector<Vec3<T>, Vec3<T>> columns[joint_count<S>];  ///< one per joint, from the base outwards
   Status status{};                                         ///< whether they are numbers, see forward_kinematics()
   /// Column of joint j; the index is not checked.
   AXIAL_INLINE constexpr auto& operator[](int j) { return columns[j]; }

@@ -49,7 +49,7 @@ struct Slots : detail::SlotsOf<std::make_integer_sequence<int, sizeof...(V)>, V.
 /// One value a link, all of one type.
 template <class V, int N>
 struct Row {
-  V values[N] = {};                                                  ///< one a link
+  V values[N] = {};                                                  ///< one per link
   AXIAL_INLINE constexpr V& operator[](int i) { return values[i]; }  ///< value of link i; the index is not checked
   /// Value of link i; the index is not checked.
   AXIAL_INLINE constexpr const V& operator[](int i) const { return values[i]; }

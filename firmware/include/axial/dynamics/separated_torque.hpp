@@ -107,7 +107,7 @@ AXIAL_INLINE constexpr void for_each_pair(const F& f) {
 template <class S, class T>
 struct RateProducts {
   T pairs[SeparatedB<S, T>::pairs] = {};  ///< rad^2/s^2 or the like, in the order of SeparatedB
-  T squares[joint_count<S>] = {};         ///< one a joint
+  T squares[joint_count<S>] = {};         ///< one per joint
 
   AXIAL_INLINE constexpr explicit RateProducts(const Velocities<robot_of<S>, T>& qd) {
     for_each_joint<S>([&](auto j) AXIAL_INLINE { squares[j] = qd[j] * qd[j]; });

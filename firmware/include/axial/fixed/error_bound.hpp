@@ -79,10 +79,10 @@ constexpr Bounds<S, T> bound_on_efforts() {
 
 }  // namespace detail
 
-/// `error_bound<Scene>(algorithm::inverse_dynamics)`, N m or N a joint; the inputs are taken as the words say. Every
+/// `error_bound<Scene>(algorithm::inverse_dynamics)`, N m or N per joint; the inputs are taken as the words say. Every
 /// rounding of every stored quantity is in it, to second order and beyond, and the errors of sines and cosines:
 /// doc/guides/ranges.md. Also for bias and gravity, the closed form, forward dynamics (rad/s^2 or m/s^2), the mass
-/// matrix (a bound a row), and for poses and Jacobians the positions (m) of a link's frame. Source: the recursions of
+/// matrix (a bound per row), and for poses and Jacobians the positions (m) of a link's frame. Source: the recursions of
 /// doc/guides/ranges.md.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::InverseDynamics) {
@@ -105,7 +105,7 @@ template <class S, class T = Fixed32>
   return detail::bounds_of(closed_form::detail::ScaraTable<S, A>::value,
                            [](const LinkRange& r) { return r.joint_effort.error; });
 }
-/// Of the mass matrix, one a row: of its entries up to the diagonal, in their SI units.
+/// Of the mass matrix, one per row: of its entries up to the diagonal, in their SI units.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::MassMatrix) {
   using Scene = scene_of<S>;

@@ -6,7 +6,8 @@
 // AXIAL_USER_OPTIONS turns this off.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wsign-conversion"  // GCC 12 warns of each array that is as long as a template's int says
+#pragma GCC diagnostic ignored \
+    "-Wsign-conversion"  // GCC 12 warns of each array that is as long as a template's int says
 #ifndef AXIAL_USER_OPTIONS
 #pragma GCC push_options
 #ifdef __NO_INLINE__

@@ -161,7 +161,7 @@ struct SineCosines : Feature<SineCosines> {
   /// Its run-time input.
   template <class Robot, class T>
   struct Input {
-    Joints<Robot, SinCos<T>> turns = unknown();  ///< one a joint
+    Joints<Robot, SinCos<T>> turns = unknown();  ///< one per joint
 
    private:
     static constexpr auto unknown() {

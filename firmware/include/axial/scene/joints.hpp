@@ -7,7 +7,7 @@
 
 namespace axial {
 
-/// N values, one a joint, from the base outwards. A plain aggregate: `Joints<Robot, float> q{0.1F, 0.2F}`.
+/// N values, one per joint, from the base outwards. A plain aggregate: `Joints<Robot, float> q{0.1F, 0.2F}`.
 /// `Role` is void where the numbers carry their own scale; fixed point has one type a role
 /// (fixed/formats/joint_formats.hpp).
 template <class S, class T, class Role>

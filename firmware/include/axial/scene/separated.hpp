@@ -36,7 +36,7 @@ struct SeparatedC {
 template <class S, class T>
 struct SeparatedG {
   static constexpr int size = joint_count<S>;  ///< number of joints
-  T G[size];                                   ///< one a joint
+  T G[size];                                   ///< one per joint
 };
 
 /// A(q) qdd + B(q) [qd qd] + C(q) [qd^2] + G(q) = tau, Djuric et al. 2016, eq. (1). S is a robot or a scene.

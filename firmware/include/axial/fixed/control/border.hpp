@@ -11,7 +11,7 @@ namespace axial {
 /// Joint values after a conversion, and the first joint whose value could not be kept as it was.
 template <class Values>
 struct Converted {
-  Values values{};  ///< one a joint, in the formats of their role
+  Values values{};  ///< one per joint, in the formats of their role
   Status status{};  ///< names the first joint that was not kept as it was
 };
 

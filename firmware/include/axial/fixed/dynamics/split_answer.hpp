@@ -13,7 +13,7 @@ namespace aba {
 /// Joint accelerations of one solve as words, each at the exponent of its link.
 template <class Links>
 struct Solved {
-  std::int32_t raw[Links::capacity] = {};  ///< one a joint
+  std::int32_t raw[Links::capacity] = {};  ///< one per joint
   int lost = -1;                           ///< first joint that is near singular or beyond its formats, -1 for none
 };
 

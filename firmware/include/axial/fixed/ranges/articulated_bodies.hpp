@@ -44,8 +44,8 @@ constexpr PerJoint<N> least_inertias(const Mechanism<N>& m) {
 inline constexpr double unknown_size = 1e300;
 
 /// The structure driven by efforts: bounds by the sum G = qdd^T M qdd = sum of u_j^2 / D_j, which no recursion
-/// inflates. A joint's share u^2 / D is held below `share` at run time (admitted() in formats/link_formats.hpp); what is outboard of
-/// a link has at most the sum of its shares.
+/// inflates. A joint's share u^2 / D is held below `share` at run time (admitted() in formats/link_formats.hpp); what
+/// is outboard of a link has at most the sum of its shares.
 template <int N>
 class ArticulatedAnalysis {
  public:
