@@ -173,7 +173,7 @@ def check_folder(root, folder, pattern, reason):
 def check_readmes(root):
     files = subprocess.run(["git", "-C", root, "ls-files"], capture_output=True, text=True, check=True).stdout.split("\n")
     folders = {str(pathlib.PurePath(f).parent) for f in files if f}
-    for folder in sorted(folders - {".ci"}):
+    for folder in sorted(folders - {".ci", ".github/workflows"}):
         if folder.startswith("cmake/packages/"):  # what a package has, and no more
             continue
         if not (root / folder / "README.md").exists():

@@ -25,7 +25,7 @@ run() {
     esac
     shift
   done
-  ensure_packages python3-scipy doxygen clang libbenchmark-dev # what runs of other verbs need
+  ensure_packages python3-scipy python3-yaml doxygen clang clang-format clang-tidy libbenchmark-dev # what runs of other verbs need
   if $quick; then
     test_preset host-debug --no-tests=error "${select[@]}" --label-exclude target
   else

@@ -79,7 +79,7 @@ struct Enclosure {
  private:
   constexpr void answer(int i, const std::int64_t (&unknown)[N]) {
     const std::int64_t kept = -static_cast<std::int64_t>(proved);  // nothing overflows where all is proved
-    std::int64_t sum = 0, lacks = 2 * N;                           // every product is rounded down
+    std::int64_t sum = 0, lacks = std::int64_t{2} * N;             // every product is rounded down
     for (int j = 0; j < N; ++j) {
       sum += wide_shifted_by(inverse[i][j] * (residual[j] & kept), shift[j] & 63);
       lacks += wide_shifted_by(wide_magnitude(inverse[i][j]) * (unknown[j] & kept), shift[j] & 63);

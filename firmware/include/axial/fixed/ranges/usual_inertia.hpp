@@ -55,7 +55,8 @@ constexpr PlainInertia at_parent(const TreeLinkConstants<double>& c, const Plain
 /// Place number k of joint i in [0, 1): multiples of a square root per joint, which spread evenly and independently.
 constexpr double place(int k, int i) {
   constexpr double primes[] = {2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0};
-  const double x = (k + 1) * square_root(primes[i % 8]) + 0.37 * (i / 8);
+  const int lap = i / 8;
+  const double x = (k + 1) * square_root(primes[i % 8]) + 0.37 * lap;
   return x - static_cast<double>(static_cast<int>(x));
 }
 
