@@ -147,6 +147,22 @@ constexpr auto chain(const Parts&... parts) {
   return builder.chain;
 }
 
+namespace detail {
+/// What kernels compute with where chain() has stopped the compiler, so that nothing more is said: as many links that
+/// have every limit.
+template <class R>
+struct StandIn {
+  static constexpr auto chain = [] {
+    std::decay_t<decltype(R::chain)> sound{};
+    for (LinkParameters& p : sound.links)
+      p.mass = p.inertia_com[0] = p.inertia_com[1] = p.inertia_com[2] = p.speed_limit = p.acceleration_limit = 1.0,
+      p.position_min = -1.0, p.position_max = p.effort_limit = 1.0;
+    sound.payload_limit = {1.0, 1.0, 1.0, true}, sound.tip_wrench_limit = {1.0, 1.0, true};
+    return sound;
+  }();
+};
+}  // namespace detail
+
 }  // namespace axial
 
 #include <axial/options/end.hpp>

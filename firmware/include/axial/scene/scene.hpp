@@ -62,18 +62,9 @@ auto is_malformed(long) -> decltype(R::chain.links[0].mass, std::true_type());
 template <class R>
 std::false_type is_malformed(...);
 
-/// What kernels then compute with, so that nothing more is said: as many links that have every limit.
+/// What kernels then compute with, so that nothing more is said: robot/chain.hpp.
 template <class R>
-struct StandIn {
-  static constexpr auto chain = [] {
-    std::decay_t<decltype(R::chain)> sound{};
-    for (LinkParameters& p : sound.links)
-      p.mass = p.inertia_com[0] = p.inertia_com[1] = p.inertia_com[2] = p.speed_limit = p.acceleration_limit = 1.0,
-      p.position_min = -1.0, p.position_max = p.effort_limit = 1.0;
-    sound.payload_limit = {1.0, 1.0, 1.0, true}, sound.tip_wrench_limit = {1.0, 1.0, true};
-    return sound;
-  }();
-};
+struct StandIn;
 template <class R, bool malformed = decltype(is_malformed<R>(0))::value>
 struct Computed {
   using type = R;   ///< the robot that kernels compute with
