@@ -264,4 +264,20 @@ Rewritten write_header(const std::string& path, const Description& robot, const 
   return result;
 }
 
+std::string said_of(const std::string& path, const Rewritten& rewritten) {
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (const auto& entry : rewritten.kept)
+    for (const auto& line : entry.second)
+      text += "kept:     " + line + (entry.first.empty() ? "" : " at " + entry.first) + "\n";
+  if (rewritten.lost.empty()) return text;
+  const bool one = rewritten.lost.size() == 1;
+  text += std::to_string(rewritten.lost.size()) + (one ? " line" : " lines") + " of the old " + path +
+          (one ? " is" : " are") + " not in the new one, which may be your changes; it is saved as " +
+          rewritten.before + "\n";
+  for (std::size_t i = 0; i < rewritten.lost.size() && i < most; ++i)
+    text += "  " + rewritten.lost[i] + "\n";
+  return text + "  (a line that ends in '// kept' stays)\n";
+}
+
 }  // namespace description

@@ -33,4 +33,7 @@ struct Rewritten {
 /// is saved beside it. Throws Refused where the file cannot be written.
 Rewritten write_header(const std::string& path, const Description& robot, const std::vector<std::string>& figures);
 
+/// What to tell of that, a line each; nothing where nothing was there.
+std::string said_of(const std::string& path, const Rewritten& rewritten);
+
 }  // namespace description

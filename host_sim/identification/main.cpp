@@ -72,7 +72,8 @@ void write_header(description::Description robot, const std::string& values, con
   robot.source += json.at("source").get<std::string>();
   for (const auto& note : json.at("notes"))
     robot.notes.push_back(note.get<std::string>());
-  description::write_header(path, robot, json.at("figures").get<std::vector<std::string>>());
+  const auto rewritten = description::write_header(path, robot, json.at("figures").get<std::vector<std::string>>());
+  std::fputs(description::said_of(path, rewritten).c_str(), stderr);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 import json
 import subprocess
+import sys
 
 import numpy as np
 
@@ -39,6 +40,7 @@ class Robot:
         done = subprocess.run([*self.command, *arguments], capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise RobotError(done.stderr.strip().removeprefix("robot_regressor: "))
+        sys.stderr.write(done.stderr)  # of a header: what was kept, and what was not
         return done.stdout
 
     def write_header(self, path, values):

@@ -63,20 +63,6 @@ void print(const importer::Result& result) {
     std::fprintf(stderr, "import: warning: %s\n", warning.text().c_str());
 }
 
-/// What became of a header that was there.
-void say_rewritten(const std::string& output, const description::Rewritten& rewritten) {
-  for (const auto& entry : rewritten.kept)
-    for (const auto& line : entry.second)
-      std::printf("kept:     %s%s\n", line.c_str(), entry.first.empty() ? "" : (" at " + entry.first).c_str());
-  if (rewritten.lost.empty()) return;
-  std::fprintf(stderr,
-               "import: %zu lines of the old %s are not in the new one, which may be your changes; it is saved as %s\n",
-               rewritten.lost.size(), output.c_str(), rewritten.before.c_str());
-  for (std::size_t i = 0; i < rewritten.lost.size() && i < 5; ++i)
-    std::fprintf(stderr, "  %s\n", rewritten.lost[i].c_str());
-  std::fprintf(stderr, "  (a line that ends in '// kept' stays)\n");
-}
-
 int import_robot(Arguments& arguments) {
   if (!arguments.gravity.empty())
     arguments.options.gravity = {arguments.gravity[0], arguments.gravity[1], arguments.gravity[2]};
@@ -95,7 +81,8 @@ int import_robot(Arguments& arguments) {
                                "about; correct it, or keep it with that option");
   if (arguments.strict && !result.imported.warnings.empty())
     throw description::Refused(arguments.file + ": not written: there are warnings, and --strict was given");
-  say_rewritten(output, description::write_header(output, robot, result.figures.lines()));
+  const auto rewritten = description::write_header(output, robot, result.figures.lines());
+  std::fputs(description::said_of(output, rewritten).c_str(), stderr);
   std::printf("written:  %s (robots::%s)\n", output.c_str(), description::type_name(robot).c_str());
   return 0;
 }

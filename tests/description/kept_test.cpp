@@ -77,6 +77,8 @@ TEST(Kept, SameTextComesOutAgainAndAgain) {
   const auto again = description::write_header(file.path, two_joints(), {});
   EXPECT_EQ(File::read(file.path), once);
   EXPECT_TRUE(again.lost.empty());
+  EXPECT_EQ(description::said_of(file.path, again),
+            "kept:     axial::payload_limit(2.0, 0.1, 0.05)\nkept:     .effort_limit(33.5) at shoulder\n");
   EXPECT_TRUE(says(once, "payload_limit(2.0, 0.1, 0.05)") && says(once, "effort_limit(33.5)"));
 }
 
@@ -86,6 +88,8 @@ TEST(Kept, OtherChangesAreSavedAndSaid) {
   const auto rewritten = description::write_header(file.path, two_joints(), {});
   EXPECT_EQ(rewritten.lost, std::vector<std::string>{".viscous(0.75)"});
   EXPECT_EQ(rewritten.before, file.path + ".before");
+  EXPECT_TRUE(says(description::said_of(file.path, rewritten), "1 line of the old"));
+  EXPECT_TRUE(says(description::said_of(file.path, rewritten), "  .viscous(0.75)\n"));
   EXPECT_TRUE(says(File::read(rewritten.before), ".viscous(0.75)"));
   EXPECT_FALSE(says(File::read(file.path), ".viscous(0.75)"));
 }
