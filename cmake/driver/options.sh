@@ -4,6 +4,7 @@
 #   BOARD     a board that runs every image          ROBOT     a robot that has a trajectory
 #   MODEL     any robot or count model               HEADER    a file that exists
 #   N         a whole number                         NUMBER    a number
+#   IN_FILE   a file that exists
 #   ANY_BOARD a folder of hal/boards                 WORD      a word of firmware/apps/size/matrix.txt
 # With "..." behind it, it may be several, with commas between.
 # Other names in capitals take anything. A text that begins with "alone" is of an option that nothing may stand beside.
@@ -47,34 +48,41 @@ read_option_names() {
   done
 }
 
-# How many arguments without a dash the first line of usage names: words with capitals between the verb and [options].
-positional_count() {
-  local line words word count=0
+# The arguments without a dash that the first line of usage names: words with capitals between the verb and [options].
+positional_names() {
+  local line words word
   IFS= read -r line < <(usage)
   read -ra words <<<"${line#usage: ./axial * }"
-  [[ $line == "usage: ./axial "*" "* ]] || { echo 0 && return; }
+  [[ $line == "usage: ./axial "*" "* ]] || return 0
   for word in "${words[@]}"; do
     [[ $word == -* || $word == \[* ]] && break
-    [[ $word =~ ^[A-Z] ]] && count=$((count + 1))
+    if [[ $word =~ ^[A-Z] ]]; then echo "$word"; fi
   done
-  echo "$count"
+}
+
+# check_positional VERB NAME ARGUMENT: NAME is empty where the verb takes no more. A file that is read must be there.
+check_positional() {
+  [[ -n $2 ]] || fail_usage "unknown argument '$3'; see ./axial $1 --help"
+  case $2 in
+    FILE | *.csv) [[ -f $3 || -n ${AXIAL_PARSE_ONLY:-} ]] || fail_usage "there is no file '$3'" ;;
+  esac
 }
 
 # check_options VERB ARGUMENT...: sets ARGUMENTS, where --name=value has become two.
 check_options() {
-  local verb=$1 argument value positional=0 total allowed
+  local verb=$1 argument value positional=0 total names=()
   shift
   split_values "$@"
   set -- "${ARGUMENTS[@]}"
   total=$#
   read_usage
-  allowed=$(positional_count)
+  mapfile -t names < <(positional_names)
   while (($#)); do
     argument=$1
     shift
     if [[ $argument != -?* ]]; then
+      check_positional "$verb" "${names[positional]:-}" "$argument"
       positional=$((positional + 1))
-      ((positional <= allowed)) || fail_usage "unknown argument '$argument'; see ./axial $verb --help"
       continue
     fi
     [[ -v OPTION_VALUES[$argument] ]] || fail_usage "unknown option '$argument'; see ./axial $verb --help"
@@ -111,6 +119,7 @@ check_value() {
     case $kind in
       N) [[ $3 =~ ^[0-9]+$ ]] && return ;;
       NUMBER) [[ $3 =~ ^-?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?$ ]] && return ;;
+      IN_FILE) [[ -f $3 || -n ${AXIAL_PARSE_ONLY:-} ]] && return ;;
       HEADER) [[ -f $3 || (${AXIAL_PARSE_ONLY:-} && $3 == *.hpp) ]] && return ;;
       *)
         mapfile -t -O "${#known[@]}" known < <(words_of "$kind")
@@ -145,6 +154,7 @@ refuse_value() {
   case $name in
     N) fail_usage "$option is '$value'; give a whole number" ;;
     NUMBER) fail_usage "$option is '$value'; give a number" ;;
+    IN_FILE) fail_usage "$option: there is no file '$value'" ;;
     *WORD*) fail_usage "unknown ${option##*-} '$value'; firmware/apps/size/matrix.txt lists what there is" ;;
     *HEADER*) fail_usage "$option: there is no header '$value'${1:+, and no robot called so: $*}" ;;
     *) fail_usage "unknown ${option##*-} '$value'; there are $*" ;;

@@ -111,6 +111,14 @@ def compilers_of(verb):
     return [word for values in words for word in values.removesuffix("...").split("|") if re.search(r"gcc|clang|cortex_m4f-O2", word)]
 
 
+def unreadable_options(verb):
+    """Lines whose values would be read with words of their text: one blank is between them where two belong."""
+    for line in help_of(verb, "--help", "--all").splitlines():
+        option = re.match(r"^ {2,}(-[^ ].*?)(?: {2,}|$)", line)
+        if option and any(not re.search(r"[A-Z|]", word) for word in option[1].replace(",", " ").split() if not word.startswith("-")):
+            yield f"{verb} --help: {line.strip()}: two blanks belong between an option and its text"
+
+
 def named_in_readme():
     return set(re.findall(r"\./axial ([a-z]+(?:-[a-z]+)*)", (ROOT / "README.md").read_text(encoding="utf-8")))
 
@@ -131,6 +139,8 @@ def complete():
         for compiler in compilers_of(verb):
             if not re.search(rf"[ ,]{re.escape(compiler)}(?:[ ,]|$)", commands):
                 yield f"verbs.txt: {verb} is not run with {compiler}"
+    for verb in known:
+        yield from unreadable_options(verb)
     if "axial test" not in (ROOT / ".ci/run").read_text(encoding="utf-8"):
         yield ".ci/run does not run ./axial test"
 

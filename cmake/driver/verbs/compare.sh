@@ -9,7 +9,7 @@ Installs and builds what is missing. Compares the ways to a torque for RRP, RRPR
 the Automatic Separation Method, the SCARA's closed form; operations, instructions on a Cortex-M4F and a Cortex-M0 in QEMU,
 errors against the oracle, and the error of a feed-forward whose terms are refreshed slowly (doc/measurements/separation.md).
   --output FOLDER     where the files go; default output/separation
-  --sizes FILE        rows of ./axial size, such as doc/data/size.json, instead of measuring them
+  --sizes IN_FILE     rows of ./axial size, such as doc/data/size.json, instead of measuring them
   --json FILE         the rows once more, as an array of objects
 maintainers:
   --documents         alone: writes doc/data/separation*.json, doc/pictures/separation.* and the tables of doc/measurements/separation.md

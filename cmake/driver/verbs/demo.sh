@@ -10,7 +10,7 @@ cycle to it tick by tick, compares every torque with the oracle, prints a table 
   --robot ROBOT       scara (default), scara_rrpr, puma560, panda, planar2r
   --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt
   --number float|fixed32  what the firmware computes in; default float (fixed32: 32-bit fixed point; the wire stays float)
-  --trajectory FILE   way-points (.json as in host_sim/trajectories) or set-points (.csv: time, q..., qd..., qdd...)
+  --trajectory IN_FILE  way-points (.json as in host_sim/trajectories) or set-points (.csv: time, q..., qd..., qdd...)
   --output FOLDER     where the files go; default output/demo
   --without-picture   data alone
   --json FILE         the figures of every joint once more, as an array of objects

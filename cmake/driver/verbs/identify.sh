@@ -15,7 +15,7 @@ physically consistent parameters of every link that have them, and says how sure
                       host_sim/description) or a URDF
   --tip LINK          where the chain of a URDF ends; default: every branch
   -o HEADER.hpp       writes the identified robot; the file's name becomes its name
-  --validate LOG.csv  a second log, which the parameters must predict
+  --validate IN_FILE  a second log, which the parameters must predict
   --cutoff NUMBER       of the zero-phase low-pass; default 10 Hz or a tenth of the log's rate; 0: none
   --keep rotors|friction  as the robot has them, not fitted; may stand twice
   --output FOLDER     report, predicted torques and picture; default output/identify

@@ -9,7 +9,7 @@ Installs and builds what is missing. Computes the same torques in 16-bit and 32-
 down, upper words of products), float and double, on the same seeded states: errors against quadruple precision on the host,
 instructions and bytes on every board in QEMU (doc/measurements/number_systems.md). Prints a table, writes CSV, JSON and a picture.
   --robot ROBOT       only this robot
-  --sizes FILE        rows of ./axial size, such as doc/data/size.json, instead of measuring them
+  --sizes IN_FILE     rows of ./axial size, such as doc/data/size.json, instead of measuring them
   --output FOLDER     where the files go; default output/numbers
   --json FILE         the rows once more, as an array of objects
 maintainers:

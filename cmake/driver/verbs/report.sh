@@ -11,7 +11,7 @@ what no other beats in either; adds feed-forward at two rates, simulations and s
 writes CSV, JSON, pictures and one self-contained HTML page.
   --robot ROBOT       only this robot
   --board BOARD       only this board
-  --sizes FILE        rows of ./axial size, such as doc/data/size.json, instead of measuring them
+  --sizes IN_FILE     rows of ./axial size, such as doc/data/size.json, instead of measuring them
   --output FOLDER     where the files go; default output/report
   --json FILE         the rows once more, as an array of objects
 maintainers:
