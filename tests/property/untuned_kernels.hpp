@@ -39,8 +39,11 @@ class UntunedKernels : UntunedReference<R> {
   }
 
  private:
+  double largest_[kernels] = {};  // of the exact results so far
+
   // `size` is that of the exact result: double precision rounds, too, where a bound is 0.
   void see(Kernel kernel, double error, double bound, double size) {
+    size = largest_[kernel] = std::fmax(largest_[kernel], size);
     const double share = bound > 0.0 ? error / bound : error > 1e-12 * size ? HUGE_VAL : 0.0;
     nearest[kernel] = std::fmax(nearest[kernel], share);
   }

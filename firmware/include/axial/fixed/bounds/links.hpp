@@ -39,13 +39,14 @@ class BoundedLinks {
   static constexpr void write_difference(Row<NumberSum, N>& values, int i, const NumberSum& x, const Number& y) {
     values[i] = x + y;
   }
-  /// A column of the Jacobian as it is stored: an arm's motion is a length.
+  /// A column of the Jacobian as it is stored: linear motion at the exponent of lengths, a slide's direction too.
   ///@{
   constexpr BoundedMotion stored(const MotionVector<BoundedVector, VectorSum>& column) const {
     return {column.angular, link(0).sum(quantity::Length{}, column.linear)};
   }
-  static constexpr BoundedMotion stored(const MotionVector<ZeroVec3, BoundedVector>& column) {
-    return {{}, column.linear};
+  constexpr BoundedMotion stored(const MotionVector<ZeroVec3, BoundedVector>& column) const {
+    const BoundedVector direction = link(0).sum(quantity::Length{}, column.linear);
+    return {{}, direction};
   }
   ///@}
   /// Frame 0 in the world.
