@@ -2,6 +2,7 @@
 #include <kdl/chainfdsolver_recursive_newton_euler.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainidsolver_recursive_newton_euler.hpp>
+#include <kdl/chainjnttojacdotsolver.hpp>
 #include <kdl/chainjnttojacsolver.hpp>
 #include <oracle/kdl_chain.hpp>
 #include <oracle/kdl_model.hpp>
@@ -123,6 +124,17 @@ Jacobian<double> KdlChain::tool_jacobian(const Vector<double>& q) const {
       result.angular(i, j) = J(static_cast<unsigned>(i + 3), static_cast<unsigned>(j));
     }
   return result;
+}
+
+Wrench<double> KdlChain::tool_bias_acceleration(const Vector<double>& q, const Vector<double>& qd) const {
+  KDL::Chain with_tool = solvers_->model;
+  with_tool.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::Fixed), kdl(solvers_->source.tool)));
+  KDL::ChainJntToJacDotSolver solver(with_tool);
+  solver.setHybridRepresentation();
+  KDL::Twist rate;
+  check(solver.JntToJacDot(KDL::JntArrayVel(kdl(q), kdl(qd)), rate));
+  rate = kdl(solvers_->source.base).M * rate;
+  return {from_kdl(rate.vel), from_kdl(rate.rot)};
 }
 
 Matrix<double> KdlChain::mass_matrix(const Vector<double>& q) const {

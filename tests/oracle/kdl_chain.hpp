@@ -16,7 +16,10 @@ class KdlChain {
 
   Pose<double> tool_pose(const Vector<double>& q) const;          ///< in the root frame
   Jacobian<double> tool_jacobian(const Vector<double>& q) const;  ///< at the tool, axes of the root frame
-  Matrix<double> mass_matrix(const Vector<double>& q) const;      ///< ChainDynParam (composite bodies)
+  /// Rate of the tool's velocity at constant joint rates, the linear part in `force`, the angular one in `moment`:
+  /// ChainJntToJacDotSolver, hybrid representation.
+  Wrench<double> tool_bias_acceleration(const Vector<double>& q, const Vector<double>& qd) const;
+  Matrix<double> mass_matrix(const Vector<double>& q) const;  ///< ChainDynParam (composite bodies)
   Vector<double> coriolis_torque(const Vector<double>& q, const Vector<double>& qd) const;
   Vector<double> gravity_torque(const Vector<double>& q) const;
   Vector<double> inverse_dynamics(const Vector<double>& q, const Vector<double>& qd, const Vector<double>& qdd,

@@ -31,6 +31,7 @@ typedef enum {
   AXIAL_INPUT_LIMIT = 11,
   AXIAL_ANGLE_RANGE = 12,
   AXIAL_INACCURATE = 13,
+  AXIAL_EFFORT_RATE = 14,
   AXIAL_NULL_ARGUMENT = 32
 } axial_code;
 
@@ -72,6 +73,8 @@ static inline const char* axial_code_text(int code) {
       return "an angle of so many turns that its sine is not exact";
     case AXIAL_INACCURATE:
       return "the inertia matrix is too ill-conditioned for the documented error";
+    case AXIAL_EFFORT_RATE:
+      return "change of effort limited to the declared step";
     case AXIAL_NULL_ARGUMENT:
       return "an argument is a null pointer";
     default:

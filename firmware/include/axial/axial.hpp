@@ -12,6 +12,8 @@
 #include <axial/control/collision.hpp>
 #include <axial/control/fall_back.hpp>
 #include <axial/control/feedforward.hpp>
+#include <axial/control/gravity_compensation.hpp>
+#include <axial/control/tracking.hpp>
 #include <axial/control/two_rate.hpp>
 #include <axial/dynamics/base_wrench.hpp>
 #include <axial/dynamics/check_finite.hpp>
@@ -20,11 +22,17 @@
 #include <axial/dynamics/joint_torque.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
-#include <axial/dynamics/plain_arrays.hpp>
 #include <axial/dynamics/separated_torque.hpp>
 #include <axial/dynamics/separation.hpp>
+#include <axial/dynamics/task_space_inertia.hpp>
+#include <axial/dynamics/tool_motion.hpp>
 #include <axial/links/model.hpp>
 #include <axial/scene/consistency.hpp>
+#include <axial/scene/mounted_payload.hpp>
 
 // Last, behind what they include.
+#include <axial/dynamics/plain_arrays.hpp>
+#include <axial/dynamics/role_checks.hpp>
+
 #include <axial/control/plain_arrays.hpp>
+#include <axial/control/role_checks.hpp>

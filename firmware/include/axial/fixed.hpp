@@ -8,7 +8,9 @@
 #include <axial/fixed/control/collision.hpp>
 #include <axial/fixed/control/encoder.hpp>
 #include <axial/fixed/control/fall_back.hpp>
+#include <axial/fixed/control/payload_border.hpp>
 #include <axial/fixed/control/payload_words.hpp>
+#include <axial/fixed/control/tracking.hpp>
 #include <axial/fixed/dynamics/certified_forward_dynamics.hpp>
 #include <axial/fixed/dynamics/forward_dynamics.hpp>
 #include <axial/fixed/dynamics/inverse_dynamics.hpp>

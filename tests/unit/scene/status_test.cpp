@@ -12,7 +12,7 @@ using axial::Status;
 using axial::status_text;
 using Code = Status::Code;
 
-constexpr int codes = 14;  // of the enumeration; the compiler asks status_text() for each that is added (-Wswitch)
+constexpr int codes = 15;  // of the enumeration; the compiler asks status_text() for each that is added (-Wswitch)
 
 TEST(StatusText, EveryCodeHasATextOfItsOwn) {
   std::set<std::string> texts;
@@ -33,6 +33,13 @@ TEST(StatusText, OfAStatusIsThatOfItsCode) {
   constexpr const char* text = status_text(status);
   EXPECT_STREQ(text, status_text(Code::speed_limit));
   EXPECT_STREQ(status_text(Status{}), "ok");
+}
+
+TEST(Status, IsMetWhereOnlyTheEffortWasLimited) {
+  for (int code = 0; code < codes; ++code) {
+    const auto c = static_cast<Code>(code);
+    EXPECT_EQ((Status{c, -1}.met()), c == Code::ok || c == Code::effort_limit || c == Code::effort_rate) << code;
+  }
 }
 
 }  // namespace

@@ -46,7 +46,8 @@ static_assert(AXIAL_OK == static_cast<int>(Status::Code::ok) &&
               AXIAL_RESCALED == static_cast<int>(Status::Code::rescaled) &&
               AXIAL_INPUT_LIMIT == static_cast<int>(Status::Code::input_limit) &&
               AXIAL_ANGLE_RANGE == static_cast<int>(Status::Code::angle_range) &&
-              AXIAL_INACCURATE == static_cast<int>(Status::Code::inaccurate));
+              AXIAL_INACCURATE == static_cast<int>(Status::Code::inaccurate) &&
+              AXIAL_EFFORT_RATE == static_cast<int>(Status::Code::effort_rate));
 
 }  // namespace axial::c_interface
 

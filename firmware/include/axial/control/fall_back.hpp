@@ -55,7 +55,7 @@ class FallBack {
   /// or outside the declared limits is no position. Once a request was good nothing happens: its torque stays until the
   /// clock runs out. True where holding begins.
   [[nodiscard]] constexpr bool hold_at(const Q& q, const Inputs<S, T>& in = {}) {
-    if (phase() != DrivePhase::idle || !check_request<S, T>(q, {}, {}).ok() || !find_hold(q, in)) return false;
+    if (phase() != DrivePhase::idle || !check_position<S>(q).ok() || !find_hold(q, in)) return false;
     return phases_.hold();
   }
 

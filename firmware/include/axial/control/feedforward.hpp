@@ -28,10 +28,8 @@ template <class S, class T>
 constexpr Status clamp_efforts(EffortsOf<S, T>& tau) {
   int joint = -1;
   for (int i = joint_count<S>; i-- > 0;) {
-    const auto& most = LimitsFor<S, T>::joint(i).effort;
-    const int outside = LimitsFor<S, T>::outside_mask(most, tau[i]);
+    const int outside = LimitsFor<S, T>::clamp(LimitsFor<S, T>::joint(i).effort, tau[i]);
     joint = (joint & ~outside) | (i & outside);
-    tau[i] = LimitsFor<S, T>::nearest(most, tau[i]);
   }
   constexpr int limited = static_cast<int>(Status::Code::effort_limit);
   return {static_cast<Status::Code>(limited & ~(joint >> 31)), joint};
@@ -44,13 +42,18 @@ constexpr bool all_finite(const EffortsOf<S, T>& tau) {
   return true;
 }
 
-// Everything about a request that can be wrong before anything is computed.
+// Everything about run-time inputs that can be wrong before anything is computed.
+template <class S, class T>
+constexpr Status check_given(const Inputs<S, T>& in) {
+  if constexpr (scene_of<S>::template has<Payload>)
+    if (const Status payload = check_payload<S>(in.payload); !payload.ok()) return payload;
+  return LimitsFor<S, T>::check_inputs(in);
+}
+// Everything about a request.
 template <class S, class T>
 constexpr Status check_all(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                            const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in) {
-  if constexpr (scene_of<S>::template has<Payload>)
-    if (const Status payload = check_payload<S>(in.payload); !payload.ok()) return payload;
-  if (const Status inputs = LimitsFor<S, T>::check_inputs(in); !inputs.ok()) return inputs;
+  if (const Status given = check_given<S>(in); !given.ok()) return given;
   return check_request<S>(q, qd, qdd);
 }
 

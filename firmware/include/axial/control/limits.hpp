@@ -84,8 +84,15 @@ struct LimitsFor {
   }
   /// Whether a speed, an acceleration or an effort is within what it may be in either direction.
   static constexpr bool allows(const T& most, const T& x) { return inside(x, -most, most); }
-  /// -1 where it is not, else 0.
-  static constexpr int outside_mask(const T& most, const T& x) { return -static_cast<int>(!inside(x, -most, most)); }
+  /// Brings a number that is one there; -1 where it was not, else 0. By bits, for a comparison may become a branch.
+  static constexpr int clamp(const T& most, T& x) {
+    using Bits = typename BitsOf<T>::type;
+    constexpr int sign = 8 * static_cast<int>(sizeof(T)) - 1;
+    const Bits bits = __builtin_bit_cast(Bits, x), end = __builtin_bit_cast(Bits, most);
+    const Bits size = (bits << 1) >> 1, outside = Bits{0} - ((end - size) >> sign);
+    x = __builtin_bit_cast(T, static_cast<Bits>(bits ^ ((size ^ end) & outside)));
+    return static_cast<int>(outside);
+  }
   /// The nearest one that is.
   static constexpr T nearest(const T& most, const T& x) { return x > most ? most : x < -most ? -most : x; }
   /// What is wrong with run-time inputs other than a payload: here the answer tells.
@@ -118,6 +125,15 @@ template <class S, class T>
     if (!(For::reaches(l, q[i]) && For::allows(l.speed, qd[i]) && For::allows(l.acceleration, qdd[i])))
       return {detail::violation<For>(l, q[i], qd[i], qdd[i]), i};
   }
+  return {};
+}
+
+/// First joint whose position is not finite or outside the declared limits, and which of the two, as check_request().
+template <class S, class T>
+[[nodiscard]] constexpr Status check_position(const Positions<robot_of<S>, T>& q) {
+  using For = detail::LimitsFor<S, T>;
+  for (int i = 0; i < joint_count<S>; ++i)
+    if (!For::reaches(For::joint(i), q[i])) return {detail::violation<For>(For::joint(i), q[i], T{}, T{}), i};
   return {};
 }
 

@@ -1,7 +1,7 @@
 // The control step on arrays of numbers.
 #pragma once
 
-#include <axial/control/feedforward.hpp>
+#include <axial/control/gravity_compensation.hpp>
 #include <axial/dynamics/plain_arrays.hpp>
 
 #include <axial/options/begin.hpp>
@@ -19,6 +19,20 @@ template <class S, class T, class... A, class = detail::IfAnyIsPlainArray<A...>>
     return feedforward<S>(state, detail::as_joint_values<S>(given)...);
   else
     return FeedforwardResult<S, T>{};
+}
+
+/// compensate_gravity on an array that has a number for each joint.
+template <class S, class T, class A, class... More, class = detail::IfAnyIsPlainArray<A>>
+[[nodiscard]] constexpr FeedforwardResult<S, T> compensate_gravity(SafeLoopState<S, T>& state, const A& q,
+                                                                   const More&... in) {
+  static_assert(
+      detail::takes_arrays<S, A>,
+      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
+      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
+  if constexpr (detail::takes_arrays<S, A>)
+    return compensate_gravity<S>(state, detail::as_joint_values<S>(q), in...);
+  else
+    return {};
 }
 
 }  // namespace axial

@@ -3,6 +3,7 @@
 
 #include <axial/dynamics/joint_screws.hpp>
 #include <axial/dynamics/position_soundness.hpp>
+#include <axial/dynamics/tool_pose.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -85,9 +86,10 @@ template <class Links, class Input, class Q, class Result>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Result& result) {
   auto poses = frames(links, in, links.read(q));
   for_each_link(links, [&](auto i) AXIAL_INLINE { result.frames[i] = links.stored(poses[i]); });
-  result.tool = links.stored(poses[links.last()] * links.tool_pose());
+  result.tool = links.stored(poses[links.last()] * tool_of(links, in));
   result.status = status_at(
       links, in, q, [&](auto i) { return result.frames[i].position; }, result.tool.position);
+  judge_tool(result.status, links, in);
 }
 
 /// Motion of a point at `arm` (m) from a revolute joint's axis, at 1 rad/s.
@@ -118,9 +120,10 @@ AXIAL_INLINE constexpr void columns(const Links& links, const Poses& poses, K k,
 template <class Links, class Input, class Q, class Result>
 AXIAL_INLINE constexpr void tool_columns(const Links& links, const Input& in, const Q& q, Result& jacobian) {
   auto poses = frames(links, in, links.read(q));
-  auto tool = poses[links.last()] * links.tool_pose();
+  auto tool = poses[links.last()] * tool_of(links, in);
   columns(links, poses, links.last(), links.link(links.last()).sum(quantity::Length{}, tool.position), jacobian);
   jacobian.status = status_at(links, in, q, [&](auto i) { return jacobian[i]; });
+  judge_tool(jacobian.status, links, in);
 }
 /// Columns for the origin of link k's frame.
 template <class Links, class Input, class K, class Q, class Result>
@@ -136,7 +139,7 @@ AXIAL_INLINE constexpr void link_columns(const Links& links, const Input& in, K 
 /// The status, which costs nothing where nobody reads it: not_finite where a position is NaN or infinite or a slide so
 /// far out (some 1e15 m in float) that something might overflow, angle_range where sines are not exact, about no joint.
 /// In fixed point position_limit names the first slide beyond its limits, where formats wrap; input_limit,
-/// payload_limit.
+/// payload_limit. input_limit: a run-time tool is no frame, or more than a kilometre away.
 template <class S, class T>
 [[nodiscard]] constexpr ForwardKinematics<robot_of<S>, T> forward_kinematics(const Positions<robot_of<S>, T>& q,
                                                                              const Inputs<S, T>& in = {}) {

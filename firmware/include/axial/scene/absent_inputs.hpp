@@ -8,6 +8,8 @@
 
 namespace axial {
 
+struct RuntimeTool;  // runtime_tool.hpp
+
 /// Empty classes whose private member has the name of the absent input: "'payload' is a private member of
 /// 'axial::absent::add_the_feature_axial_Payload_to_the_scene'". They hold nothing and cost no byte.
 namespace absent {
@@ -40,6 +42,10 @@ class add_the_feature_axial_ExternalWrenches_to_the_scene {
 class add_the_feature_axial_Payload_to_the_scene {
   static void payload();
 };
+/// Add RuntimeTool for in.tool.
+class add_the_feature_axial_RuntimeTool_to_the_scene {
+  static void tool();
+};
 /// Add SineCosines for in.turns.
 class add_the_feature_axial_SineCosines_to_the_scene {
   static void turns();
@@ -69,6 +75,7 @@ struct AbsentInputs
       detail::absent_unless_named<Scene, TipWrench, absent::add_the_feature_axial_TipWrench_to_the_scene>,
       detail::absent_unless_named<Scene, ExternalWrenches, absent::add_the_feature_axial_ExternalWrenches_to_the_scene>,
       detail::absent_unless_named<Scene, Payload, absent::add_the_feature_axial_Payload_to_the_scene>,
+      detail::absent_unless_named<Scene, RuntimeTool, absent::add_the_feature_axial_RuntimeTool_to_the_scene>,
       detail::absent_unless_named<Scene, SineCosines, absent::add_the_feature_axial_SineCosines_to_the_scene> {};
 
 }  // namespace axial

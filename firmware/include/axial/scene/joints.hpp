@@ -13,7 +13,7 @@ namespace axial {
 template <class S, class T, class Role>
 struct Joints {
   static constexpr int size = joint_count<S>;  ///< number of joints
-  T values[size];                              ///< from the base outwards
+  T values[size] = {};                         ///< from the base outwards; zero unless initialised
 
   AXIAL_INLINE constexpr T& operator[](int i) { return values[i]; }  ///< value of joint i; the index is not checked
   AXIAL_INLINE constexpr const T& operator[](int i) const {

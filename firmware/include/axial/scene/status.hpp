@@ -22,16 +22,19 @@ struct Status {
     saturated = 9,           ///< fixed-point forward dynamics: efforts drive this joint beyond the range of its formats
     rescaled = 10,           ///< fixed-point forward dynamics: efforts beyond the declared ones; right, but less exact
     not_ready = 8,           ///< asked before the first good refresh(); about no joint
-    input_limit = 11,  ///< fixed point: tip wrench or gravity beyond the declared ones, or no sine-cosine pair; about
-                       ///< no joint
-    angle_range =
-        12,  ///< angles so large that their sines are not exact: in sum beyond 8192 rad in float, 524288 in double
-    inaccurate = 13,  ///< forward dynamics by elimination: the matrix is too ill-conditioned for the documented error
+    input_limit = 11,        ///< a run-time input, a gain or a tool that is none, or beyond what is declared
+    angle_range = 12,        ///< sines not exact: in sum beyond 8192 rad in float, 524288 in double
+    inaccurate = 13,   ///< forward dynamics by elimination: the matrix is too ill-conditioned for the documented error
+    effort_rate = 14,  ///< the change of this joint's effort was limited to the declared step
   };
   Code code = Code::ok;  ///< what was found
   int joint = -1;        ///< counted from 0 at the base; -1 for none
 
   [[nodiscard]] AXIAL_INLINE constexpr bool ok() const { return code == Code::ok; }  ///< true where nothing was found
+  /// True where the answer is that of the request, though its efforts may have been limited.
+  [[nodiscard]] AXIAL_INLINE constexpr bool met() const {
+    return code == Code::ok || code == Code::effort_limit || code == Code::effort_rate;
+  }
 };
 
 /// What a code means, in one English sentence without a full stop; never a null pointer, nothing allocated. A number
@@ -67,6 +70,8 @@ struct Status {
       return "an angle of so many turns that its sine is not exact";
     case Code::inaccurate:
       return "the inertia matrix is too ill-conditioned for the documented error";
+    case Code::effort_rate:
+      return "change of effort limited to the declared step";
   }
   return "unknown status code";
 }

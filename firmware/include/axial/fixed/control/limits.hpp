@@ -30,8 +30,12 @@ struct LimitsFor<S, Stored<Word>> {
   }
   /// Whether a speed, an acceleration or an effort is within what it may be in either direction.
   static constexpr bool allows(const RawMost<Word>& most, const T& x) { return most.allows(x); }
-  /// -1 where it is not, else 0.
-  static constexpr int outside_mask(const RawMost<Word>& most, const T& x) { return static_cast<int>(most.outside(x)); }
+  /// Brings it there; -1 where it was not, else 0.
+  static constexpr int clamp(const RawMost<Word>& most, T& x) {
+    const int outside = static_cast<int>(most.outside(x));
+    x = most.nearest(x);
+    return outside;
+  }
   /// The nearest one that is.
   static constexpr T nearest(const RawMost<Word>& most, const T& x) { return most.nearest(x); }
   /// What is wrong with run-time inputs other than a payload.

@@ -128,7 +128,7 @@ struct Joints<S, Stored<Word>, Role> {
   /// a stored word; positions have 32 bits
   using Value = std::conditional_t<std::is_same_v<Role, role::Position>, Fixed32, Stored<Word>>;
   static constexpr int size = joint_count<S>;  ///< number of joints
-  Value values[size];                          ///< from the base outwards
+  Value values[size] = {};                     ///< from the base outwards; zero unless initialised
 
   /// Exponent of joint i's value; 0 for revolute positions.
   AXIAL_INLINE static constexpr int exponent(int i) {

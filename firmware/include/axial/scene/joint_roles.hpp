@@ -1,0 +1,72 @@
+// Positions, velocities and accelerations that do not mix, in floating point too.
+#pragma once
+
+#include <axial/scene/joints.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+
+/// Positions that say what they are, rad or m: wherever axial::Joints (in fixed point the type of the role) are taken,
+/// these are too, but a call that takes the wrong ones does not compile: `inverse_dynamics<R>(qd, q, qdd)`. A plain
+/// aggregate, zero unless initialised: `axial::JointPositions<Robot> q{0.1F, 0.2F};`.
+template <class S, class T = float>
+struct JointPositions : Positions<robot_of<S>, T> {
+  using Role = role::Position;  ///< rad or m
+};
+/// Velocities that say what they are, rad/s or m/s.
+template <class S, class T = float>
+struct JointVelocities : Velocities<robot_of<S>, T> {
+  using Role = role::Velocity;  ///< rad/s or m/s
+};
+/// Accelerations that say what they are, rad/s^2 or m/s^2.
+template <class S, class T = float>
+struct JointAccelerations : Accelerations<robot_of<S>, T> {
+  using Role = role::Acceleration;  ///< rad/s^2 or m/s^2
+};
+
+namespace detail {
+
+/// What an argument says that it is; void where it says nothing.
+///@{
+template <class A, class = void>
+struct RoleSaid {
+  using type = void;
+};
+template <class A>
+struct RoleSaid<A, std::void_t<typename A::Role>> {
+  using type = typename A::Role;
+};
+///@}
+
+template <class Said, class Wanted>
+inline constexpr bool agrees = std::is_void_v<Said> || std::is_same_v<Said, Wanted>;
+
+/// An order of arguments: whether some that say what they are stand where others belong. `void` stands for what says
+/// nothing, such as a state; behind the last nothing may be said.
+template <class... Wanted>
+struct Order {
+  template <class... A>
+  static constexpr bool broken(A*...) {
+    return (false || ... || !std::is_void_v<typename RoleSaid<A>::type>);
+  }
+};
+template <class First, class... Rest>
+struct Order<First, Rest...> {
+  static constexpr bool broken() { return false; }
+  template <class A, class... More>
+  static constexpr bool broken(A*, More*... more) {
+    return !agrees<typename RoleSaid<A>::type, First> || Order<Rest...>::broken(more...);
+  }
+};
+template <class Wanted, class... A>
+inline constexpr bool is_out_of_order = Wanted::broken(static_cast<std::remove_all_extents_t<A>*>(nullptr)...);
+
+using OfPosition = Order<role::Position>;                                    ///< q
+using OfState = Order<role::Position, role::Velocity>;                       ///< q, qd, and then an effort
+using OfMotion = Order<role::Position, role::Velocity, role::Acceleration>;  ///< q, qd, qdd
+
+}  // namespace detail
+}  // namespace axial
+
+#include <axial/options/end.hpp>

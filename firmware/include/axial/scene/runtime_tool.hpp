@@ -1,0 +1,57 @@
+// A tool that changes at run time.
+#pragma once
+
+#include <axial/scene/features.hpp>
+#include <axial/spatial/pose.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+namespace detail {
+
+/// The tool's pose in the last link's frame as numbers: what the robot declares; NaN for a run-time model.
+template <class Robot, class T>
+struct DeclaredTool {
+  using PoseOf = Pose<Mat3<Vec3<T>>, Vec3<T>>;
+  static constexpr PoseOf pose() { return of<Robot>(0); }
+
+ private:
+  template <class R>
+  static constexpr auto of(int) -> decltype(R::chain.tool, PoseOf{}) {
+    const auto& axes = R::chain.tool.pose.rotation;
+    const auto& origin = R::chain.tool.pose.position;
+    return {{row(axes), row(axes + 3), row(axes + 6)}, row(origin)};
+  }
+  template <class R>
+  static constexpr PoseOf of(...) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    constexpr double none[3] = {unknown, unknown, unknown};
+    return {{row(none), row(none), row(none)}, row(none)};
+  }
+  static constexpr Vec3<T> row(const double* x) {
+    using N = NumberTraits<T>;
+    return {N::constant(x[0]), N::constant(x[1]), N::constant(x[2])};
+  }
+};
+
+/// Words have no format for it, which their scenes say themselves.
+template <class Robot, class Word>
+struct DeclaredTool<Robot, Stored<Word>> {
+  static constexpr Pose<Mat3<Vec3<Stored<Word>>>, Vec3<Stored<Word>>> pose() { return {}; }
+};
+
+}  // namespace detail
+
+/// A tool that changes at run time: its pose in the last link's frame, input `tool`. Poses and Jacobians see it; what
+/// it weighs is a payload (mounted_payload()). Starts as the robot declares it; for a run-time model as NaN.
+struct RuntimeTool : Feature<RuntimeTool> {
+  /// Its run-time input.
+  template <class Robot, class T>
+  struct Input {
+    Pose<Mat3<Vec3<T>>, Vec3<T>> tool = detail::DeclaredTool<Robot, T>::pose();  ///< m; axes as columns
+  };
+};
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>
