@@ -37,7 +37,7 @@ enum class TorqueStatus : std::uint8_t {
   ok = 0,
   not_finite = 1,      ///< the set-point holds NaN or infinity; the drives are held
   outside_limits = 2,  ///< of position, speed, acceleration or payload; the drives are held
-  effort_limited = 3,  ///< the torque was cut to the joint's effort limit
+  effort_limited = 3,  ///< the torque was cut to the joint's effort limit, or to its rate
   watchdog = 4,        ///< no good set-point came in time: a report, no answer
   disabled = 5,        ///< the drives are disabled until a session is started
   not_measured = 6     ///< no measurement came with the set-point of an image that closes a loop; the drives are held
@@ -146,7 +146,7 @@ struct Measurement {
   static constexpr MessageType type = MessageType::measurement;
   std::size_t joints;  ///< not sent: the payload's length tells
   std::array<std::int32_t, max_joints> position;
-  std::uint8_t feeds_forward;  ///< 0: the feedback alone
+  std::uint8_t feeds_forward;  ///< 0: the feedback alone; of a hand-guiding image: gravity compensation
 };
 
 template <class Archive, class Array>

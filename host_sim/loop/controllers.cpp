@@ -1,4 +1,5 @@
 #include <host_sim/loop/controllers.hpp>
+#include <host_sim/loop/on_host.hpp>
 
 #include <host_sim/emulator/qemu.hpp>
 #include <host_sim/link/firmware.hpp>
@@ -15,23 +16,6 @@
 namespace host_sim::loop {
 
 namespace {
-
-template <class Robot, class Number>
-class Host : public Controller {
- public:
-  link::Torque answer(const link::Measurement& measurement, const link::SetPoint& wanted) override {
-    link::Torque torque{};
-    controller_.measure(measurement);
-    controller_.load(wanted);
-    controller_.compute();
-    controller_.settle(wanted);
-    controller_.store(torque);
-    return torque;
-  }
-
- private:
-  axial::apps::TrackingController<Robot, Number> controller_;
-};
 
 class Emulated : public Controller {
  public:
@@ -51,16 +35,25 @@ class Emulated : public Controller {
   Firmware firmware_;
 };
 
+}  // namespace
+
 bool is_fixed(const std::string& number) {
   if (number == "float") return false;
   if (number == "fixed32") return true;
   throw std::runtime_error("unknown number '" + number + "'; there are: float, fixed32");
 }
 
+std::unique_ptr<Controller> emulated(const std::string& board, const std::string& app, const std::string& robot) {
+  const Board chosen = read_board(board);
+  return std::make_unique<Emulated>(chosen, image_path(chosen, app, robot));
+}
+
+namespace {
+
 template <class Robot>
 std::unique_ptr<Controller> host(bool fixed) {
-  if (fixed) return std::make_unique<Host<Robot, axial::Fixed32>>();
-  return std::make_unique<Host<Robot, float>>();
+  if (fixed) return std::make_unique<OnHost<axial::apps::TrackingController<Robot, axial::Fixed32>>>();
+  return std::make_unique<OnHost<axial::apps::TrackingController<Robot, float>>>();
 }
 
 [[noreturn]] void refuse(const std::string& robot) {
@@ -80,9 +73,7 @@ std::unique_ptr<Controller> on_host(const std::string& robot, const std::string&
 
 std::unique_ptr<Controller> in_firmware(const std::string& board, const std::string& robot, const std::string& number) {
   if (robot != "scara" && robot != "puma560") refuse(robot);
-  const Board chosen = read_board(board);
-  return std::make_unique<Emulated>(chosen,
-                                    image_path(chosen, is_fixed(number) ? "tracking-fixed" : "tracking", robot));
+  return emulated(board, is_fixed(number) ? "tracking-fixed" : "tracking", robot);
 }
 
 std::uint32_t last_places(float a, float b) {

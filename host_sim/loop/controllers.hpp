@@ -25,6 +25,11 @@ std::vector<std::string> robots();
 std::unique_ptr<Controller> on_host(const std::string& robot, const std::string& number);
 std::unique_ptr<Controller> in_firmware(const std::string& board, const std::string& robot, const std::string& number);
 
+/// An image in QEMU: `app`-`robot`.
+std::unique_ptr<Controller> emulated(const std::string& board, const std::string& app, const std::string& robot);
+/// Whether a number is fixed32; throws where it is neither that nor float.
+bool is_fixed(const std::string& number);
+
 /// Units in the last place between two floats; the largest number where one is not finite.
 std::uint32_t last_places(float a, float b);
 

@@ -14,6 +14,7 @@ constexpr hal::link::TorqueStatus link_status(Status::Code code) {
     case Status::Code::ok:
       return TorqueStatus::ok;
     case Status::Code::effort_limit:
+    case Status::Code::effort_rate:
       return TorqueStatus::effort_limited;
     case Status::Code::not_finite:
       return TorqueStatus::not_finite;
@@ -64,23 +65,11 @@ class Controller {
 
   void store(hal::link::Torque& answer) const {
     store_exerted(answer);
-    answer.status = static_cast<std::uint8_t>(status_);
-    answer.joint = result_.status.joint < 0 ? hal::link::no_joint : static_cast<std::uint8_t>(result_.status.joint);
+    store_status(answer);
   }
 
   /// The torque now, and what the drives are doing.
-  void store_exerted(hal::link::Torque& answer) const {
-    const Tau exerted = fall_back_.torque();
-    Real tau{};
-    if constexpr (is_stored_v<Number>)
-      tau = to_real<float>(exerted);
-    else
-      tau = exerted;
-    answer.joints = joints;
-    for (std::size_t i = 0; i < joints; ++i)
-      answer.tau[i] = tau[static_cast<int>(i)];
-    answer.phase = static_cast<std::uint8_t>(fall_back_.phase());
-  }
+  void store_exerted(hal::link::Torque& answer) const { put(fall_back_.torque(), answer); }
 
   void set_times(const FallBackTimes& times) { fall_back_.set_times(times); }
   void advance(std::uint32_t ticks) { fall_back_.advance(ticks); }
@@ -89,13 +78,29 @@ class Controller {
   DrivePhase phase() const { return fall_back_.phase(); }
 
  protected:
-  bool met() const {
-    const auto code = result_.status.code;
-    return code == Status::Code::ok || code == Status::Code::effort_limit;
+  bool met() const { return result_.status.met(); }
+
+  void store_status(hal::link::Torque& answer) const {
+    answer.status = static_cast<std::uint8_t>(status_);
+    answer.joint = result_.status.joint < 0 ? hal::link::no_joint : static_cast<std::uint8_t>(result_.status.joint);
   }
 
-  void follow(const Tau& tau) {
-    const bool followed = fall_back_.follow(request_.q, tau);
+  /// Efforts as the wire carries them, and what the drives are doing.
+  void put(const Tau& efforts, hal::link::Torque& answer) const {
+    Real tau{};
+    if constexpr (is_stored_v<Number>)
+      tau = to_real<float>(efforts);
+    else
+      tau = efforts;
+    answer.joints = joints;
+    for (std::size_t i = 0; i < joints; ++i)
+      answer.tau[i] = tau[static_cast<int>(i)];
+    answer.phase = static_cast<std::uint8_t>(fall_back_.phase());
+  }
+
+  void follow(const Tau& tau) { follow(request_.q, tau); }
+  void follow(const Q& q, const Tau& tau) {
+    const bool followed = fall_back_.follow(q, tau);
     status_ = followed ? link_status(result_.status.code) : hal::link::TorqueStatus::disabled;
   }
 

@@ -3,14 +3,14 @@
 
 #include <firmware/apps/feedforward/controller.hpp>
 
+#include "encoders.hpp"
+
 namespace axial::apps {
 
 /// Set-points and measurements come at this rate.
 constexpr int control_Hz = 1000;
 /// Of the feedback on each joint by itself: critically damped.
 constexpr double bandwidth_Hz = 4.0;
-/// What a slide's encoder counts a metre.
-constexpr std::uint32_t slide_counts = 10'000'000;
 
 template <int N>
 struct Gains {
@@ -86,7 +86,7 @@ class TrackingController : public Controller<Scene, Number> {
     const bool good = this->met();
     const bool held = this->hold_at(request);
     if (!held && ever_measured_)
-      (void)this->fall_back_.hold_at(measured(std::make_integer_sequence<int, n>{}));  // or it is held already
+      (void)this->fall_back_.hold_at(Encoders<Scene, Number>::positions(position_));  // or it is held already
     if (good) this->status_ = hal::link::TorqueStatus::not_measured;
     started_ = false;
   }
@@ -94,6 +94,7 @@ class TrackingController : public Controller<Scene, Number> {
   template <int... I>
   void add_all(std::integer_sequence<int, I...>) {
     (add<I>(), ...);
+    (void)detail::clamp_efforts<Scene>(sum_);  // what the wire tells is whether the feed-forward was cut
     started_ = true;
   }
 
@@ -105,17 +106,12 @@ class TrackingController : public Controller<Scene, Number> {
     if constexpr (is_stored_v<Number>)
       sum_[I] = {feedback<I>(error, change)};
     else
-      sum_[I] = held<I>((feeds_forward_ ? sum_[I] : 0.0F) + static_cast<float>(gains.stiffness[I]) * error +
-                        static_cast<float>(gains.damping[I] * control_Hz) * change);
+      sum_[I] = (feeds_forward_ ? sum_[I] : 0.0F) + static_cast<float>(gains.stiffness[I]) * error +
+                static_cast<float>(gains.damping[I] * control_Hz) * change;
   }
 
   // --- float
 
-  template <int I>
-  static float held(float tau) {
-    constexpr auto most = static_cast<float>(Robot::chain.links[I].effort_limit);
-    return tau > most ? most : tau < -most ? -most : tau;
-  }
   static float difference(float a, float b) { return a - b; }
 
   // --- fixed point
@@ -138,37 +134,11 @@ class TrackingController : public Controller<Scene, Number> {
   template <int I>
   std::int32_t feedback(std::int32_t error, std::int32_t change) const {
     constexpr std::int32_t whole = std::numeric_limits<std::int32_t>::max();
-    constexpr double limit = Robot::chain.links[I].effort_limit;
-    constexpr double exact = limit * detail::power_of_two(EffortsOf<Scene, Fixed32>::exponent(I));
-    constexpr std::int32_t most = exact < whole ? static_cast<std::int32_t>(exact) : whole;
     bool ignored = false;
     const std::int64_t ff = feeds_forward_ ? std::int64_t{sum_[I].raw} : 0;
     const std::int64_t tau = ff + detail::scaled<StiffnessFactor<I>>(error, whole, ignored) +
                              detail::scaled<DampingFactor<I>>(change, whole, ignored);
-    return static_cast<std::int32_t>(tau > most ? most : tau < -most ? -std::int64_t{most} : tau);
-  }
-
-  // --- measured: rad or m, within the joint's turn; or words of the position's format
-
-  template <int... I>
-  Q measured(std::integer_sequence<int, I...>) const {
-    return {{measured_position<I>()...}};
-  }
-  template <int I>
-  auto measured_position() const {
-    const std::int32_t counts = position_[static_cast<std::size_t>(I)];
-    if constexpr (is_stored_v<Number>) {
-      if constexpr (slides(I))
-        return LinearEncoder<slide_counts>::template position<Q, I>(counts).value;
-      else
-        return typename Q::Value{counts};
-    } else if constexpr (slides(I)) {
-      return static_cast<float>(counts) * (1.0F / slide_counts);
-    } else {
-      const float q = static_cast<float>(counts) * (turn / 4294967296.0F);
-      if (q < static_cast<float>(Robot::chain.links[I].position_min)) return q + turn;
-      return q > static_cast<float>(Robot::chain.links[I].position_max) ? q - turn : q;
-    }
+    return detail::nearest_word<std::int32_t>(tau);
   }
 
   // --- wanted less measured: rad or m, or units of the position's format
