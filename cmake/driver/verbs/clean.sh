@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # summary: removes build/ and output/
-# group: maintain
+# group: maintain, rare
 
 usage() {
   echo "usage: ./axial clean"
