@@ -1,52 +1,16 @@
 // Fixed point against double precision, on states inside the declared limits: what fits its format, and how exact it
 // is. Inverse dynamics and the closed form have a test of their own (ranges_test.cpp).
-#include <gtest/gtest.h>
-#include <axial/fixed.hpp>
-#include <cmath>
-#include <random>
 #include <robots/robots.hpp>
+
+#include "fixed_state.hpp"
 
 namespace {
 
 using namespace axial;
-
-constexpr double turn = 4294967296.0, two_pi = 6.283185307179586476925;
-
-double real(Fixed32 x, int exponent) { return std::ldexp(static_cast<double>(x.raw), -exponent); }
-Fixed32 word(double x, int exponent) { return {static_cast<std::int32_t>(std::llround(std::ldexp(x, exponent)))}; }
-
-/// Sets a word and the number that it stands for.
-void put(Fixed32& fixed, double& number, double x, int exponent) {
-  fixed = word(x, exponent);
-  number = real(fixed, exponent);
-}
-
-/// A random state inside a robot's limits, in words and as what they stand for.
-template <class R>
-struct State {
-  static constexpr int size = joint_count<R>;
-  Positions<R, Fixed32> q{};
-  Velocities<R, Fixed32> qd{};
-  Accelerations<R, Fixed32> qdd{};
-  Joints<R, double> q_real{}, qd_real{}, qdd_real{};
-
-  template <class Generator>
-  explicit State(Generator& generator) {
-    std::uniform_real_distribution<double> any(-1.0, 1.0);
-    for (int i = 0; i < size; ++i) {
-      const LinkParameters& link = R::chain.links[i];
-      if (link.type == JointType::revolute) {
-        q[i].raw = static_cast<std::int32_t>(any(generator) * 2147483647.0);
-        q_real[i] = q[i].raw * (two_pi / turn);
-      } else {
-        const double middle = 0.5 * (link.position_min + link.position_max);
-        put(q[i], q_real[i], middle + any(generator) * (link.position_max - middle), q.exponent(i));
-      }
-      put(qd[i], qd_real[i], any(generator) * link.speed_limit, qd.exponent(i));
-      put(qdd[i], qdd_real[i], any(generator) * link.acceleration_limit, qdd.exponent(i));
-    }
-  }
-};
+using property::FixedState;
+using property::put;
+using property::real;
+using property::word;
 
 template <class R>
 class FixedPoint : public testing::Test {
@@ -104,7 +68,7 @@ TYPED_TEST(FixedForms, PosesAndJacobiansStayInsideTheirBound) {
   constexpr bool coarse = Checked::template has<HighWord> || Checked::template has<RoundDown>;
   constexpr double direction = coarse ? 2e-8 : 1e-8;
   for (int k = 0; k < 300; ++k) {
-    const State<Robot> state(this->generator);
+    const FixedState<Robot> state(this->generator);
     const auto fixed = forward_kinematics<Checked>(state.q);
     const auto exact = forward_kinematics<Robot>(state.q_real);
     const auto columns = jacobian<Checked>(state.q);
@@ -132,7 +96,7 @@ TYPED_TEST(FixedForms, MomentaAndTheirDriftsStayInsideTheirBounds) {
   constexpr auto drift_bound = error_bound<Checked>(algorithm::MomentumDrift{});
   double nearest_momentum = 0.0, nearest_drift = 0.0;
   for (int k = 0; k < 300; ++k) {
-    const State<Robot> state(this->generator);
+    const FixedState<Robot> state(this->generator);
     const auto fixed = momentum_terms<Checked>(state.q, state.qd);
     const auto exact = momentum_terms<Robot>(state.q_real, state.qd_real);
     for (int i = 0; i < this->size; ++i) {
@@ -154,7 +118,7 @@ TYPED_TEST(FixedForms, MassMatrixStaysInsideItsBound) {
   using Robot = typename TypeParam::Robot;
   constexpr auto bound = error_bound<Checked>(algorithm::mass_matrix);
   for (int k = 0; k < 300; ++k) {
-    const State<Robot> state(this->generator);
+    const FixedState<Robot> state(this->generator);
     const auto fixed = mass_matrix<Checked>(state.q);
     const auto exact = mass_matrix<Robot>(state.q_real);
     for (int i = 0; i < this->size; ++i)
@@ -169,7 +133,7 @@ TYPED_TEST(FixedForms, InverseDynamicsStaysInsideItsBound) {
   constexpr auto bound = error_bound<Checked>(algorithm::inverse_dynamics);
   double worst = 0.0;
   for (int k = 0; k < 1000; ++k) {
-    const State<Robot> state(this->generator);
+    const FixedState<Robot> state(this->generator);
     const auto fixed = inverse_dynamics<Checked>(state.q, state.qd, state.qdd);
     const auto exact = inverse_dynamics<Robot>(state.q_real, state.qd_real, state.qdd_real);
     for (int i = 0; i < this->size; ++i)
@@ -182,7 +146,7 @@ TYPED_TEST(FixedForms, InverseDynamicsStaysInsideItsBound) {
 TYPED_TEST(FixedPoint, SeparatedTermsGiveTheTorque) {
   using Checked = typename TestFixture::Checked;
   for (int k = 0; k < 100; ++k) {
-    const State<TypeParam> state(this->generator);
+    const FixedState<TypeParam> state(this->generator);
     const auto tau = torque(separate<Checked>(state.q), state.qd, state.qdd);
     const auto exact = inverse_dynamics<TypeParam>(state.q_real, state.qd_real, state.qdd_real);
     for (int i = 0; i < this->size; ++i)
@@ -194,7 +158,7 @@ TYPED_TEST(FixedPoint, ForwardDynamicsStaysInsideItsBoundAndUndoesTheTorque) {
   using Checked = typename TestFixture::Checked;
   constexpr auto bound = error_bound<Checked>(algorithm::forward_dynamics);
   for (int k = 0; k < 100; ++k) {
-    const State<TypeParam> state(this->generator);
+    const FixedState<TypeParam> state(this->generator);
     const auto tau = inverse_dynamics<TypeParam>(state.q_real, state.qd_real, state.qdd_real);
     EffortsOf<Checked, Fixed32> given{};
     Joints<TypeParam, double> given_real{};
@@ -255,7 +219,7 @@ void expect_inputs_inside_the_bound() {
   std::mt19937_64 generator(11);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   for (int k = 0; k < 1000; ++k) {
-    const State<R> state(generator);
+    const FixedState<R> state(generator);
     Inputs<Checked, Fixed32> in{};
     Inputs<Exact, double> exact_in{};
     put(in.payload.mass, exact_in.payload.mass, 2.5 * std::abs(any(generator)), Format::payload_mass);

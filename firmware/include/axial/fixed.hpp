@@ -8,6 +8,7 @@
 #include <axial/fixed/control/collision.hpp>
 #include <axial/fixed/control/encoder.hpp>
 #include <axial/fixed/control/fall_back.hpp>
+#include <axial/fixed/control/observer_error.hpp>
 #include <axial/fixed/control/payload_border.hpp>
 #include <axial/fixed/control/payload_words.hpp>
 #include <axial/fixed/control/tracking.hpp>
@@ -17,6 +18,7 @@
 #include <axial/fixed/dynamics/kinematics.hpp>
 #include <axial/fixed/dynamics/mass_matrix.hpp>
 #include <axial/fixed/dynamics/momentum.hpp>
+#include <axial/fixed/dynamics/separated_error.hpp>
 #include <axial/fixed/dynamics/separated_torque.hpp>
 #include <axial/fixed/error_bound.hpp>
 #include <axial/fixed/limits/position_check.hpp>

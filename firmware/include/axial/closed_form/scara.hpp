@@ -16,12 +16,18 @@ namespace detail {
 template <class S, class T>
 struct ScaraRounding : Plain, PlainValues<scene_of<S>, T> {
   using Scalar = T;
+  /// A sine or cosine of a sum of angles.
+  template <class X, class Y>
+  AXIAL_INLINE static constexpr auto turn(const X& x, const Y& y) {
+    return turned(x + y);
+  }
 };
 
-/// The constants as numbers T (in fixed point as literals), and the one sine-cosine pair that they meet.
-template <class S, class T>
-struct ScaraTerms : ScaraRounding<S, T> {
-  using Scalar = typename ScaraRounding<S, T>::Scalar;
+/// The constants as numbers (in fixed point as literals), and the one sine-cosine pair that they meet. `Rounding` says
+/// how numbers are rounded, read and written.
+template <class S, class Rounding>
+struct ScaraTerms : Rounding {
+  using Scalar = typename Rounding::Scalar;
   static constexpr ScaraConstants k = (check_scara<robot_of<S>>(), scara_constants<S>());
   static constexpr auto shoulder = literal<Scalar>([] { return k.shoulder; });
   static constexpr auto elbow = literal<Scalar>([] { return k.elbow; });
@@ -37,8 +43,8 @@ struct ScaraTerms : ScaraRounding<S, T> {
     constexpr auto c = literal<Scalar>([] { return robot_of<S>::chain.links[1].theta.cos; });
     constexpr auto s = literal<Scalar>([] { return robot_of<S>::chain.links[1].theta.sin; });
     const auto pair = sincos(q2);
-    const auto sine = this->sum(quantity::RotationalInertia{}, swing * turned(c * pair.sin + s * pair.cos));
-    const auto cosine = this->sum(quantity::RotationalInertia{}, swing * turned(c * pair.cos - s * pair.sin));
+    const auto sine = this->sum(quantity::RotationalInertia{}, swing * this->turn(c * pair.sin, s * pair.cos));
+    const auto cosine = this->sum(quantity::RotationalInertia{}, swing * this->turn(c * pair.cos, -(s * pair.sin)));
     return SinCos<std::decay_t<decltype(sine)>>{sine, cosine};
   }
   /// A11 and A12 (which A21 equals).
@@ -52,22 +58,13 @@ struct ScaraTerms : ScaraRounding<S, T> {
   }
 };
 
-}  // namespace detail
-
-/// Separated dynamics of a SCARA: RRP with parallel axes and centres of mass on the links' x axes, the slender rods of
-/// the paper among them. Source: Djuric et al. 2016, eqs. (82) to (92), with its misprints mended
-/// (doc/guides/scara_errata.md). In: q (rad, rad, m). Out: A, B, C, G, and a status as of separate(): nothing in it
-/// overflows. For another robot it does not compile and says why.
-template <class S, class T>
-[[nodiscard]] constexpr auto scara(const Positions<robot_of<S>, T>& q) {
-  const detail::ScaraTerms<S, T> k;
-  auto swing = k.swing_at(k.read(q)[Index<1>{}]);
+/// Sets the separated terms, from the reading of joint 2.
+template <class Terms, class Q, class Out>
+AXIAL_INLINE constexpr void separate_into(const Terms& k, const Q& q2, const Out& terms) {
   constexpr Index<0> shoulder;
   constexpr Index<1> elbow;
   constexpr Index<2> slide;
-  using All = Separated<subject_of<S, T>, T>;
-  All s{};
-  const Collected<subject_of<S, T>, T, typename detail::ScaraTerms<S, T>::Scalar, All> terms{s};
+  auto swing = k.swing_at(q2);
   terms.inertia(shoulder, shoulder, k.a11(swing.cos));
   terms.inertia(shoulder, elbow, k.a12(swing.cos));
   terms.inertia(elbow, elbow, k.elbow_alone);
@@ -76,8 +73,42 @@ template <class S, class T>
   terms.square(shoulder, elbow, -(k.sense * swing.sin));
   terms.square(elbow, shoulder, swing.sin);
   terms.rest(slide, k.weight);
+}
+
+/// Sets the torque, likewise.
+template <class Terms, class Q, class V, class A, class Tau>
+AXIAL_INLINE constexpr void torque_into(const Terms& k, const Q& q2, const V& v, const A& a, Tau& tau) {
+  using namespace quantity;
+  constexpr Index<0> shoulder;
+  constexpr Index<1> elbow;
+  constexpr Index<2> slide;
+  auto swing = k.swing_at(q2);
+  auto a11 = k.a11(swing.cos);
+  auto a12 = k.a12(swing.cos);
+  auto twice = k.sum(AngularVelocity{}, v[shoulder], v[shoulder], k.sense * v[elbow]);
+  auto cross = k.sum(AngularAcceleration{}, v[elbow] * twice);
+  auto square = k.sum(AngularAcceleration{}, v[shoulder] * v[shoulder]);
+  k.write(tau, shoulder, a11 * a[shoulder] + a12 * a[elbow] - swing.sin * cross);
+  k.write(tau, elbow, a12 * a[shoulder] + k.elbow_alone * a[elbow] + swing.sin * square);
+  k.write(tau, slide, k.lift * a[slide] + k.weight);
+}
+
+}  // namespace detail
+
+/// Separated dynamics of a SCARA: RRP with parallel axes and centres of mass on the links' x axes, the slender rods of
+/// the paper among them. Source: Djuric et al. 2016, eqs. (82) to (92), with its misprints mended
+/// (doc/guides/scara_errata.md). In: q (rad, rad, m). Out: A, B, C, G, and a status as of separate(): nothing in it
+/// overflows. For another robot it does not compile and says why.
+template <class S, class T>
+[[nodiscard]] constexpr auto scara(const Positions<robot_of<S>, T>& q) {
+  using Rounding = detail::ScaraRounding<S, T>;
+  using All = Separated<subject_of<S, T>, T>;
+  const detail::ScaraTerms<S, Rounding> k;
+  All s{};
+  const Collected<subject_of<S, T>, T, typename Rounding::Scalar, All> terms{s};
+  detail::separate_into(k, k.read(q)[Index<1>{}], terms);
   Soundness<T> all;
-  all.angle(q[shoulder]), all.angle(q[elbow]), all.number(q[slide]);
+  all.angle(q[0]), all.angle(q[1]), all.number(q[2]);
   s.status = all.status();
   return s;
 }
@@ -87,23 +118,9 @@ template <class S, class T>
 [[nodiscard]] constexpr EffortsOf<S, T> scara_torque(const Positions<robot_of<S>, T>& q,
                                                      const Velocities<robot_of<S>, T>& qd,
                                                      const Accelerations<robot_of<S>, T>& qdd) {
-  using namespace quantity;
-  constexpr Index<0> shoulder;
-  constexpr Index<1> elbow;
-  constexpr Index<2> slide;
-  const detail::ScaraTerms<S, T> k;
-  auto v = k.read(qd);
-  auto a = k.read(qdd);
-  auto swing = k.swing_at(k.read(q)[elbow]);
-  auto a11 = k.a11(swing.cos);
-  auto a12 = k.a12(swing.cos);
-  auto twice = k.sum(AngularVelocity{}, v[shoulder], v[shoulder], k.sense * v[elbow]);
-  auto cross = k.sum(AngularAcceleration{}, v[elbow] * twice);
-  auto square = k.sum(AngularAcceleration{}, v[shoulder] * v[shoulder]);
+  const detail::ScaraTerms<S, detail::ScaraRounding<S, T>> k;
   EffortsOf<S, T> tau{};
-  k.write(tau, shoulder, a11 * a[shoulder] + a12 * a[elbow] - swing.sin * cross);
-  k.write(tau, elbow, a12 * a[shoulder] + k.elbow_alone * a[elbow] + swing.sin * square);
-  k.write(tau, slide, k.lift * a[slide] + k.weight);
+  detail::torque_into(k, k.read(q)[Index<1>{}], k.read(qd), k.read(qdd), tau);
   return tau;
 }
 

@@ -2,20 +2,30 @@
 #pragma once
 
 #include <axial/dynamics/joint_axis.hpp>
+#include <axial/dynamics/moving_base.hpp>
 #include <axial/dynamics/passes.hpp>
 
 #include <axial/options/begin.hpp>
 
 namespace axial {
 
-/// The motion that a joint gives to a link which it does not move.
-struct Unmoved {
-  /// No motion, as numbers.
-  template <class T>
-  AXIAL_INLINE constexpr auto dense() const {
-    return MotionVector<Vec3<T>, Vec3<T>>{};
-  }
-};
+/// The motion that a joint gives to a link which it does not move, where links have a type each.
+struct Unmoved {};
+
+/// Motion of a joint's link at one unit of its rate.
+template <class Joint, class Link>
+AXIAL_INLINE constexpr auto unit_motion(Joint joint, const Link&) {
+  return along_axis(joint, One{});
+}
+
+/// Where a pass for one joint starts: nothing moves.
+template <class Links>
+AXIAL_INLINE constexpr auto unmoved(const Links& links) {
+  if constexpr (Links::unrolled)
+    return Unmoved{};
+  else
+    return MotionVector{no_motion(links), no_motion(links)};
+}
 
 /// Motion of one unit of joint m's rate in frame i before joint i's own z-screw, for every link i beyond link m. There
 /// the axis of a link's parent is constant, and composite bodies that are about to be borne by the parent stand ready.
@@ -23,14 +33,15 @@ template <class Links, class Screws, class I>
 AXIAL_INLINE constexpr auto motions_of_joint(const Links& links, const Screws& screws, I m) {
   auto first = [&](auto i) AXIAL_INLINE {
     auto link = links.link(i);
-    return links.link(m).on_joint(
-        [&](auto kind) AXIAL_INLINE { return link.shape(to_child(link.x(), along_axis(kind, One{}), link)); });
+    auto inner = links.link(m);
+    return inner.on_joint([&](auto kind)
+                              AXIAL_INLINE { return link.shape(to_child(link.x(), unit_motion(kind, inner), link)); });
   };
   auto next = [&](auto i, auto parent, const auto& motion) AXIAL_INLINE {
     auto link = links.link(i);
     return link.shape(to_child(link.x(), to_child(screws[parent], motion, links.link(parent)), link));
   };
-  return outward(links, Unmoved{}, [&](auto i, const auto& motion) AXIAL_INLINE {
+  return outward(links, unmoved(links), [&](auto i, const auto& motion) AXIAL_INLINE {
     if constexpr (Links::unrolled) {
       constexpr int parent = Links::template parent_of<decltype(i)::value>;
       if constexpr (parent == I::value)

@@ -18,8 +18,8 @@ struct LinkGravity {
   A after{};   ///< m/s^2, behind it
   /// The same as plain numbers.
   template <class T>
-  AXIAL_INLINE constexpr LinkGravity<Vec3<T>, Vec3<T>> dense() const {
-    return {before, after};
+  AXIAL_INLINE constexpr auto dense() const {
+    return separation::LinkGravity{before.template dense<T>(), after.template dense<T>()};
   }
 };
 template <class B, class A>
@@ -28,7 +28,7 @@ LinkGravity(B, A) -> LinkGravity<B, A>;
 /// Of all links, from the base outwards.
 template <class Links, class Input, class Screws>
 AXIAL_INLINE constexpr auto link_gravities(const Links& links, const Input& in, const Screws& screws) {
-  return outward(links, LinkGravity{ZeroVec3{}, base_acceleration(links, in)},
+  return outward(links, LinkGravity{no_motion(links), base_acceleration(links, in)},
                  [&](auto i, const auto& parent) AXIAL_INLINE {
                    auto link = links.link(i);
                    auto before = to_child(link.x(), link.sum(quantity::GravityAcceleration{}, parent.after));
@@ -115,10 +115,11 @@ AXIAL_INLINE constexpr void set_product(Terms& terms, M m, J j, I i, const V& va
 template <class Links, class Bodies, class Motions, class I, class Terms>
 AXIAL_INLINE constexpr void joint_terms(const Links& links, const Bodies& bodies, const Motions& motions, I i,
                                         Terms& terms) {
+  using crba::unit_force;
   auto link = links.link(i);
   link.on_joint([&](auto kind) AXIAL_INLINE {
     const auto& body = bodies[i].turned;
-    auto unit = crba::unit_force(kind, body);
+    auto unit = unit_force(kind, body);
     auto square = square_force(kind, body);
     terms.inertia(i, i, link.sum(quantity::JointInertia{}, along_joint(kind, unit), link.rotor()));
     for_each_ancestor(links, i, [&](auto j) AXIAL_INLINE {

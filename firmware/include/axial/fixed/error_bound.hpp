@@ -27,10 +27,11 @@ struct ErrorBound {
 };
 
 namespace algorithm {
-/// What momentum_terms() answers, for error_bound() alone: it has a bound each.
+/// What error_bound() alone is asked for.
 ///@{
-struct Momentum {};       ///< M(q) qd
-struct MomentumDrift {};  ///< what changes it besides the drives
+struct Momentum {};         ///< M(q) qd of momentum_terms()
+struct MomentumDrift {};    ///< what changes it besides the drives
+struct RequestedTorque {};  ///< inverse_dynamics() of what to_fixed_request() makes of real numbers
 ///@}
 }  // namespace algorithm
 
@@ -70,6 +71,21 @@ constexpr void check_bound() {
   check_fixed_form<scene_of<S>, Recursion>();
 }
 
+/// Errors of separated terms, as Separated has the terms.
+template <class S>
+constexpr Separated<S, double> errors_of(const bounds::SeparatedBounds<joint_count<S>>& all) {
+  constexpr int n = joint_count<S>;
+  Separated<S, double> errors{};
+  for (int i = 0; i < n; ++i) {
+    errors.G[i] = all.G[i].bound.error;
+    for (int j = 0; j < n; ++j)
+      errors.A[i][j] = all.A[i][j].bound.error, errors.C[i][j] = all.C[i][j].bound.error;
+    for (int k = 0; k < n * (n - 1) / 2; ++k)
+      errors.B[i][k] = all.B[i][k].bound.error;
+  }
+  return errors;
+}
+
 template <class S, class T>
 constexpr Bounds<S, T> bound_on_efforts() {
   static_assert((check_bound<S, recursion::NewtonEuler>(), true));
@@ -98,12 +114,42 @@ template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Gravity) {
   return detail::bound_on_efforts<S, T>();
 }
+/// Of the torque of a real request, N m or N: its conversion into words is in it. The request is inside the declared
+/// limits, as declared.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr auto error_bound(algorithm::RequestedTorque) {
+  using Scene = scene_of<S>;
+  using R = robot_of<S>;
+  using A = detail::ArithmeticOf<Scene, typename T::Word>;
+  static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
+  auto m = detail::loaded_mechanism<Scene, detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>,
+                                    typename T::Word>();
+  constexpr double angle = (0.5 + detail::power_of_two(-20)) / detail::bam_per_radian;
+  for (int i = 0; i < joint_count<S>; ++i) {
+    const bool turns = R::chain.links[i].type == JointType::revolute;
+    m.joints[i].position_error = turns ? angle : 0.5 * Rounding::ulp(Positions<R, T>::exponent(i));
+    m.joints[i].speed_error = 0.5 * Rounding::ulp(Velocities<R, T>::exponent(i));
+    m.joints[i].acceleration_error = 0.5 * Rounding::ulp(Accelerations<R, T>::exponent(i));
+  }
+  return detail::bounds_of(
+      newton_euler_errors(m, rounding_in<Scene, A>(),
+                          detail::ranges_for<Scene, typename T::Word, BaseParameters, recursion::NewtonEuler>),
+      [](const LinkRange& r) { return r.joint_effort.error; });
+}
 /// Of the SCARA's closed form, N m or N.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::ClosedForm) {
   using A = detail::ArithmeticOf<scene_of<S>, typename T::Word>;
   return detail::bounds_of(closed_form::detail::ScaraTable<S, A>::value,
                            [](const LinkRange& r) { return r.joint_effort.error; });
+}
+/// Of its separated terms, each where Separated has it, in its SI unit.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr Separated<S, double> error_bound(algorithm::ClosedFormSeparation) {
+  using A = detail::ArithmeticOf<scene_of<S>, typename T::Word>;
+  return detail::errors_of<S>(closed_form::detail::scara_terms<S>(
+      mechanism_of<scene_of<S>, FullParameters>, rounding_of<A>(), closed_form::detail::ScaraTable<S, A>::value,
+      SeparatedExponents<S, T>::all()));
 }
 /// Of the mass matrix, one per row: of its entries up to the diagonal, in their SI units.
 template <class S, class T = Fixed32>

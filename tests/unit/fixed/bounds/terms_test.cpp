@@ -1,7 +1,7 @@
 // What a sum's rounding costs against the sums that fixed point really makes: no words exceed the bound of Terms, and
 // some come near it, in every arithmetic.
 #include <axial/axial.hpp>
-#include <axial/fixed/bounds/number.hpp>
+#include <axial/fixed.hpp>
 
 #include <gtest/gtest.h>
 
@@ -225,9 +225,12 @@ TYPED_TEST(Sums, RoundWhatTheirHalvesHave) {
         terms.add_scaled(third / (1.0 + 7.0 * k), 6 + k, 3.0 + k);
   };
   fill(whole, 0), fill(whole, 3), fill(first, 0), fill(second, 3);
-  first.add(second);
+  bounds::Terms turned = second, fine;
+  first.add(second), fill(fine, 0), turned.add(fine);
   for (const int exponent : {2, 8, 14, 20, 30})
-    EXPECT_EQ(first.rounding(exponent, rounding<TypeParam>), whole.rounding(exponent, rounding<TypeParam>));
+    for (const bounds::Terms* sum : {&first, &turned})
+      EXPECT_NEAR(sum->rounding(exponent, rounding<TypeParam>), whole.rounding(exponent, rounding<TypeParam>),
+                  1e-12 * whole.rounding(exponent, rounding<TypeParam>));
 }
 TYPED_TEST(Sums, ThatVanishRoundNothing) {
   const bounds::Number zero = bounds::word_of({0.0, 0.0}, 9);
@@ -241,4 +244,119 @@ TYPED_TEST(Sums, OfALiteralOneAndAWordAreWords) {
   bounds::add_product(terms, bounds::literal_of(-1.0), 9, 1.0);
   EXPECT_EQ(terms.rounding(9, rounding<TypeParam>), 0.0);
   EXPECT_GT(terms.rounding(8, rounding<TypeParam>), 0.0);
+}
+
+namespace {
+
+// A link of words, which rounds every sum into exponent e, and what that costs on bounds.
+template <int e>
+struct WordLink {
+  template <class Q, class... X>
+  auto sum(Q, const X&... x) const {
+    return round_to<e>(detail::lazy_sum(x...));
+  }
+};
+template <class S, int e>
+struct RoundingLink {
+  template <class Q>
+  bounds::BoundedVector sum(Q, const bounds::VectorSum& v) const {
+    const Ball across{0.0, v.across.rounding(e, rounding<S>)}, along{0.0, v.along.rounding(e, rounding<S>)};
+    return {{across, along, {}}, e, false, nullptr};
+  }
+  template <class Q>
+  void leave_room(Q, double) const {}
+};
+template <class S>
+bounds::BoundedVector reaching(int exponent, int spare) {
+  const Ball any{std::ldexp(1.0, S::bits - 1 - spare - exponent), 0.0};
+  return {{any, any, any}, exponent, false, nullptr};
+}
+template <int E, class S>
+Vec3<Fx<E, S>> vector(std::mt19937_64& random, int spare) {
+  return {word<E, S>(random, spare), word<E, S>(random, spare), word<E, S>(random, spare)};
+}
+template <int E, class S>
+Vec3<double> values(const Vec3<Fx<E, S>>& v) {
+  return {static_cast<double>(value(v.x)), static_cast<double>(value(v.y)), static_cast<double>(value(v.z))};
+}
+
+// The forces that two rates give a body of words, at the exponent of upper words of their products. `pick` takes the
+// component that is looked at.
+template <class S, class Kind>
+constexpr int force_exponent = S::bits / 2 - (std::is_same_v<Kind, Revolute> ? 2 : 3);
+template <class S, class Kind, class Pick>
+double nearest_force(double bound, Pick pick) {
+  constexpr int unit = S::bits - 2, j = S::bits / 2, e = force_exponent<S, Kind>, spare = 6;
+  return nearest(bound, [&pick](std::mt19937_64& random) {
+    const auto w = vector<unit, S>(random, 2);
+    const auto h = vector<j, S>(random, spare), a = vector<j, S>(random, spare), b = vector<j, S>(random, spare);
+    const RigidInertia body{word<j, S>(random, spare), h, Sym3{a.x, a.y, a.z, b.x, b.y, b.z}};
+    const auto to = [](const auto& x) { return static_cast<double>(value(x)); };
+    const RigidInertia plain{to(body.mass), values(h),
+                             Sym3<double>{to(a.x), to(a.y), to(a.z), to(b.x), to(b.y), to(b.z)}};
+    const auto exact = separation::product_force(Kind{}, Plain{}, plain, values(w));
+    const auto words = separation::product_force(Kind{}, WordLink<e>{}, body, w);
+    return Drawn{value(pick(words)), static_cast<long double>(pick(exact))};
+  });
+}
+
+}  // namespace
+
+TYPED_TEST(Sums, OfTheForcesOfTwoRates) {
+  using S = TypeParam;
+  constexpr int unit = S::bits - 2, j = S::bits / 2;
+  const bounds::CompositeBody body{bounds::word_of(reaching<S>(j, 6).bound.whole, j),
+                                   reaching<S>(j, 6),
+                                   bounds::word_of(reaching<S>(j, 6).bound.whole, j),
+                                   {}};
+  const auto turning =
+      product_force(Revolute{}, RoundingLink<S, force_exponent<S, Revolute>>{}, body, reaching<S>(unit, 2));
+  const auto moment_x = [](const auto& f) { return f.moment.x; };
+  const auto moment_z = [](const auto& f) { return f.moment.z; };
+  const auto force_x = [](const auto& f) { return f.force.x; };
+  const auto force_z = [](const auto& f) { return f.force.z; };
+  expect_near(nearest_force<S, Revolute>(turning.moment.bound.across.error, moment_x), 0.6);  // two of one sign
+  expect_near(nearest_force<S, Revolute>(turning.force.bound.across.error, force_x), 0.7);
+  expect_near(nearest_force<S, Revolute>(turning.force.bound.along.error, force_z), 0.7);
+  bounds::BoundedVector axis = reaching<S>(unit, 2);
+  axis.bound.across = {};
+  EXPECT_GT(product_force(Revolute{}, RoundingLink<S, 0>{}, body, axis).moment.bound.across.error, 0.0);
+  const auto sliding =
+      product_force(Prismatic{}, RoundingLink<S, force_exponent<S, Prismatic>>{}, body, reaching<S>(unit, 2));
+  expect_near(nearest_force<S, Prismatic>(sliding.moment.bound.across.error, moment_x), 0.7);
+  expect_near(nearest_force<S, Prismatic>(sliding.moment.bound.along.error, moment_z), 0.7);
+  expect_near(nearest_force<S, Prismatic>(sliding.force.bound.across.error, force_x), 0.7);
+}
+TYPED_TEST(Sums, OfTheProductOfTwoVectors) {
+  using S = TypeParam;
+  constexpr int unit = S::bits - 2, j = S::bits / 2, e = j - 2;
+  const auto terms = dot(reaching<S>(unit, 3), reaching<S>(j, 3)).terms;
+  expect_near(nearest(terms.rounding(e, rounding<S>),
+                      [](std::mt19937_64& random) {
+                        const auto u = vector<unit, S>(random, 3);
+                        const auto v = vector<j, S>(random, 3);
+                        const auto a = values(u), b = values(v);
+                        const long double exact = 1.0L * a.x * b.x + 1.0L * a.y * b.y + 1.0L * a.z * b.z;
+                        return Drawn{value(round_to<e>(dot(u, v))), exact};
+                      }),
+              0.7);
+}
+// A direction of the model is the literal factor of each product.
+TYPED_TEST(Sums, OfAConstantVectorAndAVector) {
+  using S = TypeParam;
+  constexpr int e = S::bits / 2;
+  bounds::BoundedVector constant{{{0.75, 0.0}, {0.75, 0.0}, {0.8, 0.0}}, S::bits - 2, true, nullptr};
+  const auto v = reaching<S>(e, 3);
+  const double bound = dot(constant, v).terms.rounding(e, rounding<S>);
+  EXPECT_EQ(bound, dot(v, constant).terms.rounding(e, rounding<S>));
+  expect_near(nearest(bound,
+                      [](std::mt19937_64& random) {
+                        const auto x = vector<e, S>(random, 3);
+                        const Vec3 literal{Coarse<S>{}, Third<S>{}, Below<S>{}};
+                        const long double exact = static_cast<long double>(coarse) * value(x.x) +
+                                                  static_cast<long double>(third) * value(x.y) +
+                                                  static_cast<long double>(below) * value(x.z);
+                        return Drawn{value(round_to<e>(dot(literal, x))), exact};
+                      }),
+              0.3);
 }

@@ -1,48 +1,14 @@
 // Each operator on bounds against the kernels' own operators on numbers: no input exceeds a size or an error, and a
 // search comes near both. Rounding is left out here (units of 2^-900); terms_test.cpp has it.
-#include <axial/axial.hpp>
-#include <axial/fixed/bounds/newton_euler.hpp>
-
-#include "climb.hpp"
+#include "fine_link.hpp"
 
 namespace {
 
 using namespace axial;
 using namespace bounds_test;
-using bounds::BoundedVector;
 using bounds::literal_of;
 using bounds::Number;
 using bounds::word_of;
-
-constexpr int fine = 900;
-constexpr Rounding exact_rounding{32, true, false, 0.0};
-
-BoundedVector bounded(const SplitBall& b) { return {b, fine, false, &exact_rounding}; }
-double any_size(std::mt19937_64& random) {
-  return std::pow(10.0, std::uniform_real_distribution<double>(-2.0, 1.0)(random));
-}
-
-/// What the operators ask of a link.
-struct FineLink {
-  template <class Q>
-  int exponent(Q) const {
-    return fine;
-  }
-  template <class Q>
-  void note(Q, const Ball&) const {}
-  template <class Q>
-  void leave_room(Q, double) const {}
-  template <class Q>
-  BoundedVector sum(Q, const bounds::VectorSum& v) const {
-    return bounded(detail::tightened(v.bound));
-  }
-  template <class Q>
-  BoundedVector sum(Q quantity, const BoundedVector& u, const bounds::VectorSum& v) const {
-    return sum(quantity, u + v);
-  }
-  const Rounding& rounding() const { return exact_rounding; }
-  const bounds::CompositeBody& formatted(const bounds::CompositeBody& body) const { return body; }
-};
 
 // A body's rotation: w and dw with their errors, and its U with the rounding of entries and, it may be, a third column
 // of its own.
@@ -339,33 +305,6 @@ TEST(Rotations, FollowFromTheAxis) {
 }
 
 namespace {
-
-// A symmetric matrix of a norm, in a direction: +-norm n n^T, or a rotation's worth of two of them.
-Sym3<double> symmetric(double norm, Choice& c) {
-  const Vector n = vector_within(1.0, 1.0, 1.0, c), m = vector_within(1.0, 1.0, 1.0, c);
-  const double a = norm * c.next(), b = (norm - std::fabs(a)) * c.next();
-  const auto entry = [&](double nx, double ny, double mx, double my) { return a * nx * ny + b * mx * my; };
-  return {entry(n.x, n.x, m.x, m.x), entry(n.y, n.y, m.y, m.y), entry(n.z, n.z, m.z, m.z),
-          entry(n.x, n.y, m.x, m.y), entry(n.x, n.z, m.x, m.z), entry(n.y, n.z, m.y, m.z)};
-}
-Sym3<double> added(const Sym3<double>& a, const Sym3<double>& b, double sign = 1.0) {
-  return {a.xx + sign * b.xx, a.yy + sign * b.yy, a.zz + sign * b.zz,
-          a.xy + sign * b.xy, a.xz + sign * b.xz, a.yz + sign * b.yz};
-}
-// The spectral norm by iteration of the square.
-double norm(const Sym3<double>& s) {
-  double largest = 0.0;
-  for (Vector v : {Vector{1.0, 0.1, 0.2}, Vector{0.1, 1.0, -0.2}, Vector{-0.1, 0.2, 1.0}}) {
-    double length = 0.0;
-    for (int step = 0; step < 12; ++step) {
-      v = s * (s * v), length = whole(v);
-      if (!(length > 0.0)) break;
-      v = (1.0 / length) * v;
-    }
-    largest = std::fmax(largest, std::sqrt(length));
-  }
-  return largest;
-}
 
 template <class Axis>
 void expect_composites(double near) {

@@ -25,12 +25,6 @@ constexpr Ball operator*(const Ball& a, const Ball& b) {
 }
 /// A constant multiple; the constant's own rounding is counted where it is rounded.
 constexpr Ball operator*(double c, const Ball& b) { return {magnitude(c) * b.size, magnitude(c) * b.error}; }
-/// A constant factor of a variable at exponent `format` that reaches `size`; what a literal's own rounding costs.
-struct Factor {
-  double constant = 0.0;  ///< as the robot declares it
-  int format = 0;         ///< exponent of the variable
-  double size = 0.0;      ///< what the variable reaches
-};
 
 /// How an arithmetic rounds, for the analysis: its word, its modes, and the error of a sine or cosine.
 struct Rounding {
@@ -51,43 +45,6 @@ struct Rounding {
   constexpr double store(int exponent) const { return (nearest ? 0.5 : 1.0) * ulp(exponent); }
   /// Of a component moved to an exponent; nothing is lost on the way to a finer one.
   constexpr double move(int from, int to) const { return from <= to ? 0.0 : store(to); }
-
-  /// Rounding of one component of a sum into `exponent`: its constants, then itself.
-  template <int N>
-  constexpr double sum(int exponent, const Factor (&factors)[N]) const {
-    int common = exponent + bits;
-    for (const Factor& f : factors)
-      common = detail::smaller(common, f.format + literal(f, exponent + bits));
-    double error = high_word ? 0.0 : store(exponent) + ulp(common);
-    if (tabled) return error + from_table(exponent, common, factors);
-    for (const Factor& f : factors) {
-      if (!(f.constant < 0.0 || f.constant > 0.0)) continue;
-      const int own = literal(f, high_word ? exponent + bits : common);
-      error += 0.5 * ulp(own) * f.size;
-      if (high_word) error += ulp(f.format + own - bits);
-    }
-    return error;
-  }
-  /// Rounding of one component of a sum of `count` products of variables at exponents f + g into `exponent`.
-  constexpr double products(int count, int f, int g, int exponent) const {
-    if (!high_word) return store(exponent) + (f + g > exponent + bits ? count * ulp(exponent + bits) : 0.0);
-    const int upper = detail::smaller(f + g - bits, exponent);
-    return count * ulp(upper) + (f + g - bits > exponent ? count * ulp(exponent) : 0.0);
-  }
-
- private:
-  // Constants at their columns' exponents: products as of variables, which all meet one exponent.
-  template <int N>
-  constexpr double from_table(int exponent, int common, const Factor (&factors)[N]) const {
-    const double step = high_word ? 2.0 * ulp(detail::smaller(common - bits, exponent)) : ulp(common);
-    double error = 0.0;
-    for (const Factor& f : factors)
-      if (f.constant < 0.0 || f.constant > 0.0) error += step + 0.5 * ulp(literal(f, exponent + bits + 64)) * f.size;
-    return error;
-  }
-  constexpr int literal(const Factor& f, int wanted) const {
-    return detail::smaller(wanted - f.format, detail::fitting_exponent(f.constant, capacity()));
-  }
 };
 
 /// Rounding of an arithmetic S whose sines and cosines come from axial::sincos.

@@ -29,8 +29,10 @@ class JointBounds {
       speed = axial::detail::larger(speed, j.speed), acceleration = axial::detail::larger(acceleration, j.acceleration);
     for (int i = 0; i < N; ++i) {
       const JointRange& j = m.joints[i];
-      q[i] = {position(m.steps, j.travel), {&r}};
-      qd[i] = read(j.speed, speed), qdd[i] = read(j.acceleration, acceleration);
+      q[i] = {position(m.steps, j.travel), {&r, j.position_error}};
+      q[i].length.bound.error += j.position_error;
+      qd[i] = read(j.speed, speed), qd[i].bound.error += j.speed_error;
+      qdd[i] = read(j.acceleration, acceleration), qdd[i].bound.error += j.acceleration_error;
     }
   }
   Row<Position, N> q{};

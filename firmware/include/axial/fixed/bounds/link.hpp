@@ -66,7 +66,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   constexpr Angle with_offset(Angle q) const {
     const auto& c = constants();
     const bool by_quarters = c.sin_theta == 0.0 || c.cos_theta == 0.0;
-    q.error = by_quarters ? 0.0 : 0.5 / axial::detail::bam_per_radian;
+    q.error += by_quarters ? 0.0 : 0.5 / axial::detail::bam_per_radian;
     return q;
   }
   /// Calls f with the kind of this joint.
@@ -106,15 +106,14 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
       return rounded(quantity, sum);
     }
   }
-  /// Notes a bound that a quantity has to have room for; of lengths the description says more than a sum of bounds.
+  /// Notes a bound that a quantity has to have `room` times as much room for; of lengths the description says more. Two
+  /// entries of an inertia's diagonal may have opposite signs where parameters are regrouped.
   template <class Quantity>
-  constexpr void note(Quantity, const Ball& bound) const {
+  constexpr void note(Quantity, const Ball& bound,
+                      double room = std::is_same_v<Quantity, quantity::RotationalInertia> ? 2.0 : 1.0) const {
     if (!noting_ || account_->quiet) return;
     constexpr Place place = place_of(Quantity{});
-    if constexpr (std::is_same_v<Quantity, quantity::RotationalInertia>)
-      widen(place, 2.0 * bound.size);  // two diagonal entries may have opposite signs where parameters are regrouped
-    else if constexpr (!std::is_same_v<Quantity, quantity::Length>)
-      widen(place, bound.size);
+    if constexpr (!std::is_same_v<Quantity, quantity::Length>) widen(place, room * bound.size);
     account_->ranges.range[index_].*place.range = bound;
   }
   /// Has room for a sum of words that is larger than what is kept of it.
@@ -244,7 +243,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     const int to = exponent(quantity);
     Ball bound = sum.bound;
     if (!account_->sizing) bound.error += sum.terms.rounding(to, rounding());
-    note(quantity, bound);
+    note(quantity, bound, 1.0);
     return word_of(bound, to);
   }
 };

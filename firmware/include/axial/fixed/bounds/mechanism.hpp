@@ -3,6 +3,7 @@
 #pragma once
 
 #include <axial/fixed/bounds/split_ball.hpp>
+#include <axial/fixed/bounds/terms.hpp>
 #include <axial/links/link_view.hpp>
 
 #include <axial/options/begin.hpp>
@@ -13,6 +14,8 @@ namespace axial {
 struct JointRange {
   /// rad/s or m/s, rad/s^2 or m/s^2, m, N m or N; at most
   double speed = 0.0, acceleration = 0.0, travel = 0.0, effort = 0.0;
+  /// how far its words are from what they stand for, in the same units (rad or m of a position)
+  double position_error = 0.0, speed_error = 0.0, acceleration_error = 0.0;
   int effort_format = unknown;           ///< exponent of its effort where that is given (fixed_joints.hpp)
   static constexpr int unknown = -1000;  ///< no exponent is given
 };
@@ -32,7 +35,7 @@ struct LoadRange {
 struct LinkRange {
   /// Bound of a quantity of the link (of a vector its norm), SI.
   ///@{
-  Ball angular_velocity{}, angular_acceleration{}, linear_acceleration{};
+  Ball angular_velocity{}, angular_acceleration{}, linear_acceleration{}, gravity{};
   Ball moment{}, force{};
   Ball rotational_inertia{}, first_moment{}, mass{};
   Ball joint_inertia{}, angular_gain{}, linear_gain{}, joint_effort{}, joint_acceleration{}, length{}, rotation{};
@@ -101,11 +104,9 @@ struct Ranges {
 
 /// What one step for all links makes of a robot: one format a quantity, constants in columns of one exponent each.
 struct SharedSteps {
-  bool shared = false;                  ///< whether one format serves all links
-  LinkFormat format{};                  ///< of all links
-  TreeLinkConstants<double> columns{};  ///< the largest number that a column's exponent can hold; 0 where it is 0
-  /// largest of all joints: N m s/rad or N s/m, rad/s or m/s, rad/s^2 or m/s^2
-  double viscous = 0.0, speed = 0.0, acceleration = 0.0;
+  bool shared = false;   ///< whether one format serves all links
+  LinkFormat format{};   ///< of all links
+  double viscous = 0.0;  ///< largest of all joints: N m s/rad or N s/m
 };
 
 /// Everything that an analysis looks at.
@@ -126,33 +127,12 @@ struct Mechanism {
     return magnitude(c.branch.b) + square_root(c.a * c.a + d * d);
   }
 
-  /// Constants of a link as its products round them.
-  constexpr const TreeLinkConstants<double>& factors(int i) const { return steps.shared ? steps.columns : links[i]; }
-  /// Viscous friction as its product with a speed rounds it.
-  constexpr double viscous_factor(int i) const { return steps.shared ? steps.viscous : drives[i].viscous; }
   /// The exponent of a quantity that reaches `size` on one link, or of all links.
   constexpr int format(const Rounding& r, int LinkFormat::*quantity, double size) const {
     return steps.shared ? steps.format.*quantity : r.exponent(size);
   }
   /// Exponents of the base's motion.
   constexpr LinkFormat base_format() const { return steps.shared ? steps.format : LinkFormat{}; }
-  /// Speed that a joint's format has room for, rad/s or m/s.
-  constexpr double speed_reach(int i) const { return steps.shared ? steps.speed : joints[i].speed; }
-  /// Acceleration that a joint's format has room for, rad/s^2 or m/s^2.
-  constexpr double acceleration_reach(int i) const {
-    return steps.shared ? steps.acceleration : joints[i].acceleration;
-  }
-  /// Joint values move to an exponent of all joints where they are read.
-  constexpr Ball speed(const Rounding& r, int i) const { return read(r, joints[i].speed, speed_reach(i)); }
-  /// An acceleration as it is read, likewise.
-  constexpr Ball acceleration(const Rounding& r, int i) const {
-    return read(r, joints[i].acceleration, acceleration_reach(i));
-  }
-
- private:
-  constexpr Ball read(const Rounding& r, double size, double reach) const {
-    return {size, steps.shared ? r.store(r.exponent(reach)) : 0.0};
-  }
 };
 
 namespace detail {
@@ -224,7 +204,9 @@ template <class Scene, class S>
 constexpr Rounding rounding_in() {
   Rounding r = rounding_of<S>(Scene::template has<Looped>);
   const int unit = r.bits - 2;
-  if (detail::turns_given_pairs<Scene>()) r.turn_error += r.products(2, unit, unit, unit) + r.ulp(unit);
+  bounds::Terms turn;
+  turn.add_product(2 * unit), turn.add_product(2 * unit);
+  if (detail::turns_given_pairs<Scene>()) r.turn_error += turn.rounding(unit, r) + r.ulp(unit);
   return r;
 }
 

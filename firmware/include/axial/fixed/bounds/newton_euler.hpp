@@ -52,20 +52,30 @@ constexpr void run(Account<N>& account) {
   }
 }
 template <int N>
+constexpr void run_with_loads(Account<N>& account) {
+  with_loads(account.mechanism.loads, [&account](auto scene) { run<decltype(scene)>(account); });
+}
+template <int N>
 constexpr Ranges<N> newton_euler(const Mechanism<N>& m, const Rounding& r) {
   Account<N> account{m, r};
   note_description(account);
-  const auto run_all = [&account] {
-    with_loads(account.mechanism.loads, [&account](auto scene) { run<decltype(scene)>(account); });
-  };
-  run_all();
+  run_with_loads(account);
   account.choose_formats();
-  run_all();
+  run_with_loads(account);
   return account.ranges;
 }
 
 }  // namespace detail
 }  // namespace bounds
+
+/// Ranges and errors of inverse dynamics in the formats that `ranges` say: of a robot whose joint values are off.
+template <int N>
+constexpr Ranges<N> newton_euler_errors(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& ranges) {
+  const Mechanism<N> in_formats = r.tabled ? detail::sharing(m, r, ranges) : m;
+  bounds::Account<N> account{in_formats, r, false, false, ranges};
+  bounds::detail::run_with_loads(account);
+  return account.ranges;
+}
 
 /// Ranges, formats and errors of inverse dynamics (and of its bias and gravity parts): its own kernel, run on bounds.
 template <int N>

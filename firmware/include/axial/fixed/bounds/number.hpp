@@ -111,6 +111,11 @@ constexpr Number twice(Number x) {
   x.bound = 2.0 * x.bound, x.constant = 2.0 * x.constant, --x.exponent;
   return x;
 }
+/// x / 2, likewise.
+constexpr Number half(Number x) {
+  x.bound = 0.5 * x.bound, x.constant = 0.5 * x.constant, ++x.exponent;
+  return x;
+}
 
 /// A joint's angle, exact in binary angles; its sine and cosine are not.
 struct Angle {

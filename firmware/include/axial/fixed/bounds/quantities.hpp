@@ -53,6 +53,7 @@ constexpr Place place_of(quantity::FirstMoment) { return {&LinkFormat::first_mom
 constexpr Place place_of(quantity::Mass) { return {&LinkFormat::mass, &LinkRange::mass}; }
 constexpr Place place_of(quantity::JointInertia) { return {&LinkFormat::joint_inertia, &LinkRange::joint_inertia}; }
 constexpr Place place_of(quantity::JointEffort) { return {&LinkFormat::joint_effort, &LinkRange::joint_effort}; }
+constexpr Place place_of(quantity::GravityAcceleration) { return {&LinkFormat::gravity, &LinkRange::gravity}; }
 constexpr Place place_of(quantity::Length) { return {&LinkFormat::length, &LinkRange::length}; }
 ///@}
 

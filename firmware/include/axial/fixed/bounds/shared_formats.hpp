@@ -79,21 +79,6 @@ constexpr Mechanism<N> sharing(Mechanism<N> m, const Rounding& r, const Ranges<N
   s.shared = true;
   s.format = coarsest(apart.format);
   s.format.length = smaller(s.format.length, r.exponent(longest(m)));
-  const ColumnExponents columns = column_exponents(m, r, s.format);
-  const auto most = [&](auto member, auto link, double& to) {
-    bool used = false;
-    for (const auto& c : m.links)
-      used = used || magnitude(link(c)) > 0.0;
-    to = used ? r.capacity() * power_of_two(-columns.of(member)) : 0.0;
-  };
-  for (const auto member : link_numbers<double>)
-    most(
-        member, [member](const auto& c) { return c.*member; }, s.columns.*member);
-  for (const auto member : branch_numbers<double>)
-    most(
-        member, [member](const auto& c) { return c.branch.*member; }, s.columns.branch.*member);
-  for (const JointRange& joint : m.joints)
-    s.speed = larger(s.speed, joint.speed), s.acceleration = larger(s.acceleration, joint.acceleration);
   s.viscous = largest_viscous(m);
   return m;
 }

@@ -17,8 +17,9 @@ class Terms {
   constexpr void add_literal() { ++literals_; }
   /// A product of two words, whose exponents add up to `exponent`.
   constexpr void add_product(int exponent) {
-    least_ = axial::detail::smaller(least_, exponent), greatest_ = larger(greatest_, exponent);
-    ++products_;
+    coarsest_ = exponent < least_ ? 1 : coarsest_ + (exponent == least_ ? 1 : 0);
+    least_ = axial::detail::smaller(least_, exponent);
+    upper_units_ += axial::detail::power_of_two(-exponent), ++products_;
   }
   /// A constant of the model times a word at `exponent` that reaches `size`.
   constexpr void add_scaled(double constant, int exponent, double size) {
@@ -32,7 +33,8 @@ class Terms {
     for (int i = 0; i < other.word_count_; ++i)
       add_word(other.words_[i]);
     literals_ += other.literals_, products_ += other.products_, scaled_ += other.scaled_;
-    least_ = axial::detail::smaller(least_, other.least_), greatest_ = larger(greatest_, other.greatest_);
+    coarsest_ = (other.least_ <= least_ ? other.coarsest_ : 0) + (least_ <= other.least_ ? coarsest_ : 0);
+    least_ = axial::detail::smaller(least_, other.least_), upper_units_ += other.upper_units_;
     limit_ = axial::detail::smaller(limit_, other.limit_);
     by_word_ += other.by_word_, by_constant_ += other.by_constant_;
   }
@@ -46,12 +48,14 @@ class Terms {
  private:
   static constexpr int most_words = 4, none = 100000;
   int words_[most_words] = {}, word_count_ = 0, literals_ = 0;
-  int products_ = 0, least_ = none, greatest_ = -none;  // of products of words
-  int scaled_ = 0, limit_ = none;                       // of scaled words: the exponent that fits, less a word's bits
-  double by_word_ = 0.0;                                // sum of the words' raw values
-  double by_constant_ = 0.0;                            // sum of their sizes, by the constants' top bits
+  int products_ = 0, least_ = none, coarsest_ = 0;  // of words; how many of them have the least exponent
+  double upper_units_ = 0.0;                        // sum of the units of products
+  int scaled_ = 0, limit_ = none;                   // of scaled words: the exponent that fits, less a word's bits
+  double by_word_ = 0.0;                            // sum of the words' raw values
+  double by_constant_ = 0.0;                        // sum of their sizes, by the constants' top bits
 
-  static constexpr int larger(int a, int b) { return a > b ? a : b; }
+  // Products that are finer than what they are added at.
+  constexpr int finer_than(int common) const { return common < least_ ? products_ : products_ - coarsest_; }
   // A constant of a word of `bits` has the exponent bits - 2 - top: it is less than 2^(top + 1), well within a word.
   static constexpr int top_bit(double constant) {
     const double size = magnitude(constant), room = 1.0 + axial::detail::power_of_two(-13);
@@ -70,7 +74,7 @@ class Terms {
   constexpr double of_products(int exponent, const Rounding& r) const {
     using axial::detail::smaller;
     const int common = smaller(smaller(exponent + r.bits, least_), limit_ + r.bits - 2);
-    double units = literals_ * 0.5 + 0.5 * by_word_ + (greatest_ > common ? products_ : 0);
+    double units = literals_ * 0.5 + 0.5 * by_word_ + finer_than(common);
     for (int i = 0; i < word_count_; ++i)
       units += words_[i] > common ? 1.0 : 0.0;
     return units * r.ulp(common) + (common > exponent ? r.store(exponent) : 0.0);
@@ -83,8 +87,7 @@ class Terms {
     const double constants =
         0.5 * (by_word_ * r.ulp(wanted) + literals) + scaled_ * r.ulp(smaller(wanted, own) - r.bits);
     const int variable = smaller(least_ - r.bits, exponent);
-    const double products =
-        products_ * r.ulp(least_ - r.bits) + (greatest_ - r.bits > variable ? products_ * r.store(variable) : 0.0);
+    const double products = upper_units_ * r.ulp(-r.bits) + finer_than(variable + r.bits) * r.store(variable);
     return of_words(exponent, r) + literals_ * 0.5 * r.ulp(exponent) + (scaled_ > 0 ? constants : 0.0) +
            (products_ > 0 ? products : 0.0);
   }

@@ -96,6 +96,39 @@ constexpr void accumulate(VectorSum& sum, const VectorSum& v) {
 }
 }  // namespace detail
 
+/// A part of a vector: one of two components, or the third.
+enum class Part { across, along };
+
+namespace detail {
+
+// Adds `count` products of components, each of one part. A constant vector is the literal factor of each, as large as
+// its part; what it multiplies rounds no less where it is 1.
+constexpr void add_product(Terms& terms, int count, Part of_u, const BoundedVector& u, Part of_v,
+                           const BoundedVector& v) {
+  const auto reach = [](Part part, const BoundedVector& of) {
+    return (part == Part::across ? of.bound.across : of.bound.along).reach();
+  };
+  const double a = reach(of_u, u), b = reach(of_v, v);
+  for (int i = 0; i < count && a > 0.0 && b > 0.0; ++i)
+    if (u.is_literal && v.is_literal)
+      terms.add_literal();
+    else if (u.is_literal)
+      terms.add_scaled(a, v.exponent, b);
+    else if (v.is_literal)
+      terms.add_scaled(b, u.exponent, a);
+    else
+      terms.add_product(u.exponent + v.exponent);
+}
+/// v + v, words of one exponent.
+constexpr BoundedVector doubled(BoundedVector v) {
+  v.bound = 2.0 * v.bound;
+  return v;
+}
+/// The joint's axis: a direction that the compiler knows.
+constexpr BoundedVector unit_along(const Rounding& r) { return {split({}, {1.0, 0.0}), r.bits - 2, true, &r}; }
+
+}  // namespace detail
+
 /// Words of one exponent are added at once, exactly; anything else waits for its rounding.
 constexpr BoundedVector operator+(const BoundedVector& u, const BoundedVector& v) {
   return {u.bound + v.bound, u.exponent, u.is_literal && v.is_literal, u.rounding};
@@ -131,6 +164,16 @@ constexpr VectorSum cross_z(const BoundedVector& v, const Number& s) {
 }
 /// Nothing moves where the joint does not.
 constexpr ZeroVec3 cross_z(const BoundedVector&, Zero) { return {}; }
+/// u . v: the parts across and the parts along, or the wholes.
+constexpr NumberSum dot(const BoundedVector& u, const BoundedVector& v) {
+  const SplitBall &a = u.bound, &b = v.bound;
+  NumberSum product{axial::detail::least(a.across * b.across + a.along * b.along, a.whole * b.whole), {}, 0.0, false};
+  detail::add_product(product.terms, 2, Part::across, u, Part::across, v);
+  detail::add_product(product.terms, 1, Part::along, u, Part::along, v);
+  return product;
+}
+/// Nothing is along no vector.
+constexpr Zero dot(const BoundedVector&, const ZeroVec3&) { return {}; }
 /// Component of v x u along the joint's axis: two products of parts across it.
 constexpr NumberSum axial_product(const BoundedVector& u, const BoundedVector& v) {
   NumberSum product{u.bound.across * v.bound.across, {}, 0.0, false};

@@ -62,17 +62,32 @@ struct Residuals<S, Stored<Word>, Tuning> {
 
 namespace detail {
 
-template <class Formats>
-AXIAL_INLINE constexpr std::int32_t next_residual(const Formats& f, int i, std::int32_t share, std::int32_t r,
-                                                  std::int32_t p, std::int32_t p_last, std::int32_t tau,
-                                                  std::int32_t drift, std::int32_t drift_last) {
+/// x 2^-bits to nearest.
+template <int bits>
+AXIAL_INLINE constexpr std::int32_t lowered(std::int64_t x) {
+  return static_cast<std::int32_t>((x + (std::int64_t{1} << (bits - 1))) >> bits);
+}
+/// The share of a new sample in 2^-30, and what is left of the old ones.
+template <class Factor>
+struct Shares {
+  Factor taken, kept;
+};
+template <class Tuning>
+constexpr Shares<std::int32_t> shares_of() {
+  const auto taken = static_cast<std::int32_t>(nearest_integer(residual_share<Tuning>() * power_of_two(30)));
+  return {taken, (1 << 30) - taken};
+}
+
+/// The next residual of joint i, in integers or in what bounds them.
+template <class Formats, class Factor, class X>
+AXIAL_INLINE constexpr X next_residual(const Formats& f, int i, const Shares<Factor>& share, const X& r, const X& p,
+                                       const X& p_last, const X& tau, const X& drift, const X& drift_last) {
   using integer::multiply;
-  const std::int64_t known =
+  const auto known =
       multiply(tau, f.effort[i]) + multiply(drift, f.half_drift[i]) + multiply(drift_last, f.half_drift[i]);
-  const std::int64_t change = multiply(p, f.momentum[i]) - multiply(p_last, f.momentum[i]);
-  const auto e = static_cast<std::int32_t>((change - known + (std::int64_t{1} << 30)) >> 31);
-  constexpr std::int32_t whole = 1 << 30;
-  return static_cast<std::int32_t>((multiply(e, share) + multiply(r, whole - share) + (whole >> 1)) >> 30);
+  const auto change = multiply(p, f.momentum[i]) - multiply(p_last, f.momentum[i]);
+  const X e = lowered<31>(change - known);
+  return lowered<30>(multiply(e, share.taken) + multiply(r, share.kept));
 }
 
 template <class S, class Word, class Tuning>
@@ -83,7 +98,7 @@ struct ResidualStep<S, Stored<Word>, Tuning> {
   static constexpr void take(Soundness<T>&, T& r, int i, bool ready, const Terms& now, const Terms& last,
                              const EffortsOf<S, T>& tau) {
     constexpr const auto& f = residual_formats<S, Word, Tuning>;
-    constexpr auto share = static_cast<std::int32_t>(nearest_integer(residual_share<Tuning>() * power_of_two(30)));
+    constexpr auto share = shares_of<Tuning>();
     const std::int32_t next = next_residual(f, i, share, r.raw, now.momentum[i].raw, last.momentum[i].raw, tau[i].raw,
                                             now.drift[i].raw, last.drift[i].raw);
     const std::int32_t known = -static_cast<std::int32_t>(ready);

@@ -70,8 +70,8 @@ struct PayloadSums<S, Stored<Word>, Tuning> {
     constexpr Zero scaled() const { return {}; }
   };
   static constexpr T lagged(int k, const T& r, const T& p, const T& p_last, const T& d, const T& d_last) {
-    constexpr auto gain = static_cast<std::int32_t>(nearest_integer(residual_share<Tuning>() * power_of_two(30)));
-    return {next_residual(formats, k, gain, r.raw, p.raw, p_last.raw, 0, d.raw, d_last.raw)};
+    return {
+        next_residual(formats, k, shares_of<Tuning>(), r.raw, p.raw, p_last.raw, std::int32_t{0}, d.raw, d_last.raw)};
   }
   static constexpr void forget(Sum& sum) { sum.template forget<formats.memory>(); }
   static constexpr std::int32_t scaled(std::int32_t x, std::int32_t factor) {

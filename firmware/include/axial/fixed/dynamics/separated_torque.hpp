@@ -10,36 +10,39 @@
 namespace axial {
 namespace separation {
 
-/// Products of two rates in fixed point, in the format of their limits.
+/// How the torque's words stand: coefficients at their exponents, products of two rates in the format of their limits.
 template <class Robot, class A>
-struct FixedRates {
+struct TorqueWords {
+  /// A coefficient as it is stored at exponent E.
+  template <int E, class Word>
+  AXIAL_INLINE static constexpr Fx<E, A> at(const Stored<Word>& x) {
+    return {x.raw};
+  }
+  /// The exponent of qd_j qd_k.
+  template <int J, int K>
+  static constexpr int product_exponent =
+      rounding_of<A>().exponent(Robot::chain.links[J].speed_limit* Robot::chain.links[K].speed_limit);
   /// qd_j qd_k, rounded once.
-  template <int J, int K, class Values>
-  AXIAL_INLINE static constexpr auto product(const Values& qd) {
-    constexpr Rounding rounding = rounding_of<A>();
-    constexpr int format = rounding.exponent(Robot::chain.links[J].speed_limit * Robot::chain.links[K].speed_limit);
-    return round_to<format>(Fx<Values::exponent(J), A>{qd.values[J].raw} *
-                            Fx<Values::exponent(K), A>{qd.values[K].raw});
+  template <int J, int K, class Rates>
+  AXIAL_INLINE static constexpr auto product(const Rates& qd) {
+    return round_to<product_exponent<J, K>>(qd[Index<J>{}] * qd[Index<K>{}]);
   }
 };
 
 /// The terms of one joint in fixed point, each with its format: one exact sum, rounded once into the effort.
-template <class Links, class S, class Word>
+/// Coefficients, rates and accelerations are those of words or of bounds, as `Words` reads them.
+template <class S, class Format, class Words, class Coefficients, class Rates, class Accelerations>
 struct FixedTerms {
-  using A = typename Links::Scalar;            ///< arithmetic
-  using T = Stored<Word>;                      ///< stored word
-  using Format = SeparatedExponents<S, T>;     ///< of the coefficients
-  using Rates = FixedRates<robot_of<S>, A>;    ///< products of rates
-  static constexpr int size = joint_count<S>;  ///< number of joints
-  const Separated<S, T>& s;                    ///< coefficients
-  const Velocities<robot_of<S>, T>& qd;        ///< at the exponents of their role
-  const Accelerations<robot_of<S>, T>& qdd;    ///< at the exponents of their role
+  const Words& words;        ///< how the others stand
+  const Coefficients& s;     ///< separated terms
+  const Rates& qd;           ///< at the exponents of their role
+  const Accelerations& qdd;  ///< at the exponents of their role
 
   /// A(i, j) qdd_j, not rounded yet.
   template <int I, int J>
   AXIAL_INLINE constexpr auto inertial() const {
     if constexpr (has_inertia<S, Index<I>, Index<J>>())
-      return Fx<Format::inertia(I, J), A>{s.A[I][J].raw} * Links::read(qdd)[Index<J>{}];
+      return words.template at<Format::inertia(I, J)>(s.A[I][J]) * qdd[Index<J>{}];
     else
       return Zero{};
   }
@@ -47,7 +50,7 @@ struct FixedTerms {
   template <int I, int J>
   AXIAL_INLINE constexpr auto square() const {
     if constexpr (has_square<S, Index<I>, Index<J>>())
-      return Fx<Format::square(I, J), A>{s.C[I][J].raw} * Rates::template product<J, J>(qd);
+      return words.template at<Format::square(I, J)>(s.C[I][J]) * words.template product<J, J>(qd);
     else
       return Zero{};
   }
@@ -59,13 +62,13 @@ struct FixedTerms {
     else if constexpr (!has_product<S, Index<I>, Index<J>, Index<K>>())
       return Zero{};
     else
-      return Fx<Format::product(I, J, K), A>{s.B[I][Separated<S, T>::pair(J, K)].raw} *
-             Rates::template product<J, K>(qd);
+      return words.template at<Format::product(I, J, K)>(s.B[I][Coefficients::pair(J, K)]) *
+             words.template product<J, K>(qd);
   }
   /// All terms of joint i as a lazy sum.
   template <int I, int... J>
   AXIAL_INLINE constexpr auto effort(std::integer_sequence<int, J...> all) const {
-    return detail::lazy_sum(Fx<Format::rest(I), A>{s.G[I].raw}, inertial<I, J>()..., square<I, J>()...,
+    return detail::lazy_sum(words.template at<Format::rest(I)>(s.G[I]), inertial<I, J>()..., square<I, J>()...,
                             products<I, J>(all)...);
   }
 
@@ -76,22 +79,29 @@ struct FixedTerms {
   }
 };
 
-/// Efforts in fixed point, friction included where the scene names it.
+/// Sets the efforts of a scene, friction included where it names it.
+template <class S, class T, class Links, class Words, class Coefficients, class Rates, class Accelerations, class Tau>
+AXIAL_INLINE constexpr void sum_terms(const Links& links, const Words& words, const Coefficients& s, const Rates& qd,
+                                      const Accelerations& qdd, Tau& tau) {
+  const FixedTerms<S, SeparatedExponents<S, T>, Words, Coefficients, Rates, Accelerations> terms{words, s, qd, qdd};
+  for_each_joint<S>([&](auto i) AXIAL_INLINE {
+    auto link = links.link(i);
+    auto sum = terms.template effort<decltype(i)::value>(std::make_integer_sequence<int, joint_count<S>>{});
+    links.write(tau, i, link.sum(quantity::JointEffort{}, sum, friction_effort(link, qd[i])));
+  });
+}
+
+/// Efforts in fixed point.
 template <class S, class Word>
 struct TorqueOf<S, Stored<Word>> {
   using T = Stored<Word>;  ///< stored word
-  /// Efforts, each of one exact sum.
+  /// Efforts of separated terms, each of one exact sum.
   template <class Links>
   AXIAL_INLINE static constexpr EffortsOf<S, T> from(const Links& links, const Separated<S, T>& s,
                                                      const Velocities<robot_of<S>, T>& qd,
                                                      const Accelerations<robot_of<S>, T>& qdd) {
-    const FixedTerms<Links, S, Word> terms{s, qd, qdd};
     EffortsOf<S, T> tau{};
-    auto speed = links.read(qd);
-    for_each_link(links, [&](auto i) AXIAL_INLINE {
-      auto sum = terms.template effort<i>(std::make_integer_sequence<int, joint_count<S>>{});
-      links.write(tau, i, detail::lazy_sum(sum, friction_effort(links.link(i), speed[i])));
-    });
+    sum_terms<S, T>(links, TorqueWords<robot_of<S>, typename Links::Scalar>{}, s, links.read(qd), links.read(qdd), tau);
     return tau;
   }
 };

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <axial/fixed/bounds/kinematics.hpp>
+#include <axial/fixed/bounds/separation.hpp>
 #include <axial/fixed/formats/joint_formats.hpp>
-#include <axial/fixed/ranges/separation.hpp>
 #include <axial/fixed/words/divide.hpp>
 #include <axial/links/recursion.hpp>
 #include <axial/spatial/inertia.hpp>

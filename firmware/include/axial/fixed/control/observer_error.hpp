@@ -1,0 +1,113 @@
+// The certified error of residuals: the observer's step in integers, run on bounds, and what a detector makes of it.
+#pragma once
+
+#include <axial/fixed/control/collision.hpp>
+#include <axial/fixed/error_bound.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+
+namespace algorithm {
+/// observe() and detect() of a tuning.
+///@{
+template <class Tuning>
+struct MomentumObserver {};
+template <class Tuning>
+struct CollisionDetector {};
+///@}
+}  // namespace algorithm
+
+namespace detail {
+
+/// A raw word in bounds: in units of its format.
+struct RawBound {
+  Ball bound{};  ///< of the exact value, and of the word's distance from it
+};
+/// A factor as it is stored, for an exact one.
+struct RawFactor {
+  Ball bound{};  ///< both in units of the stored one
+};
+constexpr RawFactor raw_factor(std::int32_t stored, double exact) {
+  return {{magnitude(exact), magnitude(static_cast<double>(stored) - exact)}};
+}
+
+/// A sum of products in bounds.
+struct RawSum {
+  Ball bound{};  ///< in units of the product's format
+};
+
+/// What the observer's step does with words.
+///@{
+constexpr RawSum multiply(const RawBound& x, const RawFactor& factor) { return {x.bound * factor.bound}; }
+constexpr RawSum operator+(const RawSum& a, const RawSum& b) { return {a.bound + b.bound}; }
+constexpr RawSum operator-(const RawSum& a, const RawSum& b) { return a + b; }
+template <int bits>
+constexpr RawBound lowered(const RawSum& x) {
+  return {{x.bound.size * power_of_two(-bits), x.bound.error * power_of_two(-bits) + 0.5}};
+}
+///@}
+
+/// The factors of ResidualFormats in bounds.
+template <class S, class Word, class Tuning>
+struct BoundedResidualFormats {
+  static constexpr int size = joint_count<S>;
+  RawFactor momentum[size] = {}, effort[size] = {}, half_drift[size] = {};
+
+  constexpr BoundedResidualFormats() {
+    using T = Stored<Word>;
+    constexpr const auto& f = residual_formats<S, Word, Tuning>;
+    for (int i = 0; i < size; ++i) {
+      const int own = f.exponent[i] + 31;
+      momentum[i] = raw_factor(f.momentum[i], power_of_two(own - MomentaOf<S, T>::exponent(i)) / Tuning::period);
+      effort[i] = raw_factor(f.effort[i], power_of_two(own - EffortsOf<S, T>::exponent(i)));
+      half_drift[i] = raw_factor(f.half_drift[i], 0.5 * power_of_two(own - MomentumRatesOf<S, T>::exponent(i)));
+    }
+  }
+};
+
+/// Error of joint i's residual, raw, where momenta and drifts are off by at most so much (SI). A residual that is off
+/// moves on as b + k times that, k < 1: it never exceeds b / (1 - k).
+template <class S, class Word, class Tuning>
+constexpr double residual_error(int i, double momentum_error, double drift_error) {
+  using T = Stored<Word>;
+  constexpr BoundedResidualFormats<S, Word, Tuning> f{};
+  constexpr double most = power_of_two(31), share = residual_share<Tuning>() * power_of_two(30);
+  constexpr auto stored = shares_of<Tuning>();
+  constexpr Shares<RawFactor> shares{raw_factor(stored.taken, share),
+                                     raw_factor(stored.kept, power_of_two(30) - share)};
+  const RawBound p{{most, momentum_error * power_of_two(MomentaOf<S, T>::exponent(i))}};
+  const RawBound drift{{most, drift_error * power_of_two(MomentumRatesOf<S, T>::exponent(i))}}, tau{{most, 0.0}};
+  const auto next = [&](double error) {
+    return next_residual(f, i, shares, RawBound{{most, error}}, p, p, tau, drift, drift).bound.error;
+  };
+  const double fresh = next(0.0), kept = next(1.0) - fresh;
+  return fresh / (1.0 - kept);
+}
+
+}  // namespace detail
+
+/// Of residuals, N m or N: how far they are from those that the observer's difference equation gives in real numbers,
+/// of the same samples from the first on; words are taken as what they say.
+template <class S, class T = Fixed32, class Tuning>
+[[nodiscard]] constexpr auto error_bound(algorithm::MomentumObserver<Tuning>) {
+  const auto momenta = error_bound<S, T>(algorithm::Momentum{}), drifts = error_bound<S, T>(algorithm::MomentumDrift{});
+  detail::Bounds<S, T> all;
+  for (int i = 0; i < all.size; ++i)
+    all.of[i] = detail::residual_error<S, typename T::Word, Tuning>(i, momenta[i], drifts[i]) *
+                Rounding::ulp(Residuals<S, T, Tuning>::exponent(i));
+  return all;
+}
+/// Of a detector's comparison, N m or N: a residual in real numbers that is so far from its threshold is on the same
+/// side of it in words.
+template <class S, class T = Fixed32, class Tuning>
+[[nodiscard]] constexpr auto error_bound(algorithm::CollisionDetector<Tuning>) {
+  auto all = error_bound<S, T>(algorithm::MomentumObserver<Tuning>{});
+  for (int i = 0; i < all.size; ++i)
+    all.of[i] += 0.5 * Rounding::ulp(Residuals<S, T, Tuning>::exponent(i));
+  return all;
+}
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>

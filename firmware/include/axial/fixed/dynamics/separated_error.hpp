@@ -1,0 +1,79 @@
+// Certified errors of separated terms and of the torque that is made of them: both kernels, run on bounds.
+#pragma once
+
+#include <axial/fixed/dynamics/separated_torque.hpp>
+#include <axial/fixed/error_bound.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+namespace separation {
+
+/// How the torque's words stand on bounds.
+template <class Robot, class A>
+struct BoundedTorqueWords {
+  const Rounding& rounding;  ///< of the arithmetic
+  /// A coefficient in bounds.
+  template <int E>
+  static constexpr const bounds::Number& at(const bounds::Number& x) {
+    return x;
+  }
+  /// qd_j qd_k, rounded once.
+  template <int J, int K, class Rates>
+  constexpr bounds::Number product(const Rates& qd) const {
+    constexpr int exponent = TorqueWords<Robot, A>::template product_exponent<J, K>;
+    bounds::NumberSum both = qd[J] * qd[K];
+    both.bound.error += both.terms.rounding(exponent, rounding);
+    return bounds::word_of(both.bound, exponent);
+  }
+};
+
+/// Bounds of a scene's separated terms as they are stored, and of the torque that torque() makes of them.
+template <class S, class T>
+class BoundsOfTerms {
+  using Scene = scene_of<S>;
+  using A = detail::ArithmeticOf<Scene, typename T::Word>;
+  using Parameters = detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>;
+  static constexpr int n = joint_count<S>;
+
+ public:
+  /// Coefficients, by the kernel on bounds.
+  static constexpr bounds::SeparatedBounds<n> terms() {
+    return bounds::separated_bounds(mechanism_of<Scene, Parameters>, rounding_in<Scene, A>(), ranges,
+                                    SeparatedExponents<S, T>::all());
+  }
+  /// Efforts, of coefficients `s`.
+  static constexpr Row<bounds::Number, n> torque(const bounds::SeparatedBounds<n>& s) {
+    const auto& m = mechanism_of<Scene, Parameters>;
+    const Rounding rounding = rounding_in<Scene, A>();
+    bounds::Account<n> account{m, rounding, false, false, ranges};
+    const bounds::BoundedLinks<bounds::detail::NoLoads, n> links(account);
+    const bounds::detail::JointBounds<n> at(m, rounding);
+    Row<bounds::Number, n> tau{};
+    sum_terms<S, T>(links, BoundedTorqueWords<robot_of<S>, A>{rounding}, s, at.qd, at.qdd, tau);
+    return tau;
+  }
+
+ private:
+  static constexpr const auto& ranges = detail::ranges_of<Scene, Parameters, A, recursion::Separation>;
+};
+
+}  // namespace separation
+
+/// Of separate(), each where Separated has it, in its SI unit.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr Separated<S, double> error_bound(algorithm::Separation) {
+  static_assert((detail::check_bound<S, recursion::Separation>(), true));
+  return detail::errors_of<S>(separation::BoundsOfTerms<S, T>::terms());
+}
+/// Of torque() from terms that separate() found, N m or N: theirs are in it.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr auto error_bound(algorithm::SeparatedTorque) {
+  using Terms = separation::BoundsOfTerms<S, T>;
+  static_assert((detail::check_bound<S, recursion::Separation>(), true));
+  return detail::bounds_of(Terms::torque(Terms::terms()), [](const bounds::Number& x) { return x.bound.error; });
+}
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>
