@@ -22,9 +22,9 @@ class UntunedKernels : UntunedReference<R> {
   using State = typename Base::State;
   using Base::joints;
 
-  enum Kernel { inverse, bias, gravity, mass, poses, columns, momenta, drifts, kernels };
-  static constexpr const char* names[kernels] = {"inverse dynamics", "bias",    "gravity", "mass matrix", "poses",
-                                                 "Jacobian",         "momenta", "drifts"};
+  enum Kernel { inverse, bias, gravity, mass, poses, columns, momenta, drifts, separated, kernels };
+  static constexpr const char* names[kernels] = {"inverse dynamics", "bias",    "gravity", "mass matrix",     "poses",
+                                                 "Jacobian",         "momenta", "drifts",  "separated torque"};
   double nearest[kernels] = {}, nearest_of_joint[joints] = {};
   double share[joints] = {};  ///< of inverse dynamics at the last state
   std::uint64_t overflows[kernels] = {};
@@ -77,6 +77,9 @@ class UntunedKernels : UntunedReference<R> {
                bias_torque(model(), q, qd), axial::error_bound<Checked>(axial::algorithm::bias));
     see_joints(gravity, run(gravity, [&] { return axial::gravity_torque<Checked>(state.q); }),
                gravity_torque(model(), q), axial::error_bound<Checked>(axial::algorithm::gravity));
+    constexpr auto separated_bound = axial::error_bound<Checked>(axial::algorithm::separated_torque);
+    const auto in_parts = [&] { return torque(axial::separate<Checked>(state.q), state.qd, state.qdd); };
+    see_joints(separated, run(separated, in_parts), exact, separated_bound);
     for (int i = 0; i < joints; ++i) {
       share[i] = bound[i] > 0.0 ? std::fabs(real(got, i) - exact[i]) / bound[i] : 0.0;
       nearest_of_joint[i] = std::fmax(nearest_of_joint[i], share[i]);
