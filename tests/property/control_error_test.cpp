@@ -202,3 +202,13 @@ TEST(Residuals, RoundAStepAsItsBoundSays) {
   EXPECT_GT(nearest, 0.75);
   std::printf("a step comes to %.3f of its bound\n", nearest);
 }
+// Momenta that are off either way make a change that is off by twice as much per period; drifts count as they are.
+TEST(Residuals, TakeOverWhatMomentaAndDriftsAreOff) {
+  using S = SceneOf<robots::Planar2r>;
+  constexpr double off = 1e-3, unit = detail::power_of_two(-Residuals<S, Fixed32, Tuning>::exponent(0));
+  constexpr double exact = detail::residual_error<S, std::int32_t, Tuning>(0, 0.0, 0.0) * unit;
+  constexpr double momenta = detail::residual_error<S, std::int32_t, Tuning>(0, off, 0.0) * unit - exact;
+  constexpr double drifts = detail::residual_error<S, std::int32_t, Tuning>(0, 0.0, off) * unit - exact;
+  EXPECT_NEAR(momenta, 2.0 * off / Tuning::period, 1e-6 * momenta);
+  EXPECT_NEAR(drifts, off, 1e-6 * drifts);
+}

@@ -12,23 +12,34 @@ namespace {
 using namespace axial;
 
 // Two links in a plane, weightless. Inertias are about the joints, h is the outer link's first moment.
-constexpr double m1 = 2.0, m2 = 1.5, arm = 0.4, centre = 0.25, j1 = 0.08, j2 = 0.03, effort = 10.0;
+constexpr double m1 = 2.0, m2 = 1.5, arm = 0.4, centre = 0.25, own1 = 0.08, own2 = 0.03, effort = 10.0;
 struct Arm {
   static constexpr auto chain = axial::chain(
       gravity(0, 0, 0),
-      revolute().mass(m1).inertia_com(j1, j1, j1).speed_limit(2).acceleration_limit(20).effort_limit(effort),
+      revolute().mass(m1).inertia_com(own1, own1, own1).speed_limit(2).acceleration_limit(20).effort_limit(effort),
       revolute()
           .a(arm)
           .mass(m2)
           .com(centre, 0, 0)
-          .inertia_com(j2, j2, j2)
+          .inertia_com(own2, own2, own2)
           .speed_limit(2)
           .acceleration_limit(20)
           .effort_limit(effort));
 };
 
+struct Wheel {
+  static constexpr auto chain = axial::chain(
+      gravity(0, 0, 0),
+      revolute().mass(m1).inertia_com(own1, own1, own1).speed_limit(2).acceleration_limit(20).effort_limit(effort));
+};
+struct Slide {
+  static constexpr auto chain = axial::chain(
+      gravity(0, 0, 0),
+      prismatic().mass(m1).position_limits(0, 0.5).speed_limit(2).acceleration_limit(20).effort_limit(effort));
+};
+
 struct Plane {
-  double inner = j1, outer = j2 + m2 * centre * centre, h = m2 * centre, mass = m2;
+  double inner = own1, outer = own2 + m2 * centre * centre, h = m2 * centre, mass = m2;
   double cosine_off = 0.0, pull[2] = {0.0, 0.0};  ///< what cos(q2) is off, and efforts on top
 
   /// Accelerations under given efforts.
@@ -62,24 +73,30 @@ constexpr int fine = 60, coarse = 16;
 constexpr double unit = 1.0 / 65536.0, step = 0.5 * unit;
 
 // The certificate where nothing rounds but what `change` says of formats, of the bias and of the arithmetic.
-using Change = std::function<void(Ranges<2>&, Ranges<2>&, Rounding&)>;
-Pair certified(const Change& change) {
-  const auto& m = mechanism_of<Scene<Arm, Gravity>, FullParameters>;
+template <int N>
+using ChangeOf = std::function<void(Ranges<N>&, Ranges<N>&, Rounding&)>;
+using Change = ChangeOf<2>;
+template <class R, class Change, int N = joint_count<R>>
+Row<double, N> certified(const Change& change) {
+  const auto& m = mechanism_of<Scene<R, Gravity>, FullParameters>;
   Rounding r{32, true, false, 0.0};
-  Ranges<2> motion = newton_euler_ranges(m, r), ranges = articulated_at_rest_sizes(m, r, motion);
-  for (int i = 0; i < 2; ++i) {
+  Ranges<N> motion = newton_euler_ranges(m, r), ranges = articulated_at_rest_sizes(m, r, motion);
+  for (int i = 0; i < N; ++i) {
     motion.range[i].joint_effort.error = 0.0;
     for (const auto quantity : all_formats)
       ranges.format[i].*quantity = fine;
   }
   change(ranges, motion, r);
-  const detail::ForwardErrorAnalysis<2> errors(m, r, ranges, motion);
-  return {{errors.of(0), errors.of(1)}};
+  const detail::ForwardErrorAnalysis<N> errors(m, r, ranges, motion);
+  Row<double, N> all;
+  for (int i = 0; i < N; ++i)
+    all[i] = errors.of(i);
+  return all;
 }
 void expect_counted(const Change& change, const Pair& least) {
-  const Pair with = certified(change), without = certified([](Ranges<2>&, Ranges<2>&, Rounding&) {});
+  const auto with = certified<Arm>(change), without = certified<Arm>([](Ranges<2>&, Ranges<2>&, Rounding&) {});
   for (int i = 0; i < 2; ++i)
-    EXPECT_GE(with.of[i] - without.of[i], 0.999 * least.of[i]) << "joint " << i;
+    EXPECT_GE(with[i] - without[i], 0.999 * least.of[i]) << "joint " << i;
 }
 Change coarsened(int LinkFormat::*quantity, int link) {
   return [=](Ranges<2>& ranges, Ranges<2>&, Rounding&) { ranges.format[link].*quantity = coarse; };
@@ -102,6 +119,18 @@ TEST(ForwardError, CountsRoundingsOfInertias) {
   expect_counted(coarsened(&LinkFormat::rotational_inertia, 1), effect_of(&Plane::outer, step));
   expect_counted(coarsened(&LinkFormat::first_moment, 1), effect_of(&Plane::h, step));
   expect_counted(coarsened(&LinkFormat::mass, 1), effect_of(&Plane::mass, step));
+}
+// Nothing but its own rounding is between the inertia of one joint alone and its acceleration, tau / D.
+TEST(ForwardError, CountsTheRoundingOfALinkByItself) {
+  const auto expect_own = [](auto robot, int LinkFormat::*quantity, double inertia) {
+    using R = decltype(robot);
+    const auto with =
+        certified<R>([=](Ranges<1>& ranges, Ranges<1>&, Rounding&) { ranges.format[0].*quantity = coarse; });
+    const auto without = certified<R>([](Ranges<1>&, Ranges<1>&, Rounding&) {});
+    EXPECT_GE(with[0] - without[0], 0.999 * effort * step / (inertia * (inertia + step)));
+  };
+  expect_own(Wheel{}, &LinkFormat::rotational_inertia, own1);
+  expect_own(Slide{}, &LinkFormat::mass, m1);
 }
 TEST(ForwardError, CountsRoundingsOfForcesAndEfforts) {
   expect_counted(coarsened(&LinkFormat::moment, 0), effect_of_efforts(step, 0.0));
