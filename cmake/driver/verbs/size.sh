@@ -21,6 +21,8 @@ in QEMU, and an estimate of cycles from them (doc/measurements/size.md). Prints 
   --flags             the compiler flags instead: some sets of them (host_sim/size/flags.txt), compiled for seven kernels on the
                       Cortex-M4F and the Cortex-M7, without QEMU; writes flags.csv. May be followed by --json FILE and
                       the option --output, or by --documents alone: writes doc/data/flags* and their table (part of --documents)
+  --builds            user's builds instead: the Panda's kernels at every level of GCC and Clang (doc/measurements/any_build.md). May be
+                      followed by --json FILE, or by --documents alone: writes doc/data/any_build* and that page's tables
 Exits non-zero when something cannot be bounded or counts disagree.
 maintainers:
   --documents         stands alone: measures all anew and writes doc/data/size.*, doc/pictures/size.* and the tables of doc/measurements/size.md
@@ -38,6 +40,10 @@ run() {
     --flags)
       shift
       compare_flags "$@"
+      ;;
+    --builds)
+      shift
+      compare_builds "$@"
       ;;
     --update-budgets)
       (($# == 1)) || fail_usage "--update-budgets stands alone; see ./axial size --help"
@@ -61,6 +67,25 @@ compare_flags() {
     flags_py measure "$@"
   fi
 }
+
+compare_builds() {
+  local board targets data=$AXIAL_ROOT/doc/data
+  for board in $(builds_py boards); do
+    build "$board" size-empty-scara
+    read -ra targets < <(builds_py targets "$board")
+    build "$board" "${targets[@]}"
+  done
+  if [[ ${1:-} == --documents ]]; then
+    (($# == 1)) || fail_usage "--builds --documents stands alone; see ./axial size --help"
+    builds_py measure --json "$data/any_build.json"
+    builds_py provenance "$data/any_build_provenance.json"
+    /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/any_build_tables.py" "$data" "$AXIAL_ROOT/doc/measurements/any_build.md"
+  else
+    builds_py measure "$@"
+  fi
+}
+
+builds_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/size/builds.py" "$@"; }
 
 flags_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/size/flags.py" "$@"; }
 
