@@ -18,6 +18,13 @@ def name_of(row):
     return f"{'GCC' if row['compiler'] == 'gcc' else 'Clang'} {row['flags']}" + (", `AXIAL_USER_OPTIONS`" if row["user_options"] else "")
 
 
+def shown(row, field):
+    """Nothing where it was not measured."""
+    if not row:
+        return ""
+    return "fault" if row[field] is None else tables.grouped(row[field])
+
+
 def builds(data):
     """A line per build; instructions, largest frame and flash of each kernel."""
     kernels = tables.unique((row["board"], row["algorithm"], row["scalar"]) for row in data.rows)
@@ -28,8 +35,8 @@ def builds(data):
     found = {(name_of(row), row["board"], row["algorithm"], row["scalar"]): row for row in data.rows}
     lines = []
     for name in names:
-        rows = [found[(name, *kernel)] for kernel in kernels]
-        lines.append([name] + [tables.grouped(row[field]) for row in rows for field in ("instructions", "frame_bytes", "flash_bytes")])
+        rows = [found.get((name, *kernel), {}) for kernel in kernels]
+        lines.append([name] + [shown(row, field) for row in rows for field in ("instructions", "frame_bytes", "flash_bytes")])
     return tables.markdown(header, lines)
 
 
