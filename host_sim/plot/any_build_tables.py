@@ -1,4 +1,4 @@
-"""Writes the tables of doc/measurements/any_build.md.
+"""Writes the tables of doc/measurements/builds.md.
 
 usage: any_build_tables.py DATA_FOLDER DOCUMENT.md
 """

@@ -21,7 +21,7 @@ in QEMU, and an estimate of cycles from them (doc/measurements/size.md). Prints 
   --flags             the compiler flags instead: some sets of them (host_sim/size/flags.txt), compiled for seven kernels on the
                       Cortex-M4F and the Cortex-M7, without QEMU; writes flags.csv. May be followed by --json FILE and
                       the option --output, or by --documents alone: writes doc/data/flags* and their table (part of --documents)
-  --builds            user's builds instead: the Panda's kernels at every level of GCC and Clang (doc/measurements/any_build.md). May be
+  --builds            user's builds instead: the Panda's kernels at every level of GCC and Clang (doc/measurements/builds.md). May be
                       followed by --json FILE, or by --documents alone: writes doc/data/any_build* and that page's tables
 Exits non-zero when something cannot be bounded or counts disagree.
 maintainers:
@@ -79,7 +79,7 @@ compare_builds() {
     (($# == 1)) || fail_usage "--builds --documents stands alone; see ./axial size --help"
     builds_py measure --json "$data/any_build.json"
     builds_py provenance "$data/any_build_provenance.json"
-    /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/any_build_tables.py" "$data" "$AXIAL_ROOT/doc/measurements/any_build.md"
+    /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/any_build_tables.py" "$data" "$AXIAL_ROOT/doc/measurements/builds.md"
   else
     builds_py measure "$@"
   fi
