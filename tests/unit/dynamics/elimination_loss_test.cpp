@@ -39,9 +39,9 @@ double loss() {
 
 double position(int sample, int joint) { return detail::sampled_position(Limited::chain.links, 4, sample, joint); }
 
-double most(int joints, JointType last = JointType::revolute) {
+double most(int joints, JointType last = JointType::revolute, double twist_deg = 0.0) {
   std::vector<LinkParameters> links(static_cast<std::size_t>(joints));
-  links.back().type = last;
+  links.back().type = last, links.back().alpha = Angle::from_degrees(twist_deg);
   return detail::acceptable_loss(links.data(), joints);
 }
 
@@ -108,9 +108,11 @@ TEST(EliminationLoss, ThatIsAcceptedGrowsToSevenJoints) {
   EXPECT_DOUBLE_EQ(most(2), 128.0 / 7.0);
 }
 
-TEST(EliminationLoss, ThatIsAcceptedIsHalfWhereAJointSlides) {
-  EXPECT_DOUBLE_EQ(most(7, JointType::prismatic), 32.0);
-  EXPECT_DOUBLE_EQ(most(2, JointType::prismatic), 64.0 / 7.0);
+TEST(EliminationLoss, ThatIsAcceptedIsHalfWhereSlidesAndTurnsMeet) {
+  EXPECT_DOUBLE_EQ(most(7, JointType::prismatic, 90.0), 32.0);
+  EXPECT_DOUBLE_EQ(most(2, JointType::prismatic, 30.0), 64.0 / 7.0);
+  EXPECT_DOUBLE_EQ(most(7, JointType::prismatic, 180.0), 64.0) << "all axes are parallel";
+  EXPECT_DOUBLE_EQ(most(7, JointType::revolute, 90.0), 64.0);
 }
 
 TEST(EliminationLoss, IsWithoutBoundWhereAJointHasNoInertiaOfItsOwn) { EXPECT_GE(loss<Hollow>(), 1e300); }

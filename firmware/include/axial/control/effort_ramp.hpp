@@ -13,7 +13,7 @@ namespace detail {
 template <class T>
 struct Step {
   /// No limit at all.
-  static constexpr T unlimited() { return std::numeric_limits<T>::max(); }
+  static constexpr T unlimited() { return (std::numeric_limits<T>::max)(); }
   /// `target` as far as `step` from `last` allows; true where it allows less. A step that is negative or NaN allows no
   /// change.
   static constexpr bool limit(T& target, const T& last, const T& step) {

@@ -173,12 +173,15 @@ constexpr double elimination_loss() {
 
 /// Roundings of the largest acceleration that an elimination may lose where it is taken by default: sixteen times what
 /// ABA loses of itself on well-conditioned arms, which grows with their joints to four roundings at seven of them. Half
-/// as much where joints slide, for accelerations of unlike units are of unlike sizes.
+/// as much where joints slide and axes are not all parallel: then slides and turns accelerate each other, and unlike
+/// units are of unlike sizes.
 constexpr double acceptable_loss(const LinkParameters* links, int size) {
-  bool slides = false;
-  for (int i = 0; i < size; ++i)
+  bool slides = false, twisted = false;
+  for (int i = 0; i < size; ++i) {
     slides = slides || links[i].type == JointType::prismatic;
-  return (slides ? 32.0 : 64.0) * (size < 7 ? size : 7) / 7.0;
+    twisted = twisted || magnitude(links[i].alpha.sin) > 0.0;
+  }
+  return (slides && twisted ? 32.0 : 64.0) * (size < 7 ? size : 7) / 7.0;
 }
 /// Whether an elimination of the scene's M(q) stays within that.
 template <class Scene>

@@ -29,7 +29,7 @@ namespace detail {
 /// x, or the nearest number that a word holds; no branch.
 template <class Word>
 constexpr Word nearest_word(std::int64_t x) {
-  constexpr std::int64_t most = std::numeric_limits<Word>::max();
+  constexpr std::int64_t most = (std::numeric_limits<Word>::max)();
   const std::int64_t over = x - most, under = -most - x;
   const std::int64_t cut = x - (over & ~(over >> 63));
   return static_cast<Word>(cut + (under & ~(under >> 63)));
@@ -44,7 +44,7 @@ constexpr std::int64_t gained(std::int32_t error, std::int32_t gain, int exponen
 constexpr std::int32_t way_within(const PositionRange& range, const Fixed32& from, const Fixed32& to) {
   const std::uint32_t start = static_cast<std::uint32_t>(range.min);
   const std::uint32_t a = static_cast<std::uint32_t>(from.raw) - start, b = static_cast<std::uint32_t>(to.raw) - start;
-  const bool every_angle = range.span == std::numeric_limits<std::uint32_t>::max();
+  const bool every_angle = range.span == (std::numeric_limits<std::uint32_t>::max)();
   const auto round = static_cast<std::int32_t>(b - a);  // the short way round
   return every_angle ? round : nearest_word<std::int32_t>(std::int64_t{b} - std::int64_t{a});
 }
@@ -67,7 +67,7 @@ struct Feedback<S, Stored<Word>> {
 template <class Word>
 struct Step<Stored<Word>> {
   using T = Stored<Word>;
-  static constexpr T unlimited() { return {std::numeric_limits<Word>::max()}; }
+  static constexpr T unlimited() { return {(std::numeric_limits<Word>::max)()}; }
   static constexpr bool limit(T& target, const T& last, const T& step) {
     constexpr std::int64_t all = std::int64_t{1} << 32;  // the largest word is any change, from end to end
     const std::int64_t asked = step.raw == unlimited().raw ? all : std::int64_t{step.raw};
