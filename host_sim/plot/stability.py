@@ -8,6 +8,7 @@ there are rows of other engines, stability-engines (PNG and SVG) into FOLDER. --
 
 import argparse
 import json
+import os
 import pathlib
 import re
 
@@ -129,7 +130,7 @@ def draw_engines(rows, stem):
 
 
 def provenance():
-    cache = speed.ROOT / "build/host-release/CMakeCache.txt"
+    cache = speed.ROOT / "build" / os.environ.get("AXIAL_HOST_PRESET", "host-release") / "CMakeCache.txt"
     entries = dict(re.findall(r"^(\w+):\w+=(.*)$", cache.read_text(encoding="utf-8"), re.MULTILINE))
     compiler = speed.output_of(entries["CMAKE_CXX_COMPILER"], "--version").split("\n")[0]
     versions = [speed.output_of("dpkg-query", "-W", "-f", "${Package} ${Version}", package) for package in PACKAGES]
