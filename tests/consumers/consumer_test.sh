@@ -73,10 +73,10 @@ SingleHeader() {
 
 # A header that the importer wrote goes with the one header: included before it and after it, or taken into it.
 SingleHeaderWithAnImportedRobot() {
-  local robot way
-  robot=$(find "$AXIAL_WRITTEN" -name kr5_sixx.hpp 2>/dev/null || true)
-  [[ -n $robot ]] || exit 77
-  mkdir "$FOLDER/apart" "$FOLDER/together"
+  local robot=$FOLDER/imported/kr5_sixx.hpp way
+  [[ -x $AXIAL_IMPORT ]] || exit 77
+  mkdir "$FOLDER/apart" "$FOLDER/together" "$FOLDER/imported"
+  quietly "$AXIAL_IMPORT" "$ROOT/tests/data/descriptions/kr5_sixx_r650.urdf" --name kr5_sixx -o "$robot"
   amalgamate "$FOLDER/apart/axial.hpp"
   cp "$robot" "$FOLDER/apart/"
   quietly "$ROOT/axial" amalgamate --robot "$robot" -o "$FOLDER/together/axial.hpp"
