@@ -125,7 +125,7 @@ int measure(const Options& options) {
   host_sim::write_json(stem + ".json", json);
   if (!options.json.empty()) host_sim::write_json(options.json, json);
   host_sim::run_plot("collide.py", {stem + ".csv"});
-  std::printf("\npicture  %s.png (and .svg)\ndata     %s.csv, %s.json\n", stem.c_str(), stem.c_str(), stem.c_str());
+  std::printf("\npicture  %s.png\ndata     %s.csv, %s.json\n", stem.c_str(), stem.c_str(), stem.c_str());
   bool all = true;
   for (const Row& r : rows)
     if (!good(r)) {

@@ -69,7 +69,7 @@ void write_files(const DemoOptions& options, const Recording& recording, const S
   if (!options.json.empty()) write_json(options.json, to_json(summary));
   if (!options.without_picture) run_plot("demo.py", {stem + ".csv", stem + ".json"});
   std::printf("\n");
-  if (!options.without_picture) std::printf("picture  %s.png (and .svg)\n", stem.c_str());
+  if (!options.without_picture) std::printf("picture  %s.png\n", stem.c_str());
   std::printf("data     %s.csv, %s.json\n", stem.c_str(), stem.c_str());
 }
 

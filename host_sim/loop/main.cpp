@@ -182,7 +182,7 @@ int measure(const Options& options) {
   host_sim::write_json(stem + ".json", to_json(rows));
   if (!options.json.empty()) host_sim::write_json(options.json, to_json(rows));
   host_sim::run_plot("loop.py", {stem + ".csv", stem + ".json"});
-  std::printf("\npicture  %s.png (and .svg)\ndata     %s.csv, %s.json\n", stem.c_str(), stem.c_str(), stem.c_str());
+  std::printf("\npicture  %s.png\ndata     %s.csv, %s.json\n", stem.c_str(), stem.c_str(), stem.c_str());
   return verdict(rows);
 }
 
