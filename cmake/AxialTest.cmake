@@ -4,7 +4,8 @@
 # A GoogleTest program linked to axial::axial, our warnings and the oracle; every TEST becomes a ctest test named
 # <folder>.<Suite.Test> with the folder below tests/ as its label. With FEW_ROBOTS_SANITIZED it is defined AXIAL_FEW_ROBOTS under
 # sanitizers, and runs whole without them too. With ARITHMETIC_SANITIZED sanitizers see its arithmetic and the bounds of its arrays
-# alone: a third of the time to compile, for kernels over many robots in which no pointer is followed.
+# alone, a third of the time to compile: for kernels over many robots that follow no pointer, of which another program runs some robots
+# under all sanitizers.
 #
 # Every test runs once: under the address and undefined-behaviour sanitizers (AXIAL_TESTS is sanitized), and those that these builds
 # do without, in an ordinary build (unsanitized). Both together are all.
@@ -31,13 +32,6 @@ function(axial_test_is_left_out name label both variable)
   endif()
 endfunction()
 
-# axial_sanitize_arithmetic(<target>): what ARITHMETIC_SANITIZED says of a test, of any target.
-function(axial_sanitize_arithmetic target)
-  if(AXIAL_TESTS STREQUAL sanitized)
-    target_compile_options(${target} PRIVATE -fno-sanitize=address,null,alignment,object-size,vptr)
-  endif()
-endfunction()
-
 function(axial_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "FEW_ROBOTS_SANITIZED;ARITHMETIC_SANITIZED" "TIMEOUT" "LIBS;DEFINES")
   cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME label)
@@ -53,8 +47,8 @@ function(axial_add_test name)
   endif()
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   target_compile_definitions(${name} PRIVATE ${arg_DEFINES})
-  if(arg_ARITHMETIC_SANITIZED)
-    axial_sanitize_arithmetic(${name})
+  if(arg_ARITHMETIC_SANITIZED AND AXIAL_TESTS STREQUAL sanitized)
+    target_compile_options(${name} PRIVATE -fno-sanitize=address,null,alignment,object-size,vptr)
   endif()
   target_link_libraries(${name} PRIVATE axial::axial axial_warnings ${arg_LIBS} GTest::gtest_main)
   if(TARGET axial_oracle)

@@ -109,6 +109,20 @@ AXIAL_INLINE constexpr auto as_joint_values(const A& given) {
   }
 }
 
+/// What `run` makes of joint values, of which some are arrays. Where these do not fit one sentence says so, and nothing
+/// behind it has to.
+template <class S, class Empty, class Run, class... A>
+AXIAL_INLINE constexpr auto with_joint_values(const Run& run, const A&... given) {
+  static_assert(
+      takes_arrays<S, A...>,
+      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
+      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
+  if constexpr (takes_arrays<S, A...>)
+    return run(as_joint_values<S>(given)...);
+  else
+    return Empty{};
+}
+
 }  // namespace detail
 
 /// The kernels of the same names on arrays that have a number for each joint, instead of joint values or mixed with
@@ -116,113 +130,53 @@ AXIAL_INLINE constexpr auto as_joint_values(const A& given) {
 ///@{
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto inverse_dynamics(const A&... given) {
-  static_assert(
-      detail::takes_arrays<S, A...>,
-      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
-      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
-  if constexpr (detail::takes_arrays<S, A...>)
-    return inverse_dynamics<S>(detail::as_joint_values<S>(given)...);
-  else
-    return Efforts<robot_of<S>, float>{};
+  return detail::with_joint_values<S, Efforts<robot_of<S>, float>>(
+      [](const auto&... in) AXIAL_INLINE { return inverse_dynamics<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto gravity_torque(const A&... given) {
-  static_assert(
-      detail::takes_arrays<S, A...>,
-      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
-      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
-  if constexpr (detail::takes_arrays<S, A...>)
-    return gravity_torque<S>(detail::as_joint_values<S>(given)...);
-  else
-    return Efforts<robot_of<S>, float>{};
+  return detail::with_joint_values<S, Efforts<robot_of<S>, float>>(
+      [](const auto&... in) AXIAL_INLINE { return gravity_torque<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto bias_torque(const A&... given) {
-  static_assert(
-      detail::takes_arrays<S, A...>,
-      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
-      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
-  if constexpr (detail::takes_arrays<S, A...>)
-    return bias_torque<S>(detail::as_joint_values<S>(given)...);
-  else
-    return Efforts<robot_of<S>, float>{};
+  return detail::with_joint_values<S, Efforts<robot_of<S>, float>>(
+      [](const auto&... in) AXIAL_INLINE { return bias_torque<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto forward_dynamics(const A&... given) {
-  static_assert(
-      detail::takes_arrays<S, A...>,
-      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
-      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
-  if constexpr (detail::takes_arrays<S, A...>)
-    return forward_dynamics<S>(detail::as_joint_values<S>(given)...);
-  else
-    return ForwardDynamicsOf<S, float>{};
+  return detail::with_joint_values<S, ForwardDynamicsOf<S, float>>(
+      [](const auto&... in) AXIAL_INLINE { return forward_dynamics<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto mass_matrix(const A&... given) {
-  static_assert(
-      detail::takes_arrays<S, A...>,
-      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
-      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
-  if constexpr (detail::takes_arrays<S, A...>)
-    return mass_matrix<S>(detail::as_joint_values<S>(given)...);
-  else
-    return MassMatrix<robot_of<S>, float>{};
+  return detail::with_joint_values<S, MassMatrix<robot_of<S>, float>>(
+      [](const auto&... in) AXIAL_INLINE { return mass_matrix<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto forward_kinematics(const A&... given) {
-  static_assert(
-      detail::takes_arrays<S, A...>,
-      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
-      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
-  if constexpr (detail::takes_arrays<S, A...>)
-    return forward_kinematics<S>(detail::as_joint_values<S>(given)...);
-  else
-    return ForwardKinematics<robot_of<S>, float>{};
+  return detail::with_joint_values<S, ForwardKinematics<robot_of<S>, float>>(
+      [](const auto&... in) AXIAL_INLINE { return forward_kinematics<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto jacobian(const A&... given) {
-  static_assert(
-      detail::takes_arrays<S, A...>,
-      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
-      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
-  if constexpr (detail::takes_arrays<S, A...>)
-    return jacobian<S>(detail::as_joint_values<S>(given)...);
-  else
-    return Jacobian<robot_of<S>, float>{};
+  return detail::with_joint_values<S, Jacobian<robot_of<S>, float>>(
+      [](const auto&... in) AXIAL_INLINE { return jacobian<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto separate(const A&... given) {
-  static_assert(
-      detail::takes_arrays<S, A...>,
-      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
-      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
-  if constexpr (detail::takes_arrays<S, A...>)
-    return separate<S>(detail::as_joint_values<S>(given)...);
-  else
-    return Separated<S, float>{};
+  return detail::with_joint_values<S, Separated<S, float>>(
+      [](const auto&... in) AXIAL_INLINE { return separate<S>(in...); }, given...);
 }
 template <class S, int Joint, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto joint_torque(const A&... given) {
-  static_assert(
-      detail::takes_arrays<S, A...>,
-      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
-      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
-  if constexpr (detail::takes_arrays<S, A...>)
-    return joint_torque<S, Joint>(detail::as_joint_values<S>(given)...);
-  else
-    return 0.0F;
+  return detail::with_joint_values<S, float>(
+      [](const auto&... in) AXIAL_INLINE { return joint_torque<S, Joint>(in...); }, given...);
 }
 template <class S, int Joint, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto gravity_torque(const A&... given) {
-  static_assert(
-      detail::takes_arrays<S, A...>,
-      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
-      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
-  if constexpr (detail::takes_arrays<S, A...>)
-    return gravity_torque<S, Joint>(detail::as_joint_values<S>(given)...);
-  else
-    return 0.0F;
+  return detail::with_joint_values<S, float>(
+      [](const auto&... in) AXIAL_INLINE { return gravity_torque<S, Joint>(in...); }, given...);
 }
 ///@}
 

@@ -1,16 +1,27 @@
 // The links of a robot as the algorithms walk over them, unrolled or looped.
 #pragma once
 
-#include <axial/links/constant_pose.hpp>
 #include <axial/links/inputs.hpp>
 #include <axial/links/plain_values.hpp>
-#include <axial/links/recursion.hpp>
 #include <axial/links/table_link.hpp>
 #include <axial/spatial/pose.hpp>
 
 #include <axial/options/begin.hpp>
 
 namespace axial {
+
+/// Which recursion walks over links: a number system with formats has others for each.
+namespace recursion {
+struct NewtonEuler {};              ///< inverse dynamics
+struct MotionEfforts {};            ///< the same where efforts are told from those that drive a motion
+struct CompositeBodies {};          ///< the mass matrix
+struct ArticulatedBodies {};        ///< the classical form
+struct ArticulatedBodiesAtRest {};  ///< of the split form
+struct Kinematics {};               ///< poses and Jacobians
+struct Separation {};               ///< the separated terms
+struct Momenta {};                  ///< joint momenta and their drift
+struct BaseForce {};                ///< what carries the robot
+}  // namespace recursion
 
 /// Links without formats: results are kept as they come, joint values are as they are.
 struct Unformatted {

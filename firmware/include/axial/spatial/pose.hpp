@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/scalar/rounding.hpp>
+#include <axial/scalar/structural.hpp>
 #include <axial/spatial/mat3.hpp>
 
 #include <axial/options/begin.hpp>
@@ -48,6 +49,26 @@ AXIAL_INLINE constexpr auto operator*(const Pose<R, P>& ab, const Pose<S, Q>& bc
   return Pose{Mat3{row(ab.rotation.x), row(ab.rotation.y), row(ab.rotation.z)},
               ab.position + ab.rotation * bc.position};
 }
+
+namespace detail {
+
+template <class Scalar, int K, class Get>
+AXIAL_INLINE constexpr auto constant_row(Get get) {
+  return Vec3{literal<Scalar>([get] { return get().rotation[3 * K]; }),
+              literal<Scalar>([get] { return get().rotation[3 * K + 1]; }),
+              literal<Scalar>([get] { return get().rotation[3 * K + 2]; })};
+}
+
+/// A pose that a robot's author wrote down, with its zeros and ones as types.
+template <class Scalar, class Get>
+AXIAL_INLINE constexpr auto constant_pose(Get get) {
+  return Pose{
+      Mat3{constant_row<Scalar, 0>(get), constant_row<Scalar, 1>(get), constant_row<Scalar, 2>(get)},
+      Vec3{literal<Scalar>([get] { return get().position[0]; }), literal<Scalar>([get] { return get().position[1]; }),
+           literal<Scalar>([get] { return get().position[2]; })}};
+}
+
+}  // namespace detail
 
 }  // namespace axial
 

@@ -5,7 +5,7 @@
 #include <axial/fixed/bounds/separation.hpp>
 #include <axial/fixed/formats/joint_formats.hpp>
 #include <axial/fixed/words/divide.hpp>
-#include <axial/links/recursion.hpp>
+#include <axial/links/links.hpp>
 #include <axial/spatial/inertia.hpp>
 
 #include <axial/options/begin.hpp>

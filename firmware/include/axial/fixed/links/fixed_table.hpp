@@ -2,8 +2,8 @@
 #pragma once
 
 #include <axial/fixed/links/shared_view.hpp>
-#include <axial/links/constant_pose.hpp>
 #include <axial/links/table_link.hpp>
+#include <axial/spatial/pose.hpp>
 
 #include <axial/options/begin.hpp>
 
