@@ -26,7 +26,7 @@ struct SignedOf<prove::Uint32> {
 };
 
 template <>
-inline constexpr Rounding joint_rounding<prove::Int32>{32, true, false, 0.0};
+inline constexpr WordRounding joint_rounding<prove::Int32>{32, true, false, 0.0};
 
 /// Positions: angles as they are, for sincos() below asks for the next turn only; lengths as inputs.
 template <class Robot, bool nearest, bool high, class Values>

@@ -23,11 +23,11 @@ struct ScaraRounding : Plain, PlainValues<scene_of<S>, T> {
   }
 };
 
-/// The constants as numbers (in fixed point as literals), and the one sine-cosine pair that they meet. `Rounding` says
+/// The constants as numbers (in fixed point as literals), and the one sine-cosine pair that they meet. `Rounder` says
 /// how numbers are rounded, read and written.
-template <class S, class Rounding>
-struct ScaraTerms : Rounding {
-  using Scalar = typename Rounding::Scalar;
+template <class S, class Rounder>
+struct ScaraTerms : Rounder {
+  using Scalar = typename Rounder::Scalar;
   static constexpr ScaraConstants k = (check_scara<robot_of<S>>(), scara_constants<S>());
   static constexpr auto shoulder = literal<Scalar>([] { return k.shoulder; });
   static constexpr auto elbow = literal<Scalar>([] { return k.elbow; });
@@ -101,11 +101,11 @@ AXIAL_INLINE constexpr void torque_into(const Terms& k, const Q& q2, const V& v,
 /// overflows. For another robot it does not compile and says why.
 template <class S, class T>
 [[nodiscard]] constexpr auto scara(const Positions<robot_of<S>, T>& q) {
-  using Rounding = detail::ScaraRounding<S, T>;
+  using Rounder = detail::ScaraRounding<S, T>;
   using All = Separated<subject_of<S, T>, T>;
-  const detail::ScaraTerms<S, Rounding> k;
+  const detail::ScaraTerms<S, Rounder> k;
   All s{};
-  const Collected<subject_of<S, T>, T, typename Rounding::Scalar, All> terms{s};
+  const Collected<subject_of<S, T>, T, typename Rounder::Scalar, All> terms{s};
   detail::separate_into(k, k.read(q)[Index<1>{}], terms);
   Soundness<T> all;
   all.angle(q[0]), all.angle(q[1]), all.number(q[2]);

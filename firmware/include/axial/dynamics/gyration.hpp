@@ -19,16 +19,16 @@ AXIAL_INLINE constexpr auto times_difference(const K& k, const A& a, const B& b,
 }
 
 /// (wy wz, wx wz, wx wy), rad^2/s^2.
-template <class W, class Rounding>
-AXIAL_INLINE constexpr auto products(const W& w, const Rounding& round) {
+template <class W, class Rounder>
+AXIAL_INLINE constexpr auto products(const W& w, const Rounder& round) {
   using quantity::AngularAcceleration;
   return Vec3{round.sum(AngularAcceleration{}, w.y * w.z), round.sum(AngularAcceleration{}, w.x * w.z),
               round.sum(AngularAcceleration{}, w.x * w.y)};
 }
 
 /// Third column of U, how points of the z axis accelerate: (p.y + dw.y, p.x - dw.x, -wx^2 - wy^2).
-template <class W, class DW, class P, class Rounding>
-AXIAL_INLINE constexpr auto axis_acceleration(const W& w, const DW& dw, const P& p, const Rounding& round) {
+template <class W, class DW, class P, class Rounder>
+AXIAL_INLINE constexpr auto axis_acceleration(const W& w, const DW& dw, const P& p, const Rounder& round) {
   const quantity::AngularAcceleration q{};
   return Vec3{round.sum(q, p.y, dw.y), round.sum(q, p.x, -dw.x), round.sum(q, -(w.x * w.x), -(w.y * w.y))};
 }
@@ -36,9 +36,9 @@ AXIAL_INLINE constexpr auto axis_acceleration(const W& w, const DW& dw, const P&
 /// Matrix U = dw~ + w~ w~: U r is the acceleration of a point r of a body that turns with w and dw, relative to the
 /// frame's origin. The form of Khalil and Dombre 2002, chapter 9. `p` are products(w), `axis` is the third column; dw
 /// may be a ZeroVec3.
-template <class W, class DW, class P, class Axis, class Rounding>
+template <class W, class DW, class P, class Axis, class Rounder>
 AXIAL_INLINE constexpr auto rotation_acceleration(const W& w, const DW& dw, const P& p, const Axis& axis,
-                                                  const Rounding& round) {
+                                                  const Rounder& round) {
   const quantity::AngularAcceleration q{};
   auto zz = w.z * w.z;
   return Mat3{Vec3{round.sum(q, -(w.y * w.y), -zz), round.sum(q, p.z, -dw.z), axis.x},
@@ -46,8 +46,8 @@ AXIAL_INLINE constexpr auto rotation_acceleration(const W& w, const DW& dw, cons
               Vec3{round.sum(q, p.y, -dw.y), round.sum(q, p.x, dw.x), axis.z}};
 }
 /// The same with the third column computed here.
-template <class W, class DW, class P, class Rounding>
-AXIAL_INLINE constexpr auto rotation_acceleration(const W& w, const DW& dw, const P& p, const Rounding& round) {
+template <class W, class DW, class P, class Rounder>
+AXIAL_INLINE constexpr auto rotation_acceleration(const W& w, const DW& dw, const P& p, const Rounder& round) {
   return rotation_acceleration(w, dw, p, axis_acceleration(w, dw, p, round), round);
 }
 

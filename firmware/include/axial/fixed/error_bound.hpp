@@ -127,9 +127,9 @@ template <class S, class T = Fixed32>
   constexpr double angle = (0.5 + detail::power_of_two(-20)) / detail::bam_per_radian;
   for (int i = 0; i < joint_count<S>; ++i) {
     const bool turns = R::chain.links[i].type == JointType::revolute;
-    m.joints[i].position_error = turns ? angle : 0.5 * Rounding::ulp(Positions<R, T>::exponent(i));
-    m.joints[i].speed_error = 0.5 * Rounding::ulp(Velocities<R, T>::exponent(i));
-    m.joints[i].acceleration_error = 0.5 * Rounding::ulp(Accelerations<R, T>::exponent(i));
+    m.joints[i].position_error = turns ? angle : 0.5 * WordRounding::ulp(Positions<R, T>::exponent(i));
+    m.joints[i].speed_error = 0.5 * WordRounding::ulp(Velocities<R, T>::exponent(i));
+    m.joints[i].acceleration_error = 0.5 * WordRounding::ulp(Accelerations<R, T>::exponent(i));
   }
   return detail::bounds_of(
       newton_euler_errors(m, rounding_in<Scene, A>(),

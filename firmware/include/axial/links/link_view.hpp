@@ -183,9 +183,8 @@ class LinkAccess {
 }  // namespace detail
 
 /// Link I of a scene's robot: every constant that is 0 or +-1 is a type, the rest are literals of T.
-template <class SceneType, int I, class T, class Parameters, class Rounding = Plain>
-class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Parameters, Rounding>, double>,
-                   public Rounding {
+template <class SceneType, int I, class T, class Parameters, class Rounder = Plain>
+class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Parameters, Rounder>, double>, public Rounder {
  public:
   using Scene = SceneType;                ///< what the link belongs to
   using Scalar = T;                       ///< the number, or what a number system computes by

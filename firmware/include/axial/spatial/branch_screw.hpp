@@ -19,15 +19,14 @@ template <class Z, class X>
 BranchScrew(Z, X) -> BranchScrew<Z, X>;
 
 /// Whatever a screw carries from the child's frame to the parent's: vectors, forces, inertias.
-template <class Z, class X, class Operand, class... Rounding>
+template <class Z, class X, class Operand, class... Rounder>
 AXIAL_INLINE constexpr auto to_parent(const BranchScrew<Z, X>& branch, const Operand& operand,
-                                      const Rounding&... round) {
+                                      const Rounder&... round) {
   return to_parent(branch.z, to_parent(branch.x, operand, round...), round...);
 }
 /// Whatever a screw carries from the parent's frame to the child's: vectors, motions.
-template <class Z, class X, class Operand, class... Rounding>
-AXIAL_INLINE constexpr auto to_child(const BranchScrew<Z, X>& branch, const Operand& operand,
-                                     const Rounding&... round) {
+template <class Z, class X, class Operand, class... Rounder>
+AXIAL_INLINE constexpr auto to_child(const BranchScrew<Z, X>& branch, const Operand& operand, const Rounder&... round) {
   return to_child(branch.x, to_child(branch.z, operand, round...), round...);
 }
 

@@ -133,9 +133,9 @@ AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, 
 /// Articulated, reflected or any symmetric 6x6 inertia: X^T N X by one axial screw, McMillan and Orin 1995, Table I.
 /// The blocks are turned first and then shifted (p along the axis): with D = R N12 R^T and I = D + p~ N22', the
 /// angular block is B + I p~^T + (D p~^T)^T, which needs 4M 3A less a screw than the paper's steps F, G and H.
-template <class Axis, class C, class S, class L, class Turn, class A11, class A12, class A22, class Rounding = Plain>
+template <class Axis, class C, class S, class L, class Turn, class A11, class A12, class A22, class Rounder = Plain>
 AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x,
-                                      const ArticulatedInertia<A11, A12, A22>& n, const Rounding& round = {}) {
+                                      const ArticulatedInertia<A11, A12, A22>& n, const Rounder& round = {}) {
   using namespace quantity;
   if constexpr (AxialScrew<Axis, C, S, L, Turn>::is_identity) {
     return round.formatted(n);
@@ -171,9 +171,9 @@ AXIAL_INLINE constexpr auto moment_growth(const L& shift, const A& before, const
 
 /// Rigid or composite body: at most 16M 15A with step A off-line, one multiplication less where m p is a constant.
 /// McMillan and Orin 1995, Table II (spatial inertia); parallel-axis shift of first moment and inertia.
-template <class Axis, class C, class S, class L, class Turn, class M, class H, class J, class Rounding = Plain>
+template <class Axis, class C, class S, class L, class Turn, class M, class H, class J, class Rounder = Plain>
 AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const RigidInertia<M, H, J>& body,
-                                      const Rounding& round = {}) {
+                                      const Rounder& round = {}) {
   using namespace quantity;
   if constexpr (AxialScrew<Axis, C, S, L, Turn>::is_identity) {
     return round.formatted(body);

@@ -122,16 +122,16 @@ AXIAL_INLINE constexpr auto cross_shift(const AxialScrew<Axis, C, S, L, Turn>& x
 
 /// Motion vector from the parent's frame to the child's, v_child = X v_parent: at most 10M 6A (Table II, spatial
 /// vectors).
-template <class Axis, class C, class S, class L, class Turn, class W, class V, class Rounding = Plain>
+template <class Axis, class C, class S, class L, class Turn, class W, class V, class Rounder = Plain>
 AXIAL_INLINE constexpr auto to_child(const AxialScrew<Axis, C, S, L, Turn>& x, const MotionVector<W, V>& m,
-                                     const Rounding& round = {}) {
+                                     const Rounder& round = {}) {
   auto linear = round.sum(quantity::LinearAcceleration{}, m.linear, cross_shift(x, m.angular));
   return MotionVector{to_child(x, m.angular), to_child(x, linear)};
 }
 /// Force vector from the child's frame to the parent's, f_parent = X^T f_child: at most 10M 6A.
-template <class Axis, class C, class S, class L, class Turn, class N, class F, class Rounding = Plain>
+template <class Axis, class C, class S, class L, class Turn, class N, class F, class Rounder = Plain>
 AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const ForceVector<N, F>& f,
-                                      const Rounding& round = {}) {
+                                      const Rounder& round = {}) {
   auto moment = round.sum(quantity::Moment{}, f.moment, -cross_shift(x, f.force));
   return ForceVector{to_parent(x, moment), round.sum(quantity::Force{}, to_parent(x, f.force))};
 }

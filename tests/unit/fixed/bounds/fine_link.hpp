@@ -9,13 +9,13 @@
 
 namespace bounds_test {
 
-using axial::Rounding;
 using axial::Sym3;
+using axial::WordRounding;
 using axial::bounds::BoundedVector;
 using axial::bounds::CompositeBody;
 
 inline constexpr int fine = 900;
-inline constexpr Rounding exact_rounding{32, true, false, 0.0};
+inline constexpr WordRounding exact_rounding{32, true, false, 0.0};
 
 inline BoundedVector bounded(const SplitBall& b) { return {b, fine, false, &exact_rounding}; }
 inline double any_size(std::mt19937_64& random) {
@@ -40,7 +40,7 @@ struct FineLink {
   BoundedVector sum(Q quantity, const BoundedVector& u, const axial::bounds::VectorSum& v) const {
     return sum(quantity, u + v);
   }
-  const Rounding& rounding() const { return exact_rounding; }
+  const WordRounding& rounding() const { return exact_rounding; }
   const CompositeBody& formatted(const CompositeBody& body) const { return body; }
 };
 

@@ -17,7 +17,7 @@ template <class S>
 using Word = typename S::Word;
 
 template <class S>
-constexpr Rounding rounding{S::bits, S::nearest, S::high_word, 0.0};
+constexpr WordRounding rounding{S::bits, S::nearest, S::high_word, 0.0};
 
 // A word's value, beyond any rounding of the sums below.
 template <int E, class S>

@@ -74,12 +74,12 @@ constexpr double unit = 1.0 / 65536.0, step = 0.5 * unit;
 
 // The certificate where nothing rounds but what `change` says of formats, of the bias and of the arithmetic.
 template <int N>
-using ChangeOf = std::function<void(Ranges<N>&, Ranges<N>&, Rounding&)>;
+using ChangeOf = std::function<void(Ranges<N>&, Ranges<N>&, WordRounding&)>;
 using Change = ChangeOf<2>;
 template <class R, class Change, int N = joint_count<R>>
 Row<double, N> certified(const Change& change) {
   const auto& m = mechanism_of<Scene<R, Gravity>, FullParameters>;
-  Rounding r{32, true, false, 0.0};
+  WordRounding r{32, true, false, 0.0};
   Ranges<N> motion = newton_euler_ranges(m, r), ranges = articulated_at_rest_sizes(m, r, motion);
   for (int i = 0; i < N; ++i) {
     motion.range[i].joint_effort.error = 0.0;
@@ -94,12 +94,12 @@ Row<double, N> certified(const Change& change) {
   return all;
 }
 void expect_counted(const Change& change, const Pair& least) {
-  const auto with = certified<Arm>(change), without = certified<Arm>([](Ranges<2>&, Ranges<2>&, Rounding&) {});
+  const auto with = certified<Arm>(change), without = certified<Arm>([](Ranges<2>&, Ranges<2>&, WordRounding&) {});
   for (int i = 0; i < 2; ++i)
     EXPECT_GE(with[i] - without[i], 0.999 * least.of[i]) << "joint " << i;
 }
 Change coarsened(int LinkFormat::*quantity, int link) {
-  return [=](Ranges<2>& ranges, Ranges<2>&, Rounding&) { ranges.format[link].*quantity = coarse; };
+  return [=](Ranges<2>& ranges, Ranges<2>&, WordRounding&) { ranges.format[link].*quantity = coarse; };
 }
 Pair effect_of(double Plane::*member, double by) {
   Plane changed;
@@ -125,8 +125,8 @@ TEST(ForwardError, CountsTheRoundingOfALinkByItself) {
   const auto expect_own = [](auto robot, int LinkFormat::*quantity, double inertia) {
     using R = decltype(robot);
     const auto with =
-        certified<R>([=](Ranges<1>& ranges, Ranges<1>&, Rounding&) { ranges.format[0].*quantity = coarse; });
-    const auto without = certified<R>([](Ranges<1>&, Ranges<1>&, Rounding&) {});
+        certified<R>([=](Ranges<1>& ranges, Ranges<1>&, WordRounding&) { ranges.format[0].*quantity = coarse; });
+    const auto without = certified<R>([](Ranges<1>&, Ranges<1>&, WordRounding&) {});
     EXPECT_GE(with[0] - without[0], 0.999 * effort * step / (inertia * (inertia + step)));
   };
   expect_own(Wheel{}, &LinkFormat::rotational_inertia, own1);
@@ -140,13 +140,14 @@ TEST(ForwardError, CountsRoundingsOfForcesAndEfforts) {
   expect_counted(coarsened(&LinkFormat::joint_effort, 1), effect_of_efforts(0.0, step));
 }
 TEST(ForwardError, CountsWhatTheBiasIsOff) {
-  expect_counted([](Ranges<2>&, Ranges<2>& motion, Rounding&) { motion.range[0].joint_effort.error = unit; },
+  expect_counted([](Ranges<2>&, Ranges<2>& motion, WordRounding&) { motion.range[0].joint_effort.error = unit; },
                  effect_of_efforts(unit, 0.0));
-  expect_counted([](Ranges<2>&, Ranges<2>& motion, Rounding&) { motion.range[1].joint_effort.error = unit; },
+  expect_counted([](Ranges<2>&, Ranges<2>& motion, WordRounding&) { motion.range[1].joint_effort.error = unit; },
                  effect_of_efforts(0.0, unit));
 }
 TEST(ForwardError, CountsWhatSinesAndCosinesAreOff) {
-  expect_counted([](Ranges<2>&, Ranges<2>&, Rounding& r) { r.turn_error = 1e-4; }, effect_of(&Plane::cosine_off, 1e-4));
+  expect_counted([](Ranges<2>&, Ranges<2>&, WordRounding& r) { r.turn_error = 1e-4; },
+                 effect_of(&Plane::cosine_off, 1e-4));
 }
 // qdd2 = u / D - K . a: a and K are the inner link's accelerations and the gains; h / J is the gain of the linear one.
 TEST(ForwardError, CountsRoundingsOnTheWayOut) {

@@ -13,7 +13,7 @@ namespace axial::bounds {
 template <int N>
 struct Account {
   const Mechanism<N>& mechanism;  ///< the robot
-  const Rounding& rounding;       ///< of the arithmetic
+  const WordRounding& rounding;   ///< of the arithmetic
   bool sizing = true;             ///< whether formats are still to be found
   bool quiet = false;             ///< whether sizes are left unnoted, for another way bounds them better
   Ranges<N> ranges{};             ///< what is known by now

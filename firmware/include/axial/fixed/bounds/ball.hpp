@@ -27,7 +27,7 @@ constexpr Ball operator*(const Ball& a, const Ball& b) {
 constexpr Ball operator*(double c, const Ball& b) { return {magnitude(c) * b.size, magnitude(c) * b.error}; }
 
 /// How an arithmetic rounds, for the analysis: its word, its modes, and the error of a sine or cosine.
-struct Rounding {
+struct WordRounding {
   int bits;                 ///< of a word
   bool nearest, high_word;  ///< results to nearest or down; products exact or by their upper word
   double turn_error;        ///< of one sine or cosine of a joint
@@ -49,7 +49,7 @@ struct Rounding {
 
 /// Rounding of an arithmetic S whose sines and cosines come from axial::sincos.
 template <class S>
-constexpr Rounding rounding_of(bool tabled = false) {
+constexpr WordRounding rounding_of(bool tabled = false) {
   return {S::bits, S::nearest, S::high_word,
           integer::sincos_error + (S::bits == 32 ? 0.0 : detail::power_of_two(-S::unit - 1)), tabled};
 }

@@ -51,7 +51,7 @@ constexpr ForceVector<BoundedVector, BoundedVector> unit_force(Prismatic, const 
 namespace detail {
 
 // How far s^2 and s c are off, as one length: what sine and cosine are off, and each product's rounding.
-constexpr double double_angle_error(const Number& cos, const Number& sin, const Rounding& r) {
+constexpr double double_angle_error(const Number& cos, const Number& sin, const WordRounding& r) {
   if (cos.is_literal && sin.is_literal) return 0.0;
   const double e = cos.bound.error > sin.bound.error ? cos.bound.error : sin.bound.error;
   Terms square;
@@ -61,7 +61,7 @@ constexpr double double_angle_error(const Number& cos, const Number& sin, const 
 }
 // One sum of an entry of the plane: a difference of two times one product of sine and cosine, and the couple times
 // another.
-constexpr double plane_rounding(const Number& cos, int exponent, double norm, const Rounding& r) {
+constexpr double plane_rounding(const Number& cos, int exponent, double norm, const WordRounding& r) {
   Terms terms;
   if (cos.is_literal)
     terms.add_scaled(1.0, exponent, 2.0 * norm), terms.add_scaled(1.0, exponent, norm);
@@ -73,7 +73,7 @@ constexpr double plane_rounding(const Number& cos, int exponent, double norm, co
 // R J R^T by the double angle. In the plane the entries (xx - yy) / 2 and xy turn like a vector of at most |J|: they
 // are off by twice the double angle's error of it, and by two roundings; the couple with the axis is a vector that
 // turns.
-constexpr Number turned_inertia(const Number& cos, const Number& sin, Number inertia, const Rounding& r) {
+constexpr Number turned_inertia(const Number& cos, const Number& sin, Number inertia, const WordRounding& r) {
   if (by_quarters(cos, sin) || inertia.vanishes()) return inertia;
   const double norm = inertia.bound.reach(), plane = root2 * plane_rounding(cos, inertia.exponent, norm, r);
   BoundedVector couple{split({norm, 0.0}, {}), inertia.exponent, false, &r};
@@ -97,7 +97,7 @@ constexpr VectorSum along_axis(XAxis, const Ball& moment, const Terms& terms) { 
 template <class Axis, class Known, class Link>
 constexpr CompositeBody to_parent(const detail::Screw<Axis, Known>& x, const CompositeBody& body, const Link& link) {
   using namespace quantity;
-  const Rounding& r = link.rounding();
+  const WordRounding& r = link.rounding();
   const Number about = detail::turned_inertia(x.cos, x.sin, body.inertia, r);
   const CompositeBody turned = link.formatted(CompositeBody{body.mass, to_parent(x, body.first_moment), about,
                                                             detail::axis_behind(Axis{}, body.axis, about.bound)});

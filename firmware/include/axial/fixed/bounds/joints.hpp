@@ -23,7 +23,7 @@ namespace detail {
 template <int N>
 class JointBounds {
  public:
-  constexpr JointBounds(const Mechanism<N>& m, const Rounding& r) : r_(r), shared_(m.steps.shared) {
+  constexpr JointBounds(const Mechanism<N>& m, const WordRounding& r) : r_(r), shared_(m.steps.shared) {
     double speed = 0.0, acceleration = 0.0;
     for (const JointRange& j : m.joints)
       speed = axial::detail::larger(speed, j.speed), acceleration = axial::detail::larger(acceleration, j.acceleration);
@@ -39,7 +39,7 @@ class JointBounds {
   Row<Number, N> qd{}, qdd{};
 
  private:
-  const Rounding& r_;
+  const WordRounding& r_;
   bool shared_;
 
   constexpr Number read(double size, double largest) const {
@@ -50,7 +50,7 @@ class JointBounds {
   constexpr Number position(const SharedSteps& steps, double travel) const {
     const int own = input_exponent(travel, r_);
     if (shared_) return word_of({travel, r_.store(steps.format.length)}, steps.format.length);
-    return word_of({travel, r_.bits < 32 ? Rounding::ulp(own) : 0.0}, own);
+    return word_of({travel, r_.bits < 32 ? WordRounding::ulp(own) : 0.0}, own);
   }
 };
 

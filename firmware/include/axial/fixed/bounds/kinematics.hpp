@@ -59,7 +59,7 @@ using NoLoads = BoundedScene<false, false>;
 
 // Positions of all links share a format, which holds the whole arm and the number 1.
 template <int N>
-constexpr Account<N> positions(const Mechanism<N>& m, const Rounding& r) {
+constexpr Account<N> positions(const Mechanism<N>& m, const WordRounding& r) {
   Account<N> account{m, r};
   double longest = m.loads.base_offset + m.loads.tool_offset;
   for (int i = 0; i < N; ++i)
@@ -71,7 +71,7 @@ constexpr Account<N> positions(const Mechanism<N>& m, const Rounding& r) {
 }
 
 template <int N>
-constexpr Ranges<N> poses(const Mechanism<N>& m, const Rounding& r) {
+constexpr Ranges<N> poses(const Mechanism<N>& m, const WordRounding& r) {
   Account<N> account = positions(m, r);
   const BoundedLinks<NoLoads, N> links(account);
   const JointBounds<N> at(m, r);
@@ -91,7 +91,7 @@ constexpr Ranges<N> poses(const Mechanism<N>& m, const Rounding& r) {
 
 /// Bounds of the tool's Jacobian in the formats that `ranges` say.
 template <int N>
-constexpr JacobianBounds<N> jacobian_bounds(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& ranges) {
+constexpr JacobianBounds<N> jacobian_bounds(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges) {
   const Mechanism<N> in_formats = r.tabled ? axial::detail::sharing(m, r, ranges) : m;
   Account<N> account{in_formats, r, false, false, ranges};
   const BoundedLinks<detail::NoLoads, N> links(account);
@@ -109,7 +109,7 @@ constexpr JacobianBounds<N> jacobian_bounds(const Mechanism<N>& m, const Roundin
 /// the number 1; entries of rotations and directions that of sines. `length` bounds a position, `rotation` the rows of
 /// a rotation.
 template <int N>
-constexpr Ranges<N> kinematics_ranges(const Mechanism<N>& m, const Rounding& r) {
+constexpr Ranges<N> kinematics_ranges(const Mechanism<N>& m, const WordRounding& r) {
   return detail::ranges_by(m, r, [&r](const Mechanism<N>& of) { return bounds::detail::poses(of, r); });
 }
 

@@ -49,7 +49,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     const double value = loads().friction ? mechanism().drives[index_].*M : 0.0;
     if (!shared()) return literal_of(value);
     const int exponent = axial::detail::fitting_exponent(mechanism().steps.viscous, rounding().capacity());
-    return word_of({magnitude(value), value < 0.0 || value > 0.0 ? 0.5 * Rounding::ulp(exponent) : 0.0}, exponent);
+    return word_of({magnitude(value), value < 0.0 || value > 0.0 ? 0.5 * WordRounding::ulp(exponent) : 0.0}, exponent);
   }
   /// Nothing is known of a constant turn.
   ///@{
@@ -87,7 +87,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   }
 
   /// Rounding of the arithmetic.
-  constexpr const Rounding& rounding() const { return account_->rounding; }
+  constexpr const WordRounding& rounding() const { return account_->rounding; }
   /// Exponent of a quantity of this link.
   template <class Quantity>
   constexpr int exponent(Quantity quantity) const {
@@ -153,7 +153,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     const Ball moment = Ball{length, 0.0} + h.unknown();
     BoundedVector first{{moment, moment, moment}, h.x.exponent, h.x.is_literal, &rounding()};
     const double step =
-        j.of.xx.is_literal && !account_->sizing ? 0.5 * Rounding::ulp(exponent(RotationalInertia{})) : 0.0;
+        j.of.xx.is_literal && !account_->sizing ? 0.5 * WordRounding::ulp(exponent(RotationalInertia{})) : 0.0;
     const Ball inertia{j.norm() + j.loose.size, j.error() + 3.0 * step};
     const Ball axis{j.of.zz.bound.size + j.loose.size, j.of.zz.bound.error + j.loose.error + step};
     note(RotationalInertia{}, inertia);
@@ -226,7 +226,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     const auto columns = axial::detail::column_exponents(mechanism(), rounding(), mechanism().steps.format);
     const int exponent = columns.of(member);
     const bool rounds = own < 0.0 || own > 0.0;
-    return {{magnitude(own), rounds ? 0.5 * Rounding::ulp(exponent) : 0.0}, own, exponent, false};
+    return {{magnitude(own), rounds ? 0.5 * WordRounding::ulp(exponent) : 0.0}, own, exponent, false};
   }
   template <class Quantity>
   constexpr BoundedVector rounded(Quantity quantity, const VectorSum& sum) const {

@@ -55,13 +55,13 @@ class BoundedLinks {
   /// the exponent of its declared size.
   constexpr BoundedVector base_acceleration() const {
     const LoadRange& l = account_->mechanism.loads;
-    const Rounding& r = account_->rounding;
+    const WordRounding& r = account_->rounding;
     BoundedVector g{detail::split({l.gravity_across, 0.0}, {l.gravity_along, 0.0}), 0, true, &r};
     if (l.gravity_given) {
       g.exponent = detail::input_exponent(l.gravity_along, r), g.is_literal = false;
     } else if (account_->mechanism.steps.shared) {
       g.exponent = account_->mechanism.base_format().linear_acceleration, g.is_literal = false;
-      const double step = account_->sizing ? 0.0 : 0.5 * Rounding::ulp(g.exponent);
+      const double step = account_->sizing ? 0.0 : 0.5 * WordRounding::ulp(g.exponent);
       g.bound = detail::with_rounding(g.bound, l.gravity_across > 0.0 ? detail::root2 * step : 0.0,
                                       l.gravity_along > 0.0 ? step : 0.0);
     }

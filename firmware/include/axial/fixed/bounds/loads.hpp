@@ -39,21 +39,21 @@ constexpr const ForceVector<BoundedVector, BoundedVector>& read_wrench(
 namespace detail {
 
 // A word's exponent by the largest value of an input (fixed_inputs.hpp).
-constexpr int input_exponent(double most, const Rounding& r) {
+constexpr int input_exponent(double most, const WordRounding& r) {
   return axial::detail::fitting_exponent(most, r.capacity());
 }
-constexpr BoundedVector given(double norm, const Rounding& r) {
+constexpr BoundedVector given(double norm, const WordRounding& r) {
   const Ball any{norm, 0.0};
   return {{any, any, any}, input_exponent(norm, r), false, &r};
 }
-constexpr GivenLoads given_loads(const LoadRange& l, const Rounding& r) {
+constexpr GivenLoads given_loads(const LoadRange& l, const WordRounding& r) {
   const double reach = l.payload_mass > 0.0 ? l.payload_moment / l.payload_mass : 0.0;
   const double inertia = (l.payload_inertia - l.payload_moment * reach) / 3.0;
   return {{word_of({l.payload_mass, 0.0}, input_exponent(l.payload_mass, r)), reach, inertia, input_exponent(reach, r),
            input_exponent(inertia, r)},
           {given(l.tip_moment, r), given(l.tip_force, r)}};
 }
-constexpr double rounding_of_product(int a, int b, int exponent, const Rounding& r) {
+constexpr double rounding_of_product(int a, int b, int exponent, const WordRounding& r) {
   Terms terms;
   terms.add_product(a + b);
   return terms.rounding(exponent, r);
@@ -66,7 +66,7 @@ constexpr double rounding_of_product(int a, int b, int exponent, const Rounding&
 template <class Link>
 constexpr Body payload_inertia(const Link& link, const Load& load) {
   using namespace quantity;
-  const Rounding& r = link.rounding();
+  const WordRounding& r = link.rounding();
   const int h = link.exponent(FirstMoment{}), j = link.exponent(RotationalInertia{});
   const double moment = load.mass.bound.size * load.com_reach;
   const double of_h = detail::rounding_of_product(load.mass.exponent, load.com_exponent, h, r);

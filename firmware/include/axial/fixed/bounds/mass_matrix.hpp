@@ -13,9 +13,9 @@ namespace bounds {
 /// exponent.
 template <int N, class Exponent>
 struct MatrixRows {
-  const Rounding& rounding;  ///< of the arithmetic
-  const Exponent& exponent;  ///< of entry (i, j)
-  double error[N] = {};      ///< of row i
+  const WordRounding& rounding;  ///< of the arithmetic
+  const Exponent& exponent;      ///< of entry (i, j)
+  double error[N] = {};          ///< of row i
 
   /// Sets an entry, as the kernel does.
   constexpr void set(int i, int j, const Number& value) {
@@ -57,7 +57,7 @@ constexpr void note_unit_forces(Account<N>& account) {
 }
 
 template <int N>
-constexpr Ranges<N> composite_bodies(const Mechanism<N>& m, const Rounding& r) {
+constexpr Ranges<N> composite_bodies(const Mechanism<N>& m, const WordRounding& r) {
   Account<N> account{m, r};
   note_description(account);
   const auto none = [](int, int) { return 0; };
@@ -73,7 +73,7 @@ constexpr Ranges<N> composite_bodies(const Mechanism<N>& m, const Rounding& r) {
 
 /// Errors of the rows of the matrix whose entries have the exponents `exponent(i, j)`, in the formats of `ranges`.
 template <int N, class Exponent>
-constexpr Row<double, N> mass_matrix_errors(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& ranges,
+constexpr Row<double, N> mass_matrix_errors(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges,
                                             const Exponent& exponent) {
   const Mechanism<N> in_formats = r.tabled ? axial::detail::sharing(m, r, ranges) : m;
   Account<N> account{in_formats, r, false, false, ranges};
@@ -89,7 +89,7 @@ constexpr Row<double, N> mass_matrix_errors(const Mechanism<N>& m, const Roundin
 
 /// Ranges and formats of the mass matrix by composite bodies: joint_inertia of joint i is the diagonal's.
 template <int N>
-constexpr Ranges<N> composite_body_ranges(const Mechanism<N>& m, const Rounding& r) {
+constexpr Ranges<N> composite_body_ranges(const Mechanism<N>& m, const WordRounding& r) {
   return detail::ranges_by(m, r, [&r](const Mechanism<N>& of) { return bounds::detail::composite_bodies(of, r); });
 }
 

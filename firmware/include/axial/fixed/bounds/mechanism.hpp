@@ -128,7 +128,7 @@ struct Mechanism {
   }
 
   /// The exponent of a quantity that reaches `size` on one link, or of all links.
-  constexpr int format(const Rounding& r, int LinkFormat::*quantity, double size) const {
+  constexpr int format(const WordRounding& r, int LinkFormat::*quantity, double size) const {
     return steps.shared ? steps.format.*quantity : r.exponent(size);
   }
   /// Exponents of the base's motion.
@@ -201,8 +201,8 @@ constexpr bool turns_given_pairs() {
 
 /// Rounding of a scene's kernels over the arithmetic S. Turning a pair keeps the length of its error and rounds twice.
 template <class Scene, class S>
-constexpr Rounding rounding_in() {
-  Rounding r = rounding_of<S>(Scene::template has<Looped>);
+constexpr WordRounding rounding_in() {
+  WordRounding r = rounding_of<S>(Scene::template has<Looped>);
   const int unit = r.bits - 2;
   bounds::Terms turn;
   turn.add_product(2 * unit), turn.add_product(2 * unit);

@@ -46,7 +46,7 @@ constexpr Row<Number, N> hold(Account<N>& account) {
 }
 
 template <int N>
-constexpr MomentumRanges<N> momenta(const Mechanism<N>& m, const Rounding& r) {
+constexpr MomentumRanges<N> momenta(const Mechanism<N>& m, const WordRounding& r) {
   Account<N> account{m, r};
   note_description(account);
   const auto run = [&account] {
@@ -65,7 +65,7 @@ constexpr MomentumRanges<N> momenta(const Mechanism<N>& m, const Rounding& r) {
 
 /// Bounds of the drifts, at `exponents`, of momenta and efforts in the formats that their ranges say.
 template <int N>
-constexpr Row<Ball, N> drift_bounds(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& motion,
+constexpr Row<Ball, N> drift_bounds(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& motion,
                                     const Ranges<N>& momenta, const int (&exponents)[N]) {
   const auto in_formats = [&m, &r](const Ranges<N>& ranges) {
     return r.tabled ? axial::detail::sharing(m, r, ranges) : m;
@@ -88,7 +88,7 @@ constexpr Row<Ball, N> drift_bounds(const Mechanism<N>& m, const Rounding& r, co
 /// Ranges, formats and errors of momenta, under the names of Newton-Euler's quantities: velocities as accelerations,
 /// momenta as forces and efforts.
 template <int N>
-constexpr MomentumRanges<N> momentum_ranges(const Mechanism<N>& mechanism, const Rounding& rounding) {
+constexpr MomentumRanges<N> momentum_ranges(const Mechanism<N>& mechanism, const WordRounding& rounding) {
   return detail::ranges_by(mechanism, rounding,
                            [&rounding](const Mechanism<N>& m) { return bounds::detail::momenta(m, rounding); });
 }

@@ -56,7 +56,7 @@ constexpr void run_with_loads(Account<N>& account) {
   with_loads(account.mechanism.loads, [&account](auto scene) { run<decltype(scene)>(account); });
 }
 template <int N>
-constexpr Ranges<N> newton_euler(const Mechanism<N>& m, const Rounding& r) {
+constexpr Ranges<N> newton_euler(const Mechanism<N>& m, const WordRounding& r) {
   Account<N> account{m, r};
   note_description(account);
   run_with_loads(account);
@@ -70,7 +70,7 @@ constexpr Ranges<N> newton_euler(const Mechanism<N>& m, const Rounding& r) {
 
 /// Ranges and errors of inverse dynamics in the formats that `ranges` say: of a robot whose joint values are off.
 template <int N>
-constexpr Ranges<N> newton_euler_errors(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& ranges) {
+constexpr Ranges<N> newton_euler_errors(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges) {
   const Mechanism<N> in_formats = r.tabled ? detail::sharing(m, r, ranges) : m;
   bounds::Account<N> account{in_formats, r, false, false, ranges};
   bounds::detail::run_with_loads(account);
@@ -79,7 +79,7 @@ constexpr Ranges<N> newton_euler_errors(const Mechanism<N>& m, const Rounding& r
 
 /// Ranges, formats and errors of inverse dynamics (and of its bias and gravity parts): its own kernel, run on bounds.
 template <int N>
-constexpr Ranges<N> newton_euler_ranges(const Mechanism<N>& mechanism, const Rounding& rounding) {
+constexpr Ranges<N> newton_euler_ranges(const Mechanism<N>& mechanism, const WordRounding& rounding) {
   return detail::ranges_by(mechanism, rounding,
                            [&rounding](const Mechanism<N>& m) { return bounds::detail::newton_euler(m, rounding); });
 }

@@ -119,8 +119,8 @@ constexpr Number half(Number x) {
 
 /// A joint's angle, exact in binary angles; its sine and cosine are not.
 struct Angle {
-  const Rounding* rounding = nullptr;  ///< of the arithmetic
-  double error = 0.0;                  ///< of a constant that was added to it, rad
+  const WordRounding* rounding = nullptr;  ///< of the arithmetic
+  double error = 0.0;                      ///< of a constant that was added to it, rad
 };
 /// A joint's position: an angle, or a length.
 struct Position {

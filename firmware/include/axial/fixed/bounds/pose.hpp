@@ -20,13 +20,13 @@ constexpr BoundedVector direction(const Rotation& r, double x, double y, double 
   const bool literal = r.x.is_literal && r.y.is_literal && r.z.is_literal;
   return {{any, any, any}, r.x.exponent, literal, r.x.rounding};
 }
-constexpr BoundedVector anywhere(const Ball& norm, int exponent, const Rounding* rounding) {
+constexpr BoundedVector anywhere(const Ball& norm, int exponent, const WordRounding* rounding) {
   return {{norm, norm, norm}, exponent, false, rounding};
 }
 }  // namespace detail
 
 /// A constant pose of the model: directions and a point that are literals.
-constexpr BoundedPose constant_pose(double offset, const Rounding& r) {
+constexpr BoundedPose constant_pose(double offset, const WordRounding& r) {
   const SplitBall unit{{1.0, 0.0}, {1.0, 0.0}, {1.0, 0.0}};
   const BoundedVector row{unit, r.bits - 2, true, &r};
   BoundedVector position = detail::anywhere({offset, 0.0}, 0, &r);

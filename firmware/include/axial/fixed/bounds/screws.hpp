@@ -89,7 +89,7 @@ constexpr auto translation(const BranchScrew<detail::Screw<ZAxis, Known>, detail
   const auto part = [&a = branch.x.shift](const Number& turn) {
     if (a.is_literal && turn.is_literal) return literal_of(a.constant * turn.constant);
     Number word = word_of(a.bound * turn.bound, a.exponent);
-    if (!word.vanishes()) word.bound.error += Rounding::ulp(a.exponent);
+    if (!word.vanishes()) word.bound.error += WordRounding::ulp(a.exponent);
     return word;
   };
   return Vec3<Number>{part(branch.z.cos), part(branch.z.sin), branch.z.shift};

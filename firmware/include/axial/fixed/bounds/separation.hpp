@@ -159,7 +159,7 @@ constexpr SeparatedBounds<N> separate(Account<N>& account, const SeparatedFormat
 
 /// Bounds of the separated terms in the formats of `ranges`, stored at `formats`.
 template <int N>
-constexpr SeparatedBounds<N> separated_bounds(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& ranges,
+constexpr SeparatedBounds<N> separated_bounds(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges,
                                               const SeparatedFormats<N>& formats) {
   Account<N> account{m, r, false, false, ranges};
   return detail::separate(account, formats);
@@ -170,7 +170,7 @@ constexpr SeparatedBounds<N> separated_bounds(const Mechanism<N>& m, const Round
 /// Ranges and formats of the separated terms. LinearAcceleration is that of points at unit rates (m); JointInertia
 /// holds every coefficient of which this joint is the outermost.
 template <int N>
-constexpr Ranges<N> separation_ranges_of(const Mechanism<N>& m, const Rounding& r) {
+constexpr Ranges<N> separation_ranges_of(const Mechanism<N>& m, const WordRounding& r) {
   bounds::Account<N> account{m, r};
   bounds::detail::note_description(account);
   bounds::detail::separate(account, bounds::SeparatedFormats<N>{});

@@ -68,13 +68,13 @@ constexpr double largest_viscous(const Mechanism<N>& m) {
 }
 
 template <int N>
-constexpr ColumnExponents column_exponents(const Mechanism<N>& m, const Rounding& r, const LinkFormat& format) {
+constexpr ColumnExponents column_exponents(const Mechanism<N>& m, const WordRounding& r, const LinkFormat& format) {
   return {format, r.bits - 2, fitting_exponent(largest_rotor(m), r.capacity())};
 }
 
 /// A robot whose links share the formats of an analysis of it.
 template <int N>
-constexpr Mechanism<N> sharing(Mechanism<N> m, const Rounding& r, const Ranges<N>& apart) {
+constexpr Mechanism<N> sharing(Mechanism<N> m, const WordRounding& r, const Ranges<N>& apart) {
   SharedSteps& s = m.steps;
   s.shared = true;
   s.format = coarsest(apart.format);
@@ -85,7 +85,7 @@ constexpr Mechanism<N> sharing(Mechanism<N> m, const Rounding& r, const Ranges<N
 
 /// Ranges of an analysis: of each link apart, or, where constants come from a table, of links that share their formats.
 template <int N, class Analysis>
-constexpr auto ranges_by(const Mechanism<N>& m, const Rounding& r, Analysis analysis) {
+constexpr auto ranges_by(const Mechanism<N>& m, const WordRounding& r, Analysis analysis) {
   const auto apart = analysis(m);
   return r.tabled ? analysis(sharing(m, r, apart)) : apart;
 }

@@ -24,12 +24,12 @@ struct Products {
 
 /// U of a body that turns with w and dw: how points of the body accelerate, in bounds of what w and dw make of it.
 struct Spin {
-  SplitBall w{}, dw{};                 ///< rad/s, rad/s^2
-  double entry = 0.0;                  ///< rounding of one entry beyond what w and dw carry, rad^2/s^2
-  SplitBall axis{};                    ///< the third column: how points of the joint's axis accelerate
-  bool axis_apart = false;             ///< whether the third column has an error of its own
-  int exponent = 0;                    ///< of the entries
-  const Rounding* rounding = nullptr;  ///< of the arithmetic
+  SplitBall w{}, dw{};                     ///< rad/s, rad/s^2
+  double entry = 0.0;                      ///< rounding of one entry beyond what w and dw carry, rad^2/s^2
+  SplitBall axis{};                        ///< the third column: how points of the joint's axis accelerate
+  bool axis_apart = false;                 ///< whether the third column has an error of its own
+  int exponent = 0;                        ///< of the entries
+  const WordRounding* rounding = nullptr;  ///< of the arithmetic
 
   /// Passes keep it as it is.
   template <class>

@@ -40,7 +40,7 @@ class Terms {
   }
 
   /// How far the sum, rounded into `exponent`, is from what its terms add up to.
-  constexpr double rounding(int exponent, const Rounding& r) const {
+  constexpr double rounding(int exponent, const WordRounding& r) const {
     if (products_ + scaled_ == 0) return of_words(exponent, r) + literals_ * 0.5 * r.ulp(exponent);
     return r.high_word ? of_upper_words(exponent, r) : of_products(exponent, r);
   }
@@ -63,7 +63,7 @@ class Terms {
   }
 
   // Words move to the exponent one by one, each rounded.
-  constexpr double of_words(int exponent, const Rounding& r) const {
+  constexpr double of_words(int exponent, const WordRounding& r) const {
     double error = 0.0;
     for (int i = 0; i < word_count_; ++i)
       error += r.move(words_[i], exponent);
@@ -71,7 +71,7 @@ class Terms {
   }
   // Products meet at one exponent of a double word; what is finer is cut off there, and the sum is rounded once.
   // Literals are rounded to nearest by the compiler, those of products at what is left of that exponent.
-  constexpr double of_products(int exponent, const Rounding& r) const {
+  constexpr double of_products(int exponent, const WordRounding& r) const {
     using axial::detail::smaller;
     const int common = smaller(smaller(exponent + r.bits, least_), limit_ + r.bits - 2);
     double units = literals_ * 0.5 + 0.5 * by_word_ + finer_than(common);
@@ -80,7 +80,7 @@ class Terms {
     return units * r.ulp(common) + (common > exponent ? r.store(exponent) : 0.0);
   }
   // Upper words of products: each cut off, those of two variables moved to one exponent first.
-  constexpr double of_upper_words(int exponent, const Rounding& r) const {
+  constexpr double of_upper_words(int exponent, const WordRounding& r) const {
     using axial::detail::smaller;
     const int own = limit_ + r.bits - 2, wanted = exponent + r.bits;
     const double literals = own < wanted ? by_constant_ * r.ulp(r.bits - 2) : 0.0;

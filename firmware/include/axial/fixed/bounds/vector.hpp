@@ -16,7 +16,7 @@ struct BoundedVector {
   int exponent = 0;         ///< of the words
   bool is_literal = false;  ///< whether it is constants of the model
   /// How its turns are rounded: they name no link, for their exponent is that of what they turn. Null for zero.
-  const Rounding* rounding = nullptr;
+  const WordRounding* rounding = nullptr;
 
   /// Passes keep it as it is.
   template <class>
@@ -125,7 +125,7 @@ constexpr BoundedVector doubled(BoundedVector v) {
   return v;
 }
 /// The joint's axis: a direction that the compiler knows.
-constexpr BoundedVector unit_along(const Rounding& r) { return {split({}, {1.0, 0.0}), r.bits - 2, true, &r}; }
+constexpr BoundedVector unit_along(const WordRounding& r) { return {split({}, {1.0, 0.0}), r.bits - 2, true, &r}; }
 
 }  // namespace detail
 

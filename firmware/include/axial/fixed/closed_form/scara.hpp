@@ -45,7 +45,7 @@ using BoundedScara = ScaraTerms<S, ScaraBounds>;
 
 /// Ranges of the torque of a scene's robot `m`: one "link" holds what is common, the errors of efforts are a joint's.
 template <class S>
-constexpr Ranges<3> scara_ranges(const Mechanism<3>& m, const Rounding& r) {
+constexpr Ranges<3> scara_ranges(const Mechanism<3>& m, const WordRounding& r) {
   bounds::Account<3> account{m, r};
   const bounds::detail::JointBounds<3> at(m, r);
   const auto run = [&] {
@@ -58,7 +58,7 @@ constexpr Ranges<3> scara_ranges(const Mechanism<3>& m, const Rounding& r) {
 
 /// Bounds of its separated terms in the formats of `ranges`, stored at `formats`.
 template <class S>
-constexpr bounds::SeparatedBounds<3> scara_terms(const Mechanism<3>& m, const Rounding& r, const Ranges<3>& ranges,
+constexpr bounds::SeparatedBounds<3> scara_terms(const Mechanism<3>& m, const WordRounding& r, const Ranges<3>& ranges,
                                                  const bounds::SeparatedFormats<3>& formats) {
   using Links = bounds::BoundedLinks<bounds::BoundedScene<false, false>, 3>;
   bounds::Account<3> account{m, r, false, false, ranges};

@@ -21,7 +21,7 @@ struct ResidualFormats {
   static constexpr ResidualFormats chosen() {
     static_assert(sizeof(Word) == 4, "axial: the momentum observer takes Fixed32, float or double");
     using T = Stored<Word>;
-    constexpr Rounding rounding{32, true, false, 0.0};
+    constexpr WordRounding rounding{32, true, false, 0.0};
     ResidualFormats all;
     for (int i = 0; i < size; ++i) {
       const int p = MomentaOf<S, T>::exponent(i), e = EffortsOf<S, T>::exponent(i);

@@ -95,7 +95,7 @@ template <class S, class T = Fixed32, class Tuning>
   detail::Bounds<S, T> all;
   for (int i = 0; i < all.size; ++i)
     all.of[i] = detail::residual_error<S, typename T::Word, Tuning>(i, momenta[i], drifts[i]) *
-                Rounding::ulp(Residuals<S, T, Tuning>::exponent(i));
+                WordRounding::ulp(Residuals<S, T, Tuning>::exponent(i));
   return all;
 }
 /// Of a detector's comparison, N m or N: a residual in real numbers that is so far from its threshold is on the same
@@ -104,7 +104,7 @@ template <class S, class T = Fixed32, class Tuning>
 [[nodiscard]] constexpr auto error_bound(algorithm::CollisionDetector<Tuning>) {
   auto all = error_bound<S, T>(algorithm::MomentumObserver<Tuning>{});
   for (int i = 0; i < all.size; ++i)
-    all.of[i] += 0.5 * Rounding::ulp(Residuals<S, T, Tuning>::exponent(i));
+    all.of[i] += 0.5 * WordRounding::ulp(Residuals<S, T, Tuning>::exponent(i));
   return all;
 }
 

@@ -20,7 +20,7 @@ struct ColumnRounding<S, Stored<Word>> {
   static_assert(sizeof(Word) == 4, "axial: the payload estimator takes Fixed32, float or double");
   using A = ArithmeticOf<scene_of<S>, Word>;
   using Speeds = Velocities<robot_of<S>, Stored<Word>>;
-  static constexpr Rounding rounding{32, true, false, 0.0};
+  static constexpr WordRounding rounding{32, true, false, 0.0};
   static constexpr int fitting(double most) { return rounding.exponent(1.001 * most); }
   static constexpr double all_speeds() {
     double sum = 0.0;

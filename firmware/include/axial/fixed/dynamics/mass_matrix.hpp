@@ -16,7 +16,7 @@ struct MassMatrixFormat {
   int of[size][size] = {};
 
   static constexpr MassMatrixFormat chosen() {
-    constexpr Rounding rounding{8 * static_cast<int>(sizeof(Word)), true, false, 0.0};
+    constexpr WordRounding rounding{8 * static_cast<int>(sizeof(Word)), true, false, 0.0};
     const auto ranges = composite_body_ranges(mechanism_of<scene_of<S>, FullParameters>, rounding);
     MassMatrixFormat format;
     for (int i = 0; i < size; ++i)

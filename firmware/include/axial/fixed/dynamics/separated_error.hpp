@@ -12,7 +12,7 @@ namespace separation {
 /// How the torque's words stand on bounds.
 template <class Robot, class A>
 struct BoundedTorqueWords {
-  const Rounding& rounding;  ///< of the arithmetic
+  const WordRounding& rounding;  ///< of the arithmetic
   /// A coefficient in bounds.
   template <int E>
   static constexpr const bounds::Number& at(const bounds::Number& x) {
@@ -45,7 +45,7 @@ class BoundsOfTerms {
   /// Efforts, of coefficients `s`.
   static constexpr Row<bounds::Number, n> torque(const bounds::SeparatedBounds<n>& s) {
     const auto& m = mechanism_of<Scene, Parameters>;
-    const Rounding rounding = rounding_in<Scene, A>();
+    const WordRounding rounding = rounding_in<Scene, A>();
     bounds::Account<n> account{m, rounding, false, false, ranges};
     const bounds::BoundedLinks<bounds::detail::NoLoads, n> links(account);
     const bounds::detail::JointBounds<n> at(m, rounding);

@@ -45,7 +45,7 @@ constexpr void check_limits() {
 
 /// What joint values are rounded to, whatever the scene's arithmetic.
 template <class Word>
-inline constexpr Rounding joint_rounding{8 * static_cast<int>(sizeof(Word)), true, false, 0.0};
+inline constexpr WordRounding joint_rounding{8 * static_cast<int>(sizeof(Word)), true, false, 0.0};
 
 /// Ranges of a scene's inverse dynamics on full parameters: the formats of efforts follow from them.
 template <class S, class Word>

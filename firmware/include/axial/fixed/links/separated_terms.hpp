@@ -11,8 +11,8 @@ namespace detail {
 
 template <class S, class Word>
 inline constexpr auto separation_ranges = separation_ranges_of(mechanism_of<scene_of<S>, FullParameters>,
-                                                               Rounding{8 * static_cast<int>(sizeof(Word)), true, false,
-                                                                        0.0});
+                                                               WordRounding{8 * static_cast<int>(sizeof(Word)), true,
+                                                                            false, 0.0});
 
 constexpr int outermost(int i, int j, int k) { return i > j ? (i > k ? i : k) : (j > k ? j : k); }
 

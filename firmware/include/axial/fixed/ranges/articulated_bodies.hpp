@@ -51,7 +51,7 @@ class ArticulatedAnalysis {
  public:
   /// `given` are the efforts left to the joints, `least` the inertias that they feel at least; `moving` the ranges of
   /// the motion whose bias travels with them, or null at rest.
-  constexpr ArticulatedAnalysis(const Mechanism<N>& mechanism, const Rounding& rounding, const double (&given)[N],
+  constexpr ArticulatedAnalysis(const Mechanism<N>& mechanism, const WordRounding& rounding, const double (&given)[N],
                                 const PerJoint<N>& least, const Ranges<N>* moving)
       : m_(mechanism), r_(rounding), bodies_(composite_ranges(mechanism)) {
     for (int i = 0; i < N; ++i)
@@ -71,7 +71,7 @@ class ArticulatedAnalysis {
 
  private:
   const Mechanism<N>& m_;
-  const Rounding& r_;
+  const WordRounding& r_;
   CompositeRanges<N> bodies_;
   Ranges<N> all_{};
   double drive_[N] = {};     // effort of a joint and the largest reaction that reaches it
@@ -200,7 +200,7 @@ constexpr GivenEfforts<N> given_efforts(const Mechanism<N>& m, const Ranges<N>& 
 
 /// What drives the joints without halvings: the declared efforts and as much again as gravity needs.
 template <int N>
-constexpr GivenEfforts<N> usual_drive(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& newton_euler) {
+constexpr GivenEfforts<N> usual_drive(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& newton_euler) {
   Mechanism<N> still = m;
   for (JointRange& joint : still.joints)
     joint.speed = joint.acceleration = 0.0;
@@ -213,7 +213,7 @@ constexpr GivenEfforts<N> usual_drive(const Mechanism<N>& m, const Rounding& r, 
 
 /// How far efforts within the declared ones and the bias can drive the joints beyond what formats are made for.
 template <int N>
-constexpr double excess_of_drive(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& newton_euler) {
+constexpr double excess_of_drive(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& newton_euler) {
   const GivenEfforts<N> alone = usual_drive(m, r, newton_euler), all = given_efforts(m, newton_euler, true);
   double excess = 1.0;
   for (int i = 0; i < N; ++i)
@@ -225,7 +225,7 @@ constexpr double excess_of_drive(const Mechanism<N>& m, const Rounding& r, const
 
 /// Ranges of the classical form: the bias travels with the efforts.
 template <int N>
-constexpr Ranges<N> articulated_ranges(const Mechanism<N>& m, const Rounding& r) {
+constexpr Ranges<N> articulated_ranges(const Mechanism<N>& m, const WordRounding& r) {
   const Ranges<N> motion = newton_euler_ranges(m, r);
   return detail::ArticulatedAnalysis<N>(m, r, detail::given_efforts(m, motion, true).all, detail::least_inertias(m),
                                         &motion)

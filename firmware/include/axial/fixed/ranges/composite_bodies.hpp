@@ -47,7 +47,7 @@ constexpr CompositeRanges<N> composite_ranges(const Mechanism<N>& m) {
 
 /// Formats of composite bodies: sums of two first moments occur, so they keep a bit to spare.
 template <int N>
-constexpr void set_inertia_formats(const Mechanism<N>& m, const CompositeRanges<N>& bodies, const Rounding& r,
+constexpr void set_inertia_formats(const Mechanism<N>& m, const CompositeRanges<N>& bodies, const WordRounding& r,
                                    Ranges<N>& all) {
   for (int i = 0; i < N; ++i) {
     const CompositeRange& b = bodies.behind[i];

@@ -25,7 +25,7 @@ template <int N>
 class DeclaredMotion {
  public:
   /// `all` has the gains and inertias of the links.
-  constexpr DeclaredMotion(const Mechanism<N>& mechanism, const Rounding& rounding, const Ranges<N>& all)
+  constexpr DeclaredMotion(const Mechanism<N>& mechanism, const WordRounding& rounding, const Ranges<N>& all)
       : m_(mechanism), all_(all), bodies_(composite_ranges(mechanism)) {
     const Ranges<N> motion = newton_euler_ranges(starting(mechanism), rounding);
     for (int i = 0; i < N; ++i)
@@ -97,19 +97,19 @@ constexpr double largest_excess(const Mechanism<N>& m, const Ranges<N>& ranges) 
 }
 /// Whether a second solve pays: above 2^10 formats have that many bits to spare in most states. In 32-bit words.
 template <int N>
-constexpr bool second_solve_pays(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& ranges) {
+constexpr bool second_solve_pays(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges) {
   return r.bits == 32 && ranges.halvings == 0 && largest_excess(m, ranges) > 1024.0;
 }
 /// Whether formats for the declared motion pay: above 2^14 the others leave that motion too few bits.
 template <int N>
-constexpr bool declared_formats_pay(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& ranges) {
+constexpr bool declared_formats_pay(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges) {
   return r.bits == 32 && largest_excess(m, ranges) > 16384.0;
 }
 
 /// Gives the driven quantities the formats of the declared motion, and counts the halvings of a drive that bring
 /// everything that efforts can do within them.
 template <int N>
-constexpr Ranges<N> fitted_to_declared_motion(const Mechanism<N>& m, const Rounding& r, Ranges<N> all) {
+constexpr Ranges<N> fitted_to_declared_motion(const Mechanism<N>& m, const WordRounding& r, Ranges<N> all) {
   const Ranges<N> declared = detail::DeclaredMotion<N>(m, r, all).sizes();
   for (int i = 0; i < N; ++i)
     for (const auto& quantity : detail::driven_quantities) {

@@ -13,7 +13,7 @@ namespace detail {
 template <int N>
 class ForwardErrorAnalysis {
  public:
-  constexpr ForwardErrorAnalysis(const Mechanism<N>& mechanism, const Rounding& rounding, const Ranges<N>& ranges,
+  constexpr ForwardErrorAnalysis(const Mechanism<N>& mechanism, const WordRounding& rounding, const Ranges<N>& ranges,
                                  const Ranges<N>& motion)
       : m_(mechanism), r_(rounding), all_(ranges), bodies_(composite_ranges(mechanism)) {
     double energy = 0.0;
@@ -43,7 +43,7 @@ class ForwardErrorAnalysis {
     double inertia = 0.0, first = 0.0, mass = 0.0, moment = 0.0, force = 0.0;
   };
   const Mechanism<N>& m_;
-  const Rounding& r_;
+  const WordRounding& r_;
   const Ranges<N>& all_;
   CompositeRanges<N> bodies_;
   Speed speed_[N] = {};
@@ -160,7 +160,8 @@ inline constexpr std::int32_t second_solve_tolerance = 1024;
 /// Fills in the errors of the joint accelerations of the split form, the drive being halved as often as the
 /// declared efforts and the bias may need (excess_of_drive).
 template <int N>
-constexpr void certify_forward(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& motion, Ranges<N>& ranges) {
+constexpr void certify_forward(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& motion,
+                               Ranges<N>& ranges) {
   Ranges<N> first = ranges;  // a halved drive in the formats is the whole one in coarser ones
   for (LinkFormat& format : first.format)
     for (const auto& quantity : detail::driven_quantities)
@@ -178,7 +179,7 @@ constexpr void certify_forward(const Mechanism<N>& m, const Rounding& r, const R
 
 /// Ranges of the split form: the structure at rest under tau - bias. Errors are not filled in.
 template <int N>
-constexpr Ranges<N> articulated_at_rest_sizes(const Mechanism<N>& m, const Rounding& r, const Ranges<N>& motion) {
+constexpr Ranges<N> articulated_at_rest_sizes(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& motion) {
   const auto given = detail::usual_drive(m, r, motion);
   const auto least = detail::least_inertias(m);
   const Ranges<N> ranges = detail::ArticulatedAnalysis<N>(m, r, given.all, least, nullptr).ranges();
@@ -189,7 +190,7 @@ constexpr Ranges<N> articulated_at_rest_sizes(const Mechanism<N>& m, const Round
 
 /// Ranges and errors of the split form.
 template <int N>
-constexpr Ranges<N> articulated_at_rest_ranges(const Mechanism<N>& m, const Rounding& r) {
+constexpr Ranges<N> articulated_at_rest_ranges(const Mechanism<N>& m, const WordRounding& r) {
   const Ranges<N> motion = newton_euler_ranges(m, r);
   Ranges<N> ranges = articulated_at_rest_sizes(m, r, motion);
   certify_forward(m, r, motion, ranges);
