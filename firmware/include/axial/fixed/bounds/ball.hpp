@@ -13,8 +13,8 @@ namespace axial {
 struct Ball {
   double size = 0.0, error = 0.0;  ///< norm of the value, and of its error, at most
 
-  /// What the computed value can reach.
-  constexpr double reach() const { return size + error; }
+  /// Of the computed value, at most.
+  constexpr double largest() const { return size + error; }
 };
 
 /// Bounds of a sum.

@@ -56,7 +56,7 @@ constexpr VectorSum cross(const ConstantVector& h, const BoundedVector& v) {
   VectorSum product{detail::split(h.side() * a.along + h.height() * a.across, h.side() * a.across), {}, {}};
   const Ball rest = h.unknown() * a.whole;
   product.bound = product.bound + SplitBall{rest, rest, rest};
-  const double across = a.across.reach(), along = a.along.reach();
+  const double across = a.across.largest(), along = a.along.largest();
   add_product(product.across, worse(h.x, h.y), v.exponent, along), add_product(product.across, h.z, v.exponent, across);
   add_product(product.along, h.x, v.exponent, across), add_product(product.along, h.y, v.exponent, across);
   return product;

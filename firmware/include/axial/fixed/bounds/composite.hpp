@@ -75,7 +75,7 @@ constexpr double plane_rounding(const Number& cos, int exponent, double norm, co
 // turns.
 constexpr Number turned_inertia(const Number& cos, const Number& sin, Number inertia, const WordRounding& r) {
   if (by_quarters(cos, sin) || inertia.vanishes()) return inertia;
-  const double norm = inertia.bound.reach(), plane = root2 * plane_rounding(cos, inertia.exponent, norm, r);
+  const double norm = inertia.bound.largest(), plane = root2 * plane_rounding(cos, inertia.exponent, norm, r);
   BoundedVector couple{split({norm, 0.0}, {}), inertia.exponent, false, &r};
   couple = turned(ZAxis{}, cos, sin, couple);
   inertia.bound.error += 2.0 * double_angle_error(cos, sin, r) * norm + plane + couple.bound.whole.error;
@@ -109,7 +109,7 @@ constexpr CompositeBody to_parent(const detail::Screw<Axis, Known>& x, const Com
   link.leave_room(FirstMoment{}, both.size);
   Terms entry;
   entry.add_word(turned.inertia.exponent);
-  add_product(entry, x.shift, first.exponent, both.reach());
+  add_product(entry, x.shift, first.exponent, both.largest());
   Ball inertia = turned.inertia.bound + x.shift.bound * both;
   inertia.error += 2.0 * entry.rounding(turned.inertia.exponent, r);
   link.note(RotationalInertia{}, inertia);

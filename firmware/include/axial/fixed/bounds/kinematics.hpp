@@ -24,7 +24,7 @@ constexpr BoundedVector x_column(const Rotation& r) {
 constexpr VectorSum cross(const BoundedVector& u, const BoundedVector& v) {
   const Ball whole = u.bound.whole * v.bound.whole;
   VectorSum product{{whole, whole, whole}, {}, {}};
-  if (!(whole.reach() > 0.0)) return product;
+  if (!(whole.largest() > 0.0)) return product;
   for (Terms* terms : {&product.across, &product.along})
     terms->add_product(u.exponent + v.exponent), terms->add_product(u.exponent + v.exponent);
   return product;
@@ -63,7 +63,7 @@ constexpr Account<N> positions(const Mechanism<N>& m, const WordRounding& r) {
   Account<N> account{m, r};
   double longest = m.loads.base_offset + m.loads.tool_offset;
   for (int i = 0; i < N; ++i)
-    longest += m.reach(i);
+    longest += m.origin_distance(i);
   for (LinkSizes& widest : account.widest)
     widest.of[place_of(quantity::Length{}).index()] = longest > 1.0 ? longest : 1.0;
   account.choose_formats();

@@ -121,7 +121,7 @@ struct Mechanism {
   /// Index of the link that carries joint i, negative for the base.
   constexpr int parent(int i) const { return links[i].parent; }
   /// Distance of a link's origin from its parent's: a and d are at right angles, whatever the joint's angle.
-  constexpr double reach(int i) const {
+  constexpr double origin_distance(int i) const {
     const auto& c = links[i];
     const double d = joints[i].travel;
     return magnitude(c.branch.b) + square_root(c.a * c.a + d * d);

@@ -17,7 +17,7 @@ struct Number {
   bool is_literal = true;  ///< whether it is a constant that no word holds yet
 
   /// True where no state makes it anything but zero.
-  constexpr bool vanishes() const { return !(bound.reach() > 0.0); }
+  constexpr bool vanishes() const { return !(bound.largest() > 0.0); }
 };
 
 /// A constant of the model.
@@ -75,7 +75,7 @@ constexpr NumberSum operator*(const Number& a, const Number& b) {
   if (a.is_literal && b.is_literal) return term_of(literal_of(a.constant * b.constant));
   NumberSum product{a.bound * b.bound, {}, 0.0, false};
   const Number &factor = a.is_literal ? a : b, &word = a.is_literal ? b : a;
-  add_product(product.terms, factor, word.exponent, word.bound.reach());
+  add_product(product.terms, factor, word.exponent, word.bound.largest());
   return product;
 }
 namespace detail {

@@ -27,23 +27,23 @@ constexpr double turn_rounding(const Number& cos, const Number& sin, const Bound
   Terms terms;
   for (const Number* factor : {&cos, &sin})
     if (v.is_literal && !factor->is_literal)
-      terms.add_scaled(size, factor->exponent, factor->bound.reach());
+      terms.add_scaled(size, factor->exponent, factor->bound.largest());
     else
       add_product(terms, *factor, v.exponent, size);
   return terms.rounding(v.exponent, *v.rounding);
 }
 
 constexpr BoundedVector turned(ZAxis, const Number& cos, const Number& sin, BoundedVector v) {
-  if (by_quarters(cos, sin) || !(v.bound.across.reach() > 0.0)) return v;
-  const double size = v.bound.across.reach(), error = tilt(cos, sin) * size;
+  if (by_quarters(cos, sin) || !(v.bound.across.largest() > 0.0)) return v;
+  const double size = v.bound.across.largest(), error = tilt(cos, sin) * size;
   v.bound.across.error += error, v.bound.whole.error += error;
   const double step = turn_rounding(cos, sin, v, size);
   v.bound = with_rounding(v.bound, root2 * step, 0.0), v.is_literal = false;
   return v;
 }
 constexpr BoundedVector turned(XAxis, const Number& cos, const Number& sin, BoundedVector v) {
-  if (!(v.bound.whole.reach() > 0.0)) return v;
-  const double size = v.bound.whole.reach(), error = tilt(cos, sin) * size;
+  if (!(v.bound.whole.largest() > 0.0)) return v;
+  const double size = v.bound.whole.largest(), error = tilt(cos, sin) * size;
   v.bound = turned_about_x(v.bound, sin.bound.size, cos.bound.size);
   if (by_quarters(cos, sin)) return v;
   v.bound.across.error += error, v.bound.along.error += error, v.bound.whole.error += error;
@@ -57,8 +57,8 @@ constexpr VectorSum shifted(ZAxis, const Number& shift, const BoundedVector& f) 
 constexpr VectorSum shifted(XAxis, const Number& shift, const BoundedVector& f) {
   const Ball& s = shift.bound;
   VectorSum product{tightened({s * f.bound.along, s * f.bound.across, s * f.bound.whole}), {}, {}};
-  add_product(product.across, shift, f.exponent, f.bound.along.reach());
-  add_product(product.along, shift, f.exponent, f.bound.across.reach());
+  add_product(product.across, shift, f.exponent, f.bound.along.largest());
+  add_product(product.along, shift, f.exponent, f.bound.across.largest());
   return product;
 }
 

@@ -58,7 +58,7 @@ constexpr double rounding_of_products(int count, const BoundedVector& w, int exp
   Terms terms;
   for (int i = 0; i < count; ++i)
     terms.add_product(2 * w.exponent);
-  return w.bound.whole.reach() > 0.0 ? terms.rounding(exponent, *w.rounding) : 0.0;
+  return w.bound.whole.largest() > 0.0 ? terms.rounding(exponent, *w.rounding) : 0.0;
 }
 }  // namespace detail
 
@@ -66,7 +66,7 @@ constexpr double rounding_of_products(int count, const BoundedVector& w, int exp
 template <class Link>
 constexpr Products products(const BoundedVector& w, const Link& link) {
   const int exponent = link.exponent(quantity::AngularAcceleration{});
-  const double rounding = w.bound.across.reach() > 0.0 ? detail::rounding_of_products(1, w, exponent) : 0.0;
+  const double rounding = w.bound.across.largest() > 0.0 ? detail::rounding_of_products(1, w, exponent) : 0.0;
   return {w, rounding, exponent};
 }
 
@@ -141,13 +141,13 @@ struct EntrySizes {
   double dw_across, dw_along, p_across, p_along;
 };
 constexpr EntrySizes entry_sizes(const Spin& u) {
-  const double across = u.w.across.reach(), along = u.w.along.reach();
+  const double across = u.w.across.largest(), along = u.w.along.largest();
   const double mixed = across * along, squares = across * across;
-  return {u.dw.along.reach() + squares + along * along,
-          u.dw.across.reach() + mixed,
+  return {u.dw.along.largest() + squares + along * along,
+          u.dw.across.largest() + mixed,
           squares,
-          u.dw.across.reach(),
-          u.dw.along.reach(),
+          u.dw.across.largest(),
+          u.dw.along.largest(),
           mixed,
           squares};
 }

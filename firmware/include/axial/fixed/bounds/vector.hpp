@@ -59,8 +59,8 @@ constexpr SplitBall with_rounding(SplitBall v, double across, double along) {
 constexpr VectorSum vector_of(const BoundedVector& v) {
   VectorSum sum{v.bound, {}, {}};
   const auto add = [&v](Terms& terms) { v.is_literal ? terms.add_literal() : terms.add_word(v.exponent); };
-  if (v.bound.across.reach() > 0.0) add(sum.across);
-  if (v.bound.along.reach() > 0.0) add(sum.along);
+  if (v.bound.across.largest() > 0.0) add(sum.across);
+  if (v.bound.along.largest() > 0.0) add(sum.along);
   return sum;
 }
 constexpr const VectorSum& vector_of(const VectorSum& v) { return v; }
@@ -106,7 +106,7 @@ namespace detail {
 constexpr void add_product(Terms& terms, int count, Part of_u, const BoundedVector& u, Part of_v,
                            const BoundedVector& v) {
   const auto reach = [](Part part, const BoundedVector& of) {
-    return (part == Part::across ? of.bound.across : of.bound.along).reach();
+    return (part == Part::across ? of.bound.across : of.bound.along).largest();
   };
   const double a = reach(of_u, u), b = reach(of_v, v);
   for (int i = 0; i < count && a > 0.0 && b > 0.0; ++i)
@@ -152,14 +152,14 @@ constexpr const VectorSum& operator-(const VectorSum& v) { return v; }
 constexpr VectorSum operator*(const Number& factor, const BoundedVector& v) {
   const Ball& f = factor.bound;
   VectorSum product{{f * v.bound.across, f * v.bound.along, f * v.bound.whole}, {}, {}};
-  add_product(product.across, factor, v.exponent, v.bound.across.reach());
-  add_product(product.along, factor, v.exponent, v.bound.along.reach());
+  add_product(product.across, factor, v.exponent, v.bound.across.largest());
+  add_product(product.along, factor, v.exponent, v.bound.along.largest());
   return product;
 }
 /// v x z s: what is across, turned by a quarter.
 constexpr VectorSum cross_z(const BoundedVector& v, const Number& s) {
   VectorSum product{detail::split(s.bound * v.bound.across, {}), {}, {}};
-  add_product(product.across, s, v.exponent, v.bound.across.reach());
+  add_product(product.across, s, v.exponent, v.bound.across.largest());
   return product;
 }
 /// Nothing moves where the joint does not.

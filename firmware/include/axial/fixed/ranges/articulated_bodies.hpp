@@ -92,7 +92,7 @@ class ArticulatedAnalysis {
       if (p < 0) continue;
       outboard_[p] += outboard_[i];
       const bool same = m_.links[p].prismatic == m_.links[i].prismatic;
-      const double felt = same ? drive_[i] : m_.links[i].prismatic ? drive_[i] * m_.reach(i) : 0.0;
+      const double felt = same ? drive_[i] : m_.links[i].prismatic ? drive_[i] * m_.origin_distance(i) : 0.0;
       reaction[p] = felt > reaction[p] ? felt : reaction[p];
     }
     whole_ = square_root(sum);
@@ -120,7 +120,7 @@ class ArticulatedAnalysis {
     const LinkRange base{};
     const LinkRange& up = p < 0 ? base : all_.range[p];
     const double turn = up.angular_acceleration.size, least = all_.range[i].least;
-    const double carried = up.linear_acceleration.size + m_.reach(i) * turn;
+    const double carried = up.linear_acceleration.size + m_.origin_distance(i) * turn;
     const double spins = least_inertia(c) > 0.0 ? whole_ / square_root(least_inertia(c)) : unknown_size;
     const double free = energy_share(i) / square_root(least);
     const double rigorous = free + own.angular_gain.size * turn + own.linear_gain.size * carried;
@@ -165,7 +165,7 @@ class ArticulatedAnalysis {
     double linear = own.linear_acceleration.size, angular = own.angular_acceleration.size;
     if (p >= 0) {
       const LinkRange& up = all_.range[p];
-      linear = larger_of(linear, up.linear_acceleration.size + m_.reach(i) * up.angular_acceleration.size);
+      linear = larger_of(linear, up.linear_acceleration.size + m_.origin_distance(i) * up.angular_acceleration.size);
       angular = larger_of(angular, up.angular_acceleration.size);
     }
     if (p < 0 && moving != nullptr) linear += m_.loads.gravity_across + m_.loads.gravity_along;

@@ -40,7 +40,7 @@ constexpr CompositeRanges<N> composite_ranges(const Mechanism<N>& m) {
     if (i + 1 == N) link = link + CompositeRange{m.loads.payload_mass, m.loads.payload_moment, m.loads.payload_inertia};
     all.own[i] = all.own[i] + link;
     all.behind[i] = all.own[i].seen_from(m.joints[i].travel);
-    if (const int p = m.parent(i); p >= 0) all.own[p] = all.own[p] + all.own[i].seen_from(m.reach(i));
+    if (const int p = m.parent(i); p >= 0) all.own[p] = all.own[p] + all.own[i].seen_from(m.origin_distance(i));
   }
   return all;
 }

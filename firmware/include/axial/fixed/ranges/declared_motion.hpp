@@ -45,7 +45,7 @@ class DeclaredMotion {
     const LinkRange base{};
     const LinkRange& up = m_.parent(i) < 0 ? base : motion.range[m_.parent(i)];
     const double pull = m_.joints[i].acceleration, rotor = m_.loads.rotors ? m_.links[i].rotor : 0.0;
-    const double carried = up.linear_acceleration.size + m_.reach(i) * up.angular_acceleration.size;
+    const double carried = up.linear_acceleration.size + m_.origin_distance(i) * up.angular_acceleration.size;
     const double turn = larger(own.angular_acceleration.size, up.angular_acceleration.size);
     const double shift = larger(own.linear_acceleration.size, carried);
     const double moment = b.inertia * turn + b.moment * shift, force = b.moment * turn + b.mass * shift;

@@ -18,7 +18,7 @@ class ForwardErrorAnalysis {
       : m_(mechanism), r_(rounding), all_(ranges), bodies_(composite_ranges(mechanism)) {
     double energy = 0.0;
     for (int i = 0; i < N; ++i)
-      energy += all_.range[i].share, reach(i, motion);
+      energy += all_.range[i].share, propagate_sizes(i, motion);
     for (int i = N; i-- > 0;)
       receive(i);
     for (int i = 0; i < N; ++i)
@@ -56,13 +56,13 @@ class ForwardErrorAnalysis {
 
   // A link moves as its own inertia allows, or as its parent and the joint make it; the joint likewise as its D and the
   // parent's motion, as its rotor, or as the two links allow.
-  constexpr void reach(int i, const Ranges<N>& motion) {
+  constexpr void propagate_sizes(int i, const Ranges<N>& motion) {
     const auto& c = m_.links[i];
     const int p = m_.parent(i);
     const Speed up = p < 0 ? Speed{} : speed_[p];
     const LinkRange& own = all_.range[i];
     Speed& speed = speed_[i];
-    const double carried = up.shift + m_.reach(i) * up.turn, rotor = m_.loads.rotors ? c.rotor : 0.0;
+    const double carried = up.shift + m_.origin_distance(i) * up.turn, rotor = m_.loads.rotors ? c.rotor : 0.0;
     speed.joint = 1.0 / square_root(own.least) + own.angular_gain.size * up.turn + own.linear_gain.size * carried;
     if (rotor > 0.0) speed.joint = least(speed.joint, 1.0 / square_root(rotor));
     const double centre = c.mass > 0.0 ? length_of(c.hx, c.hy, c.hz) / c.mass : 0.0;
@@ -133,10 +133,12 @@ class ForwardErrorAnalysis {
     const int p = m_.parent(i);
     const LinkRange base{};
     const LinkRange& up = p < 0 ? base : all_.range[p];
-    const double turn = up.angular_acceleration.size, carried = up.linear_acceleration.size + m_.reach(i) * turn;
+    const double turn = up.angular_acceleration.size,
+                 carried = up.linear_acceleration.size + m_.origin_distance(i) * turn;
     const double tilt = m_.links[i].prismatic ? 0.0 : root2 * r_.turn_error;
     const double angular = tilt * turn + root3 * 4.0 * r_.store(format.angular_acceleration);
-    const double linear = tilt * carried + m_.reach(i) * angular + root3 * 5.0 * r_.store(format.linear_acceleration);
+    const double linear =
+        tilt * carried + m_.origin_distance(i) * angular + root3 * 5.0 * r_.store(format.linear_acceleration);
     const double ka = own.angular_gain.size * reciprocal_error + 1.5 * r_.store(format.angular_gain);
     const double kl = own.linear_gain.size * reciprocal_error + 1.5 * r_.store(format.linear_gain);
     const double joint = ka * turn + kl * carried + own.joint_acceleration.size * reciprocal_error +
