@@ -11,6 +11,11 @@
 
 #include <axial/options/begin.hpp>
 
+/// What each kernel on arrays says where they do not fit (a macro: static_assert takes a literal only).
+#define AXIAL_ARRAYS_FIT                                                                                     \
+  "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of " \
+  "double; the length of a pointer is given by axial::pointed<N>(pointer)"
+
 namespace axial {
 
 /// A pointer to N numbers, for kernels that take joint values: `inverse_dynamics<Arm>(pointed<6>(q), ...)`. The length
@@ -89,7 +94,8 @@ inline constexpr bool fits_number = std::is_void_v<number_of<A>> || std::is_same
 template <class A, int N>
 inline constexpr bool fits_length = plain_length<A> == -1 || plain_length<A> == N;
 
-/// Whether every array has a number for each joint of S, all of float or all of double.
+/// Whether every array has a number for each joint of S, all of float or all of double; where not, each kernel asserts
+/// it itself: from a function of its own the sentence would stand behind a line more of the compiler's.
 template <class S, class... A>
 inline constexpr bool takes_arrays = (true && ... &&
                                       fits_length<A, joint_count<S>>)&&((true && ... && fits_number<A, float>) ||
@@ -109,14 +115,10 @@ AXIAL_INLINE constexpr auto as_joint_values(const A& given) {
   }
 }
 
-/// What `run` makes of joint values, of which some are arrays. Where these do not fit one sentence says so, and nothing
-/// behind it has to.
+/// What `run` makes of joint values, of which some are arrays; nothing where these do not fit, so that the kernel's one
+/// sentence about that is all that a compiler prints.
 template <class S, class Empty, class Run, class... A>
 AXIAL_INLINE constexpr auto with_joint_values(const Run& run, const A&... given) {
-  static_assert(
-      takes_arrays<S, A...>,
-      "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of "
-      "double; the length of a pointer is given by axial::pointed<N>(pointer)");
   if constexpr (takes_arrays<S, A...>)
     return run(as_joint_values<S>(given)...);
   else
@@ -130,51 +132,61 @@ AXIAL_INLINE constexpr auto with_joint_values(const Run& run, const A&... given)
 ///@{
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto inverse_dynamics(const A&... given) {
+  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, Efforts<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return inverse_dynamics<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto gravity_torque(const A&... given) {
+  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, Efforts<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return gravity_torque<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto bias_torque(const A&... given) {
+  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, Efforts<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return bias_torque<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto forward_dynamics(const A&... given) {
+  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, ForwardDynamicsOf<S, float>>(
       [](const auto&... in) AXIAL_INLINE { return forward_dynamics<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto mass_matrix(const A&... given) {
+  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, MassMatrix<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return mass_matrix<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto forward_kinematics(const A&... given) {
+  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, ForwardKinematics<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return forward_kinematics<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto jacobian(const A&... given) {
+  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, Jacobian<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return jacobian<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto separate(const A&... given) {
+  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, Separated<S, float>>(
       [](const auto&... in) AXIAL_INLINE { return separate<S>(in...); }, given...);
 }
 template <class S, int Joint, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto joint_torque(const A&... given) {
+  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, float>(
       [](const auto&... in) AXIAL_INLINE { return joint_torque<S, Joint>(in...); }, given...);
 }
 template <class S, int Joint, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto gravity_torque(const A&... given) {
+  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, float>(
       [](const auto&... in) AXIAL_INLINE { return gravity_torque<S, Joint>(in...); }, given...);
 }
