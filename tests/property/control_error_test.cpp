@@ -169,6 +169,72 @@ TYPED_TEST(ControlErrors, ResidualsStayInsideTheirBound) {
     EXPECT_EQ(compared[i], bound[i] + std::ldexp(0.5, -Residuals<S, Fixed32, Tuning>::exponent(i)));
 }
 
+// The payload estimator's difference equation in real numbers: its columns behind the observer's lag.
+template <class R, class Tuning>
+struct RealRows {
+  using Columns = detail::PayloadColumns<Scene<R, Gravity>, double>;
+  double row[joint_count<R>][4] = {};
+  Columns last{};
+  bool ready = false;
+
+  void sample(const Joints<R, double>& q, const Joints<R, double>& qd) {
+    const auto now = detail::payload_columns<Scene<R, Gravity>, double>(q, qd);
+    const double share = Tuning::gain * Tuning::period / (1.0 + Tuning::gain * Tuning::period);
+    for (int i = 0; ready && i < joint_count<R>; ++i)
+      for (int k = 0; k < 4; ++k) {
+        const double change = (now.momentum[i].of[k] - last.momentum[i].of[k]) / Tuning::period;
+        row[i][k] += share * (change - 0.5 * (now.drift[i].of[k] + last.drift[i].of[k]) - row[i][k]);
+      }
+    last = now, ready = true;
+  }
+};
+
+/// How near rows come to what is certified of them: of masses, of first moments.
+struct Nearest {
+  double mass = 0.0, moment = 0.0;
+};
+template <class Tuning, class R, class Test>
+Nearest nearest_row(Test& test) {
+  using S = Scene<R, Gravity, RangeCheck>;
+  using Sums = detail::PayloadSums<S, Fixed32, Tuning>;
+  constexpr auto bound = error_bound<S>(algorithm::PayloadEstimator<Tuning>{});
+  Nearest nearest;
+  for (int run = 0; run < 60; ++run) {
+    PayloadState<S, Fixed32> state{};
+    RealRows<R, Tuning> exact;
+    for (int sample = 0; sample < 8; ++sample) {
+      const auto motion = test.motion();
+      const auto at = to_fixed_request<S, std::int32_t>(motion.q, motion.qd, motion.qdd);
+      for (int held = 0; held < 30; ++held) {
+        EXPECT_TRUE((update_payload<S, Fixed32, Tuning>(state, at.q, at.qd, {}).ok()));
+        exact.sample(to_real<double>(at.q), to_real<double>(at.qd));
+        for (int i = 0; i < joint_count<R>; ++i)
+          for (int k = 0; k < 4; ++k) {
+            const double off = std::fabs(real(state.lagged[i].of[k], Sums::formats.exponent[k]) - exact.row[i][k]);
+            const double most = k == 0 ? bound.mass[i] : bound.first_moment[i];
+            EXPECT_LE(off, most) << i << k;
+            double& part = k == 0 ? nearest.mass : nearest.moment;
+            part = std::fmax(part, off / most);
+          }
+      }
+    }
+  }
+  std::printf("rows come to %.3f of their bounds, %.3f along moments\n", nearest.mass, nearest.moment);
+  return nearest;
+}
+struct Weighing : Tuning {
+  static constexpr double deviation = 0.001, memory = 10.0, mass_deviation = 0.02, moment_deviation = 0.01;
+};
+struct SlowWeighing : SlowTuning {
+  static constexpr double deviation = 0.001, memory = 100.0, mass_deviation = 0.02, moment_deviation = 0.01;
+};
+TYPED_TEST(ControlErrors, RowsOfAPayloadStayInsideTheirBounds) {
+  for (const Nearest& of : {nearest_row<Weighing, TypeParam>(*this), nearest_row<SlowWeighing, TypeParam>(*this)}) {
+    EXPECT_GT(of.mass, 0.02);
+    EXPECT_GT(of.moment, 0.02);
+  }
+}
+
 // One step of exact words at the ends of their range against the same step in real numbers.
 TEST(Residuals, RoundAStepAsItsBoundSays) {
   using S = SceneOf<robots::ScaraRrpr>;

@@ -10,6 +10,7 @@
 #include <axial/fixed/control/fall_back.hpp>
 #include <axial/fixed/control/observer_error.hpp>
 #include <axial/fixed/control/payload_border.hpp>
+#include <axial/fixed/control/payload_error.hpp>
 #include <axial/fixed/control/payload_words.hpp>
 #include <axial/fixed/control/tracking.hpp>
 #include <axial/fixed/dynamics/certified_forward_dynamics.hpp>

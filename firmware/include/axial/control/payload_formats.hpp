@@ -18,6 +18,13 @@ constexpr Vec3<double> world_gravity() {
   return {r[0] * x + r[1] * y + r[2] * z, r[3] * x + r[4] * y + r[5] * z, r[6] * x + r[7] * y + r[8] * z};
 }
 
+/// Per unit of mass (kg) and of first moment (kg m, axes of the last link): the payload's row of one joint. In fixed
+/// point words at the exponents of ColumnRounding.
+template <class T>
+struct PayloadRow {
+  T of[4] = {};
+};
+
 /// How payload columns are read and rounded: as they are.
 template <class S, class T>
 struct ColumnRounding {
@@ -45,7 +52,10 @@ struct ColumnRounding {
     }
   };
   static constexpr Same turning{}, moving{}, slope{}, momentum_along{}, momentum_across{}, drift_along{},
-      drift_across{}, store{};
+      drift_across{};
+  static constexpr PayloadRow<T> row(const T& mass, const Vec3<T>& moment) {
+    return {{mass, moment.x, moment.y, moment.z}};
+  }
 };
 
 }  // namespace axial::detail

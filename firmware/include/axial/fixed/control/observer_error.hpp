@@ -66,23 +66,30 @@ struct BoundedResidualFormats {
   }
 };
 
-/// Error of joint i's residual, raw, where momenta and drifts are off by at most so much (SI). A residual that is off
-/// moves on as b + k times that, k < 1: it never exceeds b / (1 - k).
-template <class S, class Word, class Tuning>
-constexpr double residual_error(int i, double momentum_error, double drift_error) {
-  using T = Stored<Word>;
-  constexpr BoundedResidualFormats<S, Word, Tuning> f{};
+/// Error of what passes the observer's lag, raw: of joint i's, or of the i-th entry of a payload's rows. p and drift
+/// are off by their errors, tau is exact. What is off moves on as b + k times that, k < 1: it never exceeds b / (1 -
+/// k).
+template <class Tuning, class Formats>
+constexpr double lagged_error(const Formats& f, int i, double momentum_error, double drift_error) {
   constexpr double most = power_of_two(31), share = residual_share<Tuning>() * power_of_two(30);
   constexpr auto stored = shares_of<Tuning>();
   constexpr Shares<RawFactor> shares{raw_factor(stored.taken, share),
                                      raw_factor(stored.kept, power_of_two(30) - share)};
-  const RawBound p{{most, momentum_error * power_of_two(MomentaOf<S, T>::exponent(i))}};
-  const RawBound drift{{most, drift_error * power_of_two(MomentumRatesOf<S, T>::exponent(i))}}, tau{{most, 0.0}};
+  const RawBound p{{most, momentum_error}}, drift{{most, drift_error}}, tau{{most, 0.0}};
   const auto next = [&](double error) {
     return next_residual(f, i, shares, RawBound{{most, error}}, p, p, tau, drift, drift).bound.error;
   };
   const double fresh = next(0.0), kept = next(1.0) - fresh;
   return fresh / (1.0 - kept);
+}
+
+/// Error of joint i's residual, raw, where momenta and drifts are off by at most so much (SI).
+template <class S, class Word, class Tuning>
+constexpr double residual_error(int i, double momentum_error, double drift_error) {
+  using T = Stored<Word>;
+  return lagged_error<Tuning>(BoundedResidualFormats<S, Word, Tuning>{}, i,
+                              momentum_error * power_of_two(MomentaOf<S, T>::exponent(i)),
+                              drift_error * power_of_two(MomentumRatesOf<S, T>::exponent(i)));
 }
 
 }  // namespace detail

@@ -65,12 +65,10 @@ struct ColumnRounding<S, Stored<Word>> {
         return round_to<E>(x);
     }
   };
-  struct Store {
-    template <int E>
-    constexpr Stored<Word> operator()(const Fx<E, A>& x) const {
-      return {x.raw};
-    }
-  };
+  template <int E, int H>
+  static constexpr PayloadRow<Stored<Word>> row(const Fx<E, A>& mass, const Vec3<Fx<H, A>>& moment) {
+    return {{{mass.raw}, {moment.x.raw}, {moment.y.raw}, {moment.z.raw}}};
+  }
   using Turning = Vec3<Fx<turning_exponent, A>>;
   using Moving = Vec3<Fx<moving_exponent, A>>;
   static constexpr To<turning_exponent> turning{};
@@ -80,7 +78,6 @@ struct ColumnRounding<S, Stored<Word>> {
   static constexpr To<momentum[1]> momentum_across{};
   static constexpr To<drift[0]> drift_along{};
   static constexpr To<drift[1]> drift_across{};
-  static constexpr Store store{};
 };
 
 }  // namespace axial::detail

@@ -1,0 +1,191 @@
+// The certified error of the equations that a payload estimator sums: its columns and their lag, run on bounds.
+#pragma once
+
+#include <axial/fixed/bounds/kinematics.hpp>
+#include <axial/fixed/control/observer_error.hpp>
+#include <axial/fixed/control/payload_estimator.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+
+namespace algorithm {
+/// update_payload() of a tuning.
+template <class Tuning>
+struct PayloadEstimator {};
+}  // namespace algorithm
+
+/// How far the equation of each joint, residual = -(row . (mass, first moment)), is from the one in real numbers of the
+/// same samples.
+template <int N>
+struct PayloadEquationBound {
+  ErrorBound<N> mass;          ///< of the row's entry, N m or N per kg
+  ErrorBound<N> first_moment;  ///< of each of the three others, N m or N per kg m
+  ErrorBound<N> residual;      ///< of what stands opposite, N m or N
+
+  /// What a payload of so much mass (kg) and |first moment| (kg m) makes of it: N m or N, to be compared with the
+  /// deviation that the tuning gives the joint's residual.
+  [[nodiscard]] constexpr ErrorBound<N> of(double kg, double moment) const {
+    ErrorBound<N> all;
+    for (int i = 0; i < N; ++i)
+      all.of[i] = mass[i] * kg + first_moment[i] * bounds::detail::root3 * moment + residual[i];
+    return all;
+  }
+};
+
+namespace bounds {
+
+/// A rotation's transpose, of words, times words: three products a component. Rows are off by so much each.
+constexpr VectorSum transpose_times(const Rotation& r, const BoundedVector& v) {
+  using detail::hypotenuse;
+  const Ball turn{1.0, hypotenuse(hypotenuse(r.x.bound.whole.error, r.y.bound.whole.error), r.z.bound.whole.error)};
+  const Ball whole = turn * v.bound.whole;
+  VectorSum sum{{whole, whole, whole}, {}, {}};
+  for (int i = 0; i < 3; ++i)
+    sum.across.add_product(r.x.exponent + v.exponent), sum.along.add_product(r.x.exponent + v.exponent);
+  return sum;
+}
+
+/// A payload's row of one joint.
+struct PayloadRowBound {
+  Ball mass{}, moment{};  ///< per kg; each entry per kg m
+};
+/// Columns, as PayloadColumns has them.
+template <int N>
+struct PayloadColumnBounds {
+  Row<PayloadRowBound, N> momentum{}, drift{};
+};
+
+/// ColumnRounding in bounds: what it makes of words at its exponents.
+template <class S, class Word>
+class PayloadColumnRounding {
+  using F = axial::detail::ColumnRounding<S, Stored<Word>>;
+  using R = robot_of<S>;
+
+ public:
+  /// Sums after their one rounding, and what is rounded already brought to fewer digits.
+  struct To {
+    int exponent;
+    const WordRounding* rounding;
+    constexpr BoundedVector operator()(const VectorSum& x) const {
+      const double across = x.across.rounding(exponent, *rounding), along = x.along.rounding(exponent, *rounding);
+      return {detail::with_rounding(x.bound, detail::root2 * across, along), exponent, false, rounding};
+    }
+    constexpr Number operator()(const NumberSum& x) const {
+      return word_of({x.bound.size, x.bound.error + x.terms.rounding(exponent, *rounding)}, exponent);
+    }
+  };
+  using Turning = BoundedVector;
+  using Moving = BoundedVector;
+
+  constexpr explicit PayloadColumnRounding(const WordRounding& r) : rounding_(&r) {}
+  static constexpr const BoundedVector& direction(const BoundedVector& x) { return x; }
+  static constexpr const BoundedVector& way(const BoundedVector& x) { return x; }
+  /// Shifted down to the coarsest speed's exponent.
+  static constexpr Number speed(const R&, int i) {
+    const bool shifted = F::Speeds::exponent(i) > F::speed_exponent;
+    return word_of({R::chain.links[i].speed_limit, shifted ? WordRounding::ulp(F::speed_exponent) : 0.0},
+                   F::speed_exponent);
+  }
+  constexpr BoundedVector gravity() const {
+    const double half = 0.5 * WordRounding::ulp(F::gravity_exponent);
+    const Ball whole{F::weight, F::weight > 0.0 ? detail::root3 * half : 0.0};
+    return {{whole, whole, whole}, F::gravity_exponent, false, rounding_};
+  }
+  static constexpr PayloadRowBound row(const Number& mass, const BoundedVector& moment) {
+    return {mass.bound, moment.bound.whole};
+  }
+
+ private:
+  const WordRounding* rounding_;
+
+ public:
+  /// Each at its exponent of ColumnRounding.
+  ///@{
+  To turning{F::turning_exponent, rounding_}, moving{F::moving_exponent, rounding_},
+      slope{F::slope_exponent, rounding_}, momentum_along{F::momentum[0], rounding_},
+      momentum_across{F::momentum[1], rounding_}, drift_along{F::drift[0], rounding_},
+      drift_across{F::drift[1], rounding_};
+  ///@}
+};
+
+/// A link's axes in the world, as its pose was computed.
+template <int N>
+constexpr Rotation axes_of(const Ranges<N>& ranges, int link, const WordRounding& rounding) {
+  const Ball any{1.0, ranges.range[link].rotation.error};
+  const BoundedVector row{{any, any, any}, rounding.bits - 2, false, &rounding};
+  return {row, row, row};
+}
+
+/// The columns' bounds, inside the declared limits.
+template <class S, class Word>
+constexpr auto payload_columns() {
+  using Scene = scene_of<S>;
+  constexpr int n = joint_count<S>;
+  const WordRounding rounding = rounding_in<Scene, axial::detail::ArithmeticOf<Scene, Word>>();
+  constexpr const auto& ranges = axial::detail::ranges_for<Scene, Word, FullParameters, recursion::Kinematics>;
+  const auto columns = jacobian_bounds(
+      mechanism_of<Scene, axial::detail::with_rotors<Scene, parameters_of<Scene, FullParameters>>>, rounding, ranges);
+  PayloadColumnBounds<n> all;
+  axial::detail::write_payload_columns(PayloadColumnRounding<S, Word>(rounding), n, columns.columns,
+                                       axes_of(ranges, n - 1, rounding), robot_of<S>{}, all);
+  return all;
+}
+
+}  // namespace bounds
+
+namespace detail {
+
+/// The factors of PayloadSums in bounds; no effort is among a payload's own.
+template <class S, class Word, class Tuning>
+struct BoundedPayloadFormats {
+  RawFactor momentum[4] = {}, effort[4] = {}, half_drift[4] = {};
+
+  constexpr BoundedPayloadFormats() {
+    using F = ColumnRounding<S, Stored<Word>>;
+    constexpr const auto& f = PayloadSums<S, Stored<Word>, Tuning>::formats;
+    for (int k = 0; k < 4; ++k) {
+      const int own = f.exponent[k] + 31;
+      momentum[k] = raw_factor(f.momentum[k], power_of_two(own - F::momentum[k > 0]) / Tuning::period);
+      half_drift[k] = raw_factor(f.half_drift[k], 0.5 * power_of_two(own - F::drift[k > 0]));
+    }
+  }
+};
+
+/// Of entry k of joint's lagged row, SI, as it is summed: its weight is a factor in 2^-31 that is off by half a unit,
+/// and its product is rounded to nearest: one unit in all.
+template <class S, class Word, class Tuning>
+constexpr double payload_entry_error(int joint, int k, double momentum_error, double drift_error) {
+  using F = ColumnRounding<S, Stored<Word>>;
+  constexpr const auto& f = PayloadSums<S, Stored<Word>, Tuning>::formats;
+  const double lagged = lagged_error<Tuning>(BoundedPayloadFormats<S, Word, Tuning>{}, k,
+                                             momentum_error * power_of_two(F::momentum[k > 0]),
+                                             drift_error * power_of_two(F::drift[k > 0]));
+  return lagged * WordRounding::ulp(f.exponent[k]) + residual_deviation<S, Tuning>(joint) * WordRounding::ulp(f.row[k]);
+}
+
+}  // namespace detail
+
+/// Of the equations that update_payload() sums, of an observer of the same tuning. What an estimate makes of them
+/// depends on how well the motion tells the payload's parameters apart: that is its variance.
+template <class S, class T = Fixed32, class Tuning>
+[[nodiscard]] constexpr auto error_bound(algorithm::PayloadEstimator<Tuning>) {
+  using Word = typename T::Word;
+  constexpr int n = joint_count<S>;
+  const auto columns = bounds::payload_columns<S, Word>();
+  const auto residuals = error_bound<S, T>(algorithm::MomentumObserver<Tuning>{});
+  constexpr const auto& f = detail::PayloadSums<S, T, Tuning>::formats;
+  PayloadEquationBound<n> all;
+  for (int i = 0; i < n; ++i) {
+    const auto &p = columns.momentum[i], &d = columns.drift[i];
+    all.mass.of[i] = detail::payload_entry_error<S, Word, Tuning>(i, 0, p.mass.error, d.mass.error);
+    all.first_moment.of[i] = detail::payload_entry_error<S, Word, Tuning>(i, 1, p.moment.error, d.moment.error);
+    all.residual.of[i] =
+        residuals[i] + detail::residual_deviation<S, Tuning>(i) * WordRounding::ulp(f.residual_exponent);
+  }
+  return all;
+}
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>
