@@ -9,7 +9,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "host_sim" / "plot"))
-from tables import fill, grouped, load  # noqa: E402
+from tables import fill, grouped, load, markdown  # noqa: E402
 
 PAGE = ROOT / "doc" / "measurements" / "boards.md"
 MEASURED = ("size", "number_systems", "on_board")  # doc/data/<name>.json; each row names its board
@@ -57,9 +57,8 @@ def cells(row):
             ", ".join(row["tests"]) or "none", ", ".join(row["figures"]) or "none", row["run"]]
 
 
-def markdown(all_rows):
-    lines = [HEADER, ["---", "---", "---:", "---:", "---", "---", "---", "---"], *map(cells, all_rows)]
-    return "".join("| " + " | ".join(line) + " |\n" for line in lines)
+def table(all_rows):
+    return markdown(HEADER, map(cells, all_rows), words=(0, 1, 4, 5, 6, 7))
 
 
 def text(all_rows):
@@ -105,7 +104,7 @@ def main():
     if options.check:
         return check(found)
     if options.documents:
-        fill(PAGE, lambda _: markdown(found))
+        fill(PAGE, lambda _: table(found))
     print(text(found), end="")
     return 0
 

@@ -39,9 +39,10 @@ def load_csv(file):
         return list(csv.DictReader(lines))
 
 
-def markdown(header, rows):
-    """Columns after the first are numbers: aligned to the right."""
-    lines = [header, ["---"] + ["---:"] * (len(header) - 1)] + rows
+def markdown(header, rows, words=1):
+    """Numbers, to the right, in the columns whose places are not in `words`: how many stand first, or which ones."""
+    words = range(words) if isinstance(words, int) else words
+    lines = [header, ["---" if k in words else "---:" for k in range(len(header))], *rows]
     return "".join("| " + " | ".join(line) + " |\n" for line in lines)
 
 
@@ -109,9 +110,7 @@ def headline(data):
              f"{count('fixed32', board='nrf51', **puma)}, {count('float', board='nrf51', **puma)}"],
             ["forward dynamics of a SCARA and of a Panda, float, STM32F405",
              ", ".join(count("float", board="stm32f405", robot=robot, algorithm="forward_dynamics") for robot in ("scara", "panda"))]]
-    lines = [["what", "cost"], ["---", "---"], *rows]
-    table = "".join("| " + " | ".join(line) + " |\n" for line in lines)
-    return table + f"\nMeasured at commit `{data.provenance['commit']}`, kernels at commit `{data.size_provenance['commit']}`.\n"
+    return markdown(["what", "cost"], rows, words=2) + f"\nMeasured at commit `{data.provenance['commit']}`, kernels at commit `{data.size_provenance['commit']}`.\n"
 
 
 def instructions(data):
