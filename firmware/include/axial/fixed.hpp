@@ -1,6 +1,15 @@
 // Fixed point: the plug-in. With it Fixed32 and Fixed16 are numbers of every algorithm.
 #pragma once
 
+// What refuses arguments, each from here: a compiler names the headers on the way before the sentence.
+#include <axial/dynamics/plain_arrays.hpp>
+
+#include <axial/dynamics/role_checks.hpp>
+
+#include <axial/control/plain_arrays.hpp>
+
+#include <axial/control/role_checks.hpp>
+
 #include <axial/axial.hpp>
 
 #include <axial/fixed/closed_form/scara.hpp>

@@ -16,30 +16,22 @@ using OfStateAndPosition = Order<void, role::Position>;                         
 ///@{
 template <class S, class State, class... A, class = detail::IfOutOfOrder<detail::OfStateAndMotion, State, A...>>
 [[nodiscard]] constexpr FeedforwardResult<S, float> feedforward(State&, const A&...) {
-  static_assert(
-      !detail::is_out_of_order<detail::OfStateAndMotion, State, A...>,
-      "axial: positions, velocities and accelerations are mixed up; give them in the order q, qd, qdd (or tau)");
+  static_assert(!detail::is_out_of_order<detail::OfStateAndMotion, State, A...>, AXIAL_ROLES_MIXED);
   return {};
 }
 template <class S, class State, class... A, class = detail::IfOutOfOrder<detail::OfStateAndPosition, State, A...>>
 [[nodiscard]] constexpr FeedforwardResult<S, float> compensate_gravity(State&, const A&...) {
-  static_assert(
-      !detail::is_out_of_order<detail::OfStateAndPosition, State, A...>,
-      "axial: positions, velocities and accelerations are mixed up; give them in the order q, qd, qdd (or tau)");
+  static_assert(!detail::is_out_of_order<detail::OfStateAndPosition, State, A...>, AXIAL_ROLES_MIXED);
   return {};
 }
 template <class S, class... A, class = detail::IfOutOfOrder<detail::OfMotion, A...>>
 [[nodiscard]] constexpr Status check_request(const A&...) {
-  static_assert(
-      !detail::is_out_of_order<detail::OfMotion, A...>,
-      "axial: positions, velocities and accelerations are mixed up; give them in the order q, qd, qdd (or tau)");
+  static_assert(!detail::is_out_of_order<detail::OfMotion, A...>, AXIAL_ROLES_MIXED);
   return {};
 }
 template <class S, class... A, class = detail::IfOutOfOrder<detail::OfMotion, A...>>
 [[nodiscard]] constexpr Request<S, float> clamped_request(const A&...) {
-  static_assert(
-      !detail::is_out_of_order<detail::OfMotion, A...>,
-      "axial: positions, velocities and accelerations are mixed up; give them in the order q, qd, qdd (or tau)");
+  static_assert(!detail::is_out_of_order<detail::OfMotion, A...>, AXIAL_ROLES_MIXED);
   return {};
 }
 ///@}

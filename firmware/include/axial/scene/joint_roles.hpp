@@ -5,6 +5,10 @@
 
 #include <axial/options/begin.hpp>
 
+/// What a call says where values stand in each other's place (a macro: static_assert takes a literal only).
+#define AXIAL_ROLES_MIXED \
+  "axial: positions, velocities and accelerations are mixed up; give them in the order q, qd, qdd (or tau)"
+
 namespace axial {
 
 /// Positions that say what they are, rad or m: wherever axial::Joints (in fixed point the type of the role) are taken,
@@ -27,7 +31,7 @@ struct JointAccelerations : Accelerations<robot_of<S>, T> {
 
 namespace detail {
 
-/// What an argument says that it is; void where it says nothing.
+/// What an argument says that it is; void where it says nothing. In fixed point every type says it.
 ///@{
 template <class A, class = void>
 struct RoleSaid {
@@ -36,6 +40,10 @@ struct RoleSaid {
 template <class A>
 struct RoleSaid<A, std::void_t<typename A::Role>> {
   using type = typename A::Role;
+};
+template <class S, class T, class Said>
+struct RoleSaid<Joints<S, T, Said>, void> {
+  using type = Said;
 };
 ///@}
 
@@ -63,7 +71,8 @@ template <class Wanted, class... A>
 inline constexpr bool is_out_of_order = Wanted::broken(static_cast<std::remove_all_extents_t<A>*>(nullptr)...);
 
 using OfPosition = Order<role::Position>;                                    ///< q
-using OfState = Order<role::Position, role::Velocity>;                       ///< q, qd, and then an effort
+using OfState = Order<role::Position, role::Velocity>;                       ///< q, qd
+using OfDriven = Order<role::Position, role::Velocity, role::Effort>;        ///< q, qd, tau
 using OfMotion = Order<role::Position, role::Velocity, role::Acceleration>;  ///< q, qd, qdd
 
 }  // namespace detail
