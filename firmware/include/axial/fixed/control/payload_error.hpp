@@ -53,7 +53,7 @@ struct PayloadRowBound {
 /// Columns, as PayloadColumns has them.
 template <int N>
 struct PayloadColumnBounds {
-  Row<PayloadRowBound, N> momentum{}, drift{};
+  Row<PayloadRowBound, N> momentum{}, drift{};  ///< a row for each joint
 };
 
 /// ColumnRounding in bounds: what it makes of words at its exponents.
@@ -65,33 +65,41 @@ class PayloadColumnRounding {
  public:
   /// Sums after their one rounding, and what is rounded already brought to fewer digits.
   struct To {
-    int exponent;
-    const WordRounding* rounding;
+    int exponent;                  ///< of what is kept
+    const WordRounding* rounding;  ///< of the arithmetic
+    /// A vector's components, each.
     constexpr BoundedVector operator()(const VectorSum& x) const {
       const double across = x.across.rounding(exponent, *rounding), along = x.along.rounding(exponent, *rounding);
       return {detail::with_rounding(x.bound, detail::root2 * across, along), exponent, false, rounding};
     }
+    /// A number.
     constexpr Number operator()(const NumberSum& x) const {
       return word_of({x.bound.size, x.bound.error + x.terms.rounding(exponent, *rounding)}, exponent);
     }
   };
-  using Turning = BoundedVector;
-  using Moving = BoundedVector;
+  using Turning = BoundedVector;  ///< angular velocities
+  using Moving = BoundedVector;   ///< linear ones
 
+  /// Of an arithmetic, which stays where it is.
   constexpr explicit PayloadColumnRounding(const WordRounding& r) : rounding_(&r) {}
+  /// Words as the Jacobian stored them: nothing is rounded.
+  ///@{
   static constexpr const BoundedVector& direction(const BoundedVector& x) { return x; }
   static constexpr const BoundedVector& way(const BoundedVector& x) { return x; }
+  ///@}
   /// Shifted down to the coarsest speed's exponent.
   static constexpr Number speed(const R&, int i) {
     const bool shifted = F::Speeds::exponent(i) > F::speed_exponent;
     return word_of({R::chain.links[i].speed_limit, shifted ? WordRounding::ulp(F::speed_exponent) : 0.0},
                    F::speed_exponent);
   }
+  /// Three constants as words.
   constexpr BoundedVector gravity() const {
     const double half = 0.5 * WordRounding::ulp(F::gravity_exponent);
     const Ball whole{F::weight, F::weight > 0.0 ? detail::root3 * half : 0.0};
     return {{whole, whole, whole}, F::gravity_exponent, false, rounding_};
   }
+  /// What a row holds.
   static constexpr PayloadRowBound row(const Number& mass, const BoundedVector& moment) {
     return {mass.bound, moment.bound.whole};
   }
