@@ -1,7 +1,7 @@
 // A kernel over the real numbers: what its operations on exact numbers amount to, as a formula.
 #pragma once
 
-#include <axial/scalar/sincos.hpp>
+#include <axial/links/links.hpp>
 
 #include <string>
 #include <vector>
@@ -101,4 +101,10 @@ template <>
 struct axial::NumberTraits<prove::Real> {
   static constexpr bool is_number = true;
   static constexpr prove::Real constant(double value) { return prove::Real::constant(value); }
+};
+
+/// The links that words have: without axial masses, of which they know none, so that both runs take the same steps.
+template <class Scene, class Parameters, class Recursion>
+struct axial::LinksOf<Scene, prove::Real, Parameters, Recursion> {
+  static constexpr auto links() { return axial::StaticLinks<Scene, prove::Real, Parameters>{}; }
 };

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Gappa accepts the SCARA's closed form, and refuses it with a mistake in it.
+"""Gappa accepts the SCARA's closed form and inverse dynamics, and refuses the first with a mistake in it.
 
 usage: prove_test.py PROVE_SCRIPTS
 Exits 77 (skipped) where gappa is not installed: `./axial prove` installs it.
@@ -15,10 +15,10 @@ import unittest
 SUBJECT = "scara_closed_form"
 
 
-def accepts(text):
+def accepts(text, seconds=20):
     """Whether Gappa finds a proof before long; it needs two seconds for the kernel as it is."""
     try:
-        done = subprocess.run(["gappa", "-Eno-auto-dichotomy"], input=text, capture_output=True, text=True, timeout=20, check=False)
+        done = subprocess.run(["gappa", "-Eno-auto-dichotomy"], input=text, capture_output=True, text=True, timeout=seconds, check=False)
     except subprocess.TimeoutExpired:
         return False
     assert done.returncode == 0 or "some properties were not satisfied" in done.stderr, done.stderr
@@ -36,13 +36,24 @@ def scaled_bound(text, factor):
                   text[text.index("->"):], count=1)
 
 
+def scripts(subject):
+    """What is to be proved of a subject's errors, and of its words."""
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([SCRIPTS, "--output", folder, "--subject", subject], check=True)
+        return [pathlib.Path(folder, f"{subject}.{kind}.g").read_text(encoding="utf-8") for kind in ("errors", "words")]
+
+
+class NewtonEuler(unittest.TestCase):
+    def test_errors_of_the_scara_are_accepted(self):
+        errors, _ = scripts("scara_inverse_dynamics")
+        self.assertTrue(accepts(errors, seconds=90))
+
+
 class Mistakes(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([SCRIPTS, "--output", folder, "--subject", SUBJECT], check=True)
-            cls.errors, cls.words = (pathlib.Path(folder, f"{SUBJECT}.{kind}.g").read_text(encoding="utf-8") for kind in ("errors", "words"))
-            cls.errors = first_goal(cls.errors)
+        cls.errors, cls.words = scripts(SUBJECT)
+        cls.errors = first_goal(cls.errors)
 
     def rounding(self, text, which, change):
         """The script with one rounding changed."""
