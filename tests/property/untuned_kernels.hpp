@@ -22,9 +22,10 @@ class UntunedKernels : UntunedReference<R> {
   using State = typename Base::State;
   using Base::joints;
 
-  enum Kernel { inverse, bias, gravity, mass, poses, columns, momenta, drifts, separated, kernels };
-  static constexpr const char* names[kernels] = {"inverse dynamics", "bias",    "gravity", "mass matrix",     "poses",
-                                                 "Jacobian",         "momenta", "drifts",  "separated torque"};
+  enum Kernel { inverse, bias, gravity, mass, poses, columns, momenta, drifts, separated, payload, kernels };
+  static constexpr const char* names[kernels] = {
+      "inverse dynamics", "bias",    "gravity", "mass matrix",      "poses",
+      "Jacobian",         "momenta", "drifts",  "separated torque", "payload's columns"};
   double nearest[kernels] = {}, nearest_of_joint[joints] = {};
   double share[joints] = {};  ///< of inverse dynamics at the last state
   std::uint64_t overflows[kernels] = {};
@@ -36,6 +37,7 @@ class UntunedKernels : UntunedReference<R> {
     see_efforts(state, q, qd, qdd);
     see_structure(state, q);
     see_momenta(state, q, qd);
+    see_payload(state, q, qd);
   }
 
  private:
@@ -116,6 +118,27 @@ class UntunedKernels : UntunedReference<R> {
     const auto exact = momentum_terms(model(), q, qd);
     see_joints(momenta, got.momentum, exact.momentum, axial::error_bound<Checked>(axial::algorithm::Momentum{}));
     see_joints(drifts, got.drift, exact.drift, axial::error_bound<Checked>(axial::algorithm::MomentumDrift{}));
+  }
+  template <class Q>
+  void see_payload(const State& state, const Q& q, const Q& qd) {
+    using Formats = axial::detail::ColumnRounding<Checked, axial::Fixed32>;
+    constexpr auto bound = axial::bounds::payload_columns<Checked, std::int32_t>();
+    const auto got = run(payload, [&] { return axial::detail::payload_columns<Checked>(state.q, state.qd); });
+    axial::Joints<R, double> position{}, velocity{};
+    for (int i = 0; i < joints; ++i)
+      position[i] = q[i], velocity[i] = qd[i];
+    const auto exact = axial::detail::payload_columns<Checked>(position, velocity);
+    const auto see_row = [&](const auto& words, const auto& row, const auto& within, const int(&exponents)[2]) {
+      for (int k = 0; k < 4; ++k) {
+        const double found = words.of[k].raw * axial::detail::power_of_two(-exponents[k > 0]);
+        see(payload, std::fabs(found - row.of[k]), k > 0 ? within.moment.error : within.mass.error,
+            std::fabs(row.of[k]));
+      }
+    };
+    for (int i = 0; i < joints; ++i) {
+      see_row(got.momentum[i], exact.momentum[i], bound.momentum[i], Formats::momentum);
+      see_row(got.drift[i], exact.drift[i], bound.drift[i], Formats::drift);
+    }
   }
 };
 

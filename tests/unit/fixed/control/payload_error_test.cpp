@@ -10,8 +10,7 @@ namespace {
 using namespace axial;
 
 struct Tuning {
-  static constexpr double period = 1e-3, gain = 50.0, fraction = 0.02, uncertainty = 0.1;
-  static constexpr double deviation = 0.003, memory = 10.0, mass_deviation = 0.02, moment_deviation = 0.01;
+  static constexpr double period = 1e-3, gain = 50.0, deviation = 0.003, memory = 10.0;
 };
 struct LeaningLinks {
   static constexpr Link link(double speed) {
@@ -82,7 +81,7 @@ TEST(PayloadError, OfColumnsPassesTheLag) {
 }
 
 TEST(PayloadError, OfSpeedsIsTheirShift) {
-  const auto fast = Rounding::speed({}, 0), slow = Rounding::speed({}, 1);
+  const auto fast = Rounding::speed(Leaning{}, 0), slow = Rounding::speed(Leaning{}, 1);
   EXPECT_EQ(fast.bound.error, 0.0);
   ASSERT_GT(F::Speeds::exponent(1), F::speed_exponent);
   F::Speeds speeds{};
@@ -101,7 +100,7 @@ TEST(PayloadError, OfGravityIsHalfAUnitEach) {
   const auto word = F::gravity();
   const auto off = [](double raw, double exact) { return std::fabs(raw * unit(F::gravity_exponent) - exact); };
   const double worst = std::hypot(off(word.x.raw, 1.7), off(word.y.raw, -3.1), off(word.z.raw, -9.0));
-  const auto bound = Rounding(rounding).gravity().bound.whole;
+  const auto bound = Rounding{&rounding}.gravity().bound.whole;
   EXPECT_LE(worst, bound.error);
   EXPECT_DOUBLE_EQ(bound.error, 0.5 * root3 * unit(F::gravity_exponent));
   EXPECT_DOUBLE_EQ(bound.size, std::hypot(1.7, 3.1, 9.0));

@@ -48,7 +48,7 @@ constexpr VectorSum transpose_times(const Rotation& r, const BoundedVector& v) {
 
 /// A payload's row of one joint.
 struct PayloadRowBound {
-  Ball mass{}, moment{};  ///< per kg; each entry per kg m
+  Ball mass{}, moment{};  ///< of the entry per kg; of the three per kg m together
 };
 /// Columns, as PayloadColumns has them.
 template <int N>
@@ -58,11 +58,8 @@ struct PayloadColumnBounds {
 
 /// ColumnRounding in bounds: what it makes of words at its exponents.
 template <class S, class Word>
-class PayloadColumnRounding {
-  using F = axial::detail::ColumnRounding<S, Stored<Word>>;
-  using R = robot_of<S>;
-
- public:
+struct PayloadColumnRounding {
+  using F = axial::detail::ColumnRounding<S, Stored<Word>>;  ///< of words
   /// Sums after their one rounding, and what is rounded already brought to fewer digits.
   struct To {
     int exponent;                  ///< of what is kept
@@ -80,14 +77,21 @@ class PayloadColumnRounding {
   using Turning = BoundedVector;  ///< angular velocities
   using Moving = BoundedVector;   ///< linear ones
 
-  /// Of an arithmetic, which stays where it is.
-  constexpr explicit PayloadColumnRounding(const WordRounding& r) : rounding_(&r) {}
+  const WordRounding* rounding;  ///< of the arithmetic
+  /// Each sum at its exponent of ColumnRounding.
+  ///@{
+  To turning{F::turning_exponent, rounding}, moving{F::moving_exponent, rounding}, slope{F::slope_exponent, rounding},
+      momentum_along{F::momentum[0], rounding}, momentum_across{F::momentum[1], rounding},
+      drift_along{F::drift[0], rounding}, drift_across{F::drift[1], rounding};
+  ///@}
+
   /// Words as the Jacobian stored them: nothing is rounded.
   ///@{
   static constexpr const BoundedVector& direction(const BoundedVector& x) { return x; }
   static constexpr const BoundedVector& way(const BoundedVector& x) { return x; }
   ///@}
-  /// Shifted down to the coarsest speed's exponent.
+  /// The declared limit, shifted down to the coarsest speed's exponent; a robot stands for its speeds.
+  template <class R>
   static constexpr Number speed(const R&, int i) {
     const bool shifted = F::Speeds::exponent(i) > F::speed_exponent;
     return word_of({R::chain.links[i].speed_limit, shifted ? WordRounding::ulp(F::speed_exponent) : 0.0},
@@ -97,24 +101,12 @@ class PayloadColumnRounding {
   constexpr BoundedVector gravity() const {
     const double half = 0.5 * WordRounding::ulp(F::gravity_exponent);
     const Ball whole{F::weight, F::weight > 0.0 ? detail::root3 * half : 0.0};
-    return {{whole, whole, whole}, F::gravity_exponent, false, rounding_};
+    return {{whole, whole, whole}, F::gravity_exponent, false, rounding};
   }
   /// What a row holds.
   static constexpr PayloadRowBound row(const Number& mass, const BoundedVector& moment) {
     return {mass.bound, moment.bound.whole};
   }
-
- private:
-  const WordRounding* rounding_;
-
- public:
-  /// Each at its exponent of ColumnRounding.
-  ///@{
-  To turning{F::turning_exponent, rounding_}, moving{F::moving_exponent, rounding_},
-      slope{F::slope_exponent, rounding_}, momentum_along{F::momentum[0], rounding_},
-      momentum_across{F::momentum[1], rounding_}, drift_along{F::drift[0], rounding_},
-      drift_across{F::drift[1], rounding_};
-  ///@}
 };
 
 /// A link's axes in the world, as its pose was computed.
@@ -135,7 +127,7 @@ constexpr auto payload_columns() {
   const auto columns = jacobian_bounds(
       mechanism_of<Scene, axial::detail::with_rotors<Scene, parameters_of<Scene, FullParameters>>>, rounding, ranges);
   PayloadColumnBounds<n> all;
-  axial::detail::write_payload_columns(PayloadColumnRounding<S, Word>(rounding), n, columns.columns,
+  axial::detail::write_payload_columns(PayloadColumnRounding<S, Word>{&rounding}, n, columns.columns,
                                        axes_of(ranges, n - 1, rounding), robot_of<S>{}, all);
   return all;
 }
