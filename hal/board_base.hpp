@@ -25,6 +25,9 @@ struct BoardBase {
   using Known = typename Core::Known;
   /// Rate of the control tick: a set-point and its answer must fit one tick on the serial line.
   static constexpr std::uint32_t tick_Hz = 1000;
+  /// What the self-test expects in the board's emulator: few model a clock, and most count instructions.
+  static constexpr ClockSource emulated_clock = ClockSource::emulator;
+  static constexpr CounterKind emulated_counter = CounterKind::instructions;
 
   /// Console, clock, serial port, counter; in this order, because the port's divider follows the clock.
   static void start() {
@@ -39,6 +42,8 @@ struct BoardBase {
   }
 
   static const ClockReport& clock() { return clock_; }
+  /// Whether the image runs in an emulator and may print there. By the clock, where no other register tells.
+  static bool emulated() { return AXIAL_SEMIHOSTING != 0 && clock_.source == ClockSource::emulator; }
   static std::uint32_t baud_running() { return baud_; }
 
   static bool read(std::uint8_t& byte) { return Derived::Serial::read(byte); }
@@ -82,7 +87,7 @@ struct BoardBase {
     Derived::DrivePin::set(on);
     if ((axial_drives != 0) == on) return;
     axial_drives = on ? 1 : 0;
-    if (emulated()) announce_drives(on);
+    if (Derived::emulated()) announce_drives(on);
   }
   static bool drives_enabled() { return axial_drives != 0; }
   /// Whether the pin is driven high, by the port's own registers; false in an emulator without them (the STM32s').
@@ -92,7 +97,7 @@ struct BoardBase {
   /// board's README tells how far its oscillator may be off.
   static void start_watchdog(std::uint32_t ms) {
     Derived::Watchdog::start(ms);
-    if (emulated()) Derived::EmulatedWatchdog::start(clock_.core_Hz, ms);
+    if (Derived::emulated()) Derived::EmulatedWatchdog::start(clock_.core_Hz, ms);
   }
   static void feed_watchdog() {
     Derived::Watchdog::feed();
@@ -138,9 +143,6 @@ struct BoardBase {
   static void exit(int code) { Core::exit(code); }
 
  private:
-  /// Whether the image runs in an emulator and may print there.
-  static bool emulated() { return AXIAL_SEMIHOSTING != 0 && clock_.source == ClockSource::emulator; }
-
   static const char* headline(ResetCause cause) {
     if (cause == ResetCause::watchdog) return "watchdog: not fed in time\n";
     return cause == ResetCause::stack_overflow ? "fault: the stack overflowed\n" : "fault\n";

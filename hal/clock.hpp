@@ -7,9 +7,10 @@ namespace axial::hal {
 
 enum class ClockSource : std::uint8_t {
   crystal = 0,   ///< the PLL on the external crystal, as designed
-  internal = 1,  ///< the internal oscillator: the crystal or the PLL did not become ready in time
-  emulator = 2   ///< the fallback was taken and not even the running oscillator reads as ready: the clock controller
+  internal = 1,  ///< the internal oscillator: the crystal, or the PLL on it, did not become ready in time
+  emulator = 2,  ///< the fallback was taken and not even the running oscillator reads as ready: the clock controller
                  ///< is not modelled, and the emulated machine's fixed rate applies
+  crystal_alone = 3  ///< the external crystal without its PLL, which did not become ready in time
 };
 
 struct ClockReport {

@@ -8,7 +8,6 @@
 #include <hal/cortex_m/counter.hpp>
 #include <hal/cortex_m/emulated_watchdog.hpp>
 #include <hal/cortex_m/faults.hpp>
-#include <hal/cortex_m/known_code.hpp>
 #include <hal/cortex_m/semihosting.hpp>
 #include <hal/cortex_m/stack_guard.hpp>
 #include <hal/cortex_m/tick.hpp>
@@ -17,11 +16,11 @@
 namespace axial::hal::cortex_m {
 
 /// What hal::BoardBase asks of a core.
-template <std::uint32_t emulator_Hz, std::uint32_t instruction_ns>
+template <class Counter_>
 struct Core {
-  using Counter = cortex_m::Counter<emulator_Hz, instruction_ns>;
+  using Counter = Counter_;
   using Tick = cortex_m::Tick;
-  using Known = KnownCode;
+  using Known = typename Counter::Known;
 
   static void start() { Semihosting::probe(); }
   static void enable_interrupt(unsigned line) { cortex_m::enable_interrupt(line); }
@@ -53,8 +52,8 @@ struct Core {
 
 /// `Derived` gives what hal::BoardBase asks for, and interrupt_lines, interrupts[]; a part without SysTick its own Tick
 /// and sys_tick_interrupt; a part whose watchdog the emulator has, NoEmulatedWatchdog.
-template <class Derived, std::uint32_t emulator_Hz_, std::uint32_t instruction_ns = usual_instruction_ns>
-struct BoardBase : hal::BoardBase<Derived, Core<emulator_Hz_, instruction_ns>> {
+template <class Derived, std::uint32_t emulator_Hz_, class Counter = cortex_m::Counter<emulator_Hz_>>
+struct BoardBase : hal::BoardBase<Derived, Core<Counter>> {
   static constexpr std::uint32_t emulator_Hz = emulator_Hz_;
   using EmulatedWatchdog = cortex_m::EmulatedWatchdog<Derived>;
   /// Whether the watchdog warns by a non-maskable interrupt before it restarts the part.

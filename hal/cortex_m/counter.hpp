@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include <hal/cortex_m/core.hpp>
+#include <hal/cortex_m/known_code.hpp>
 #include <hal/cortex_m/registers.hpp>
 #include <hal/counter.hpp>
 
@@ -55,17 +56,18 @@ constexpr std::uint32_t instructions_of(std::uint32_t ticks, const CounterScale&
 [[gnu::naked, gnu::noinline]] inline void empty_code(void*) { asm volatile("bx lr"); }
 
 /// The counter of a board whose emulated core clock is `emulator_Hz`, as its board.json has the emulator run.
-template <std::uint32_t emulator_Hz, std::uint32_t instruction_ns_ = usual_instruction_ns>
+template <std::uint32_t emulator_Hz, std::uint32_t instruction_ns = usual_instruction_ns>
 class Counter {
   static constexpr std::uint32_t sys_tick_span = 1u << 24;
-  static constexpr CounterScale emulated = instructions_of_ticks(emulator_Hz, instruction_ns_);
+  static constexpr CounterScale emulated = instructions_of_ticks(emulator_Hz, instruction_ns);
   static_assert(3 * emulated.numerator <= 2 * emulated.denominator,
                 "a SysTick tick must be shorter than 2/3 of an emulated instruction: raise the icount shift");
   static_assert(emulated.numerator < 128, "instructions_of would leave 32 bits: widen it");
 
  public:
-  /// Virtual time of an instruction in the emulator.
-  static constexpr std::uint32_t instruction_ns = instruction_ns_;
+  using Known = KnownInstructions;
+  /// Instructions a second in the emulator.
+  static constexpr std::uint32_t per_second = 1'000'000'000u / instruction_ns;
   /// More instructions than these do not fit SysTick.
   static constexpr auto span =
       static_cast<std::uint32_t>(std::uint64_t{sys_tick_span} * emulated.numerator / emulated.denominator);

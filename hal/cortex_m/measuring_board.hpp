@@ -23,7 +23,7 @@ struct NoSerialPort {
 /// `Derived` gives name, flash_bytes and ram_bytes; `Fpga` the addresses of its lights and watchdog, and the watchdog's
 /// clock.
 template <class Derived, class Fpga, std::uint32_t emulator_Hz, std::uint32_t instruction_ns = usual_instruction_ns>
-struct MeasuringBoard : BoardBase<Derived, emulator_Hz, instruction_ns> {
+struct MeasuringBoard : BoardBase<Derived, emulator_Hz, Counter<emulator_Hz, instruction_ns>> {
   static constexpr std::uint32_t baud = 0;
   using Serial = NoSerialPort;
   struct WatchdogPort {

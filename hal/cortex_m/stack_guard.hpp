@@ -44,7 +44,11 @@ bool guard(Registers& unit, RegionWords words) {
   return true;
 }
 
-#ifdef __arm__
+#ifdef __ARM_ARCH_6M__
+/// No ARMv6-M core is guarded: where it has the unit, an exception whose frame meets the guard locks the core up,
+/// drives on, until the watchdog restarts it; the paint is asked each tick.
+inline bool guard_stack() { return false; }
+#elif defined(__arm__)
 inline bool guard_stack() {
   const auto begin = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(axial_stack_bottom));
 #ifdef __ARM_ARCH_8M_MAIN__

@@ -89,7 +89,7 @@ struct HostBoard {
   static void sleep_unless(Predicate) {}
 
   struct Counter {
-    static constexpr std::uint32_t instruction_ns = 64;
+    static constexpr std::uint32_t per_second = 1'000'000'000u / 64;
   };
   static CounterScale counter_scale() { return {state.counter, 1, 1}; }
   static std::uint32_t empty_bracket() { return 0; }

@@ -31,11 +31,12 @@ namespace axial::hal::riscv {
       "ret");
 }
 
-/// The counter of a core that its board.json emulates with `instruction_ns_` of virtual time an instruction.
-template <std::uint32_t instruction_ns_>
+/// The counter of a core that its board.json emulates with `instruction_ns` of virtual time an instruction.
+template <std::uint32_t instruction_ns>
 class Counter {
  public:
-  static constexpr std::uint32_t instruction_ns = instruction_ns_;
+  /// Instructions a second in the emulator.
+  static constexpr std::uint32_t per_second = 1'000'000'000u / instruction_ns;
   /// More instructions than these do not fit the counter's lower half in the emulator.
   static constexpr std::uint32_t span = 0xFFFFFFFFu / instruction_ns;
 

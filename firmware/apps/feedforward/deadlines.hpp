@@ -43,7 +43,7 @@ std::uint32_t counts_a_tick() {
     case hal::CounterKind::cycles:
       return Board::clock().core_Hz / Board::tick_Hz;
     case hal::CounterKind::instructions:
-      return 1'000'000'000u / Board::Counter::instruction_ns / Board::tick_Hz;
+      return Board::Counter::per_second / Board::tick_Hz;
     default:
       return 0xFFFFFFFF;
   }

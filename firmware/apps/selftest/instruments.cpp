@@ -11,10 +11,9 @@ using Known = Board::Known;
 std::uint32_t count(hal::Measured code) { return Board::Counter::count(code, nullptr); }
 
 /// Known::loop wants the number of turns as its argument.
-void* turns(std::uint32_t instructions) { return reinterpret_cast<void*>(std::uintptr_t{instructions / 2}); }
+void* argument(std::uint32_t turns) { return reinterpret_cast<void*>(std::uintptr_t{turns}); }
 
-/// Of Known::loop, for an even number of instructions.
-std::uint32_t count_loop(std::uint32_t instructions) { return Board::Counter::count(Known::loop, turns(instructions)); }
+std::uint32_t count_loop(std::uint32_t turns) { return Board::Counter::count(Known::loop, argument(turns)); }
 
 void check_blocks(Checks& check) {
   for (int round = 0; round < 3; ++round) {
@@ -23,33 +22,33 @@ void check_blocks(Checks& check) {
     check.equal(count(Known::block<10>), 10, "10 instructions are counted as 10");
     check.equal(count(Known::block<100>), 100, "100 instructions are counted as 100");
     check.equal(count(Known::block<1000>), 1000, "1000 instructions are counted as 1000");
-    check.equal(count_loop(200002), 200002, "200 002 instructions are counted exactly");
+    check.equal(count_loop(100001), Known::loop_cost(100001), "200 002 instructions are counted exactly");
   }
   check.equal(Board::empty_bracket(), Known::empty_bracket, "the empty bracket is what stands in it");
   check.equal(count(Known::block<0>), 0, "an empty piece of code costs nothing");
 }
 
 void check_overflow(Checks& check) {
-  constexpr std::uint32_t span = Board::Counter::span, beyond = span + span / 50, near = (span - span / 50) & ~1u;
+  constexpr std::uint32_t span = Board::Counter::span;
+  constexpr std::uint32_t beyond = Known::turns_of(span + span / 50), near = Known::turns_of(span - span / 50);
   check.equal(count_loop(beyond), hal::count_overflow, "a count beyond the counter's span says so");
-  check.equal(count_loop(near), near, "a count near the counter's span is exact");
+  check.equal(count_loop(near), Known::loop_cost(near), "a count near the counter's span is exact");
 }
 
-/// The emulator models no clock controller: the start-up must have given up waiting and must say so.
+/// Where the emulator models no clock controller, the start-up must have given up waiting and must say so.
 void check_clock(Checks& check) {
-  check.that(Board::clock().source == hal::ClockSource::emulator, "the fallback of the clock is reported");
+  check.that(Board::clock().source == Board::emulated_clock, "the clock, or its fallback, is reported");
   check.equal(Board::clock().core_Hz, Board::emulator_Hz, "the emulated core runs at its machine's rate");
   check.equal(Board::baud_running(), Board::baud, "the serial port runs at its rate");
-  check.that(Board::counter_scale().kind == hal::CounterKind::instructions,
-             "the counter says that it counts instructions");
+  check.that(Board::counter_scale().kind == Board::emulated_counter, "the counter says what it counts");
 }
 
-constexpr std::uint32_t instructions_of_10_ms = 10'000'000 / Board::Counter::instruction_ns;
+constexpr std::uint32_t cost_of_10_ms = Board::Counter::per_second / 100;
 
 void check_tick(Checks& check) {
   Board::start_tick(1000);
   const std::uint32_t before = Board::ticks();
-  Known::loop(turns(instructions_of_10_ms));
+  Known::loop(argument(Known::turns_of(cost_of_10_ms)));
   const std::uint32_t passed = Board::ticks() - before;
   Board::stop_tick();
   check.that(passed == 9 || passed == 10, "10 ms hold 10 ticks of 1 kHz, less one where the first is cut");
@@ -57,11 +56,11 @@ void check_tick(Checks& check) {
 
 /// Measuring may borrow the timer of the tick; 20 measured pieces of 0.5 ms each must still let 10 ticks pass.
 void check_tick_while_measuring(Checks& check) {
-  constexpr std::uint32_t piece = instructions_of_10_ms / 20 & ~1u;
+  constexpr std::uint32_t piece = Known::turns_of(cost_of_10_ms / 20);
   Board::start_tick(1000);
   const std::uint32_t before = Board::ticks();
   for (int i = 0; i < 20; ++i)
-    check.equal(count_loop(piece), piece, "exact");
+    check.equal(count_loop(piece), Known::loop_cost(piece), "exact");
   const std::uint32_t passed = Board::ticks() - before;
   Board::stop_tick();
   check.that(passed == 9 || passed == 10 || passed == 11, "the control tick keeps its pace while code is measured");
@@ -70,7 +69,7 @@ void check_tick_while_measuring(Checks& check) {
 /// A stopped tick counts no more, not even one that was pending.
 void check_stopped_tick(Checks& check) {
   const std::uint32_t before = Board::ticks();
-  Known::loop(turns(instructions_of_10_ms));
+  Known::loop(argument(Known::turns_of(cost_of_10_ms)));
   check.equal(Board::ticks() - before, 0, "a stopped tick stands still");
 }
 

@@ -17,10 +17,10 @@ int main() {
   using namespace axial::apps;
   Board::start();
   Checks checks;
-  if (Board::counter_scale().kind == axial::hal::CounterKind::instructions) {
+  if (Board::emulated()) {
     group(checks, "instruments", check_instruments);
   } else {
-    Board::print("instruments: cycles are not known in advance; left out\n");
+    Board::print("instruments: on silicon costs are not known in advance; left out\n");
   }
   if (checks.failed() == 0) {
     group(checks, "arithmetic", check_arithmetic);

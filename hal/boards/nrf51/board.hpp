@@ -94,7 +94,7 @@ struct Timer0 {
 
 }  // namespace nrf51
 
-struct Nrf51 : cortex_m::BoardBase<Nrf51, nrf51::clock::core_Hz, 128> {
+struct Nrf51 : cortex_m::BoardBase<Nrf51, nrf51::clock::core_Hz, cortex_m::Counter<nrf51::clock::core_Hz, 128>> {
   static constexpr const char* name = "nrf51";
   static constexpr std::uint32_t flash_bytes = 256 * 1024, ram_bytes = 16 * 1024;
   /// The most that the part has, and exact. A 7-axis arm's request and answer take 1.5 ms: the tick is 2 ms.
