@@ -1,7 +1,11 @@
 # shellcheck shell=bash
 # Configuring and building presets.
 
-readonly BOARDS=(stm32f405 stm32f100 nrf51 rv32_virt)
+readonly QEMU_BOARDS=(stm32f405 stm32f100 nrf51 rv32_virt)
+readonly RUNNER_BOARD=rp2040 # in an emulator of its own, slower than QEMU: tests build and run these images alone
+readonly RUNNER_IMAGES=(selftest{,-scara,-puma560} fixed-{scara,puma560} feedforward-{scara,puma560} feedforward-fixed-{scara,puma560}
+  injection-scara kernels-scara)
+readonly BOARDS=("${QEMU_BOARDS[@]}" "$RUNNER_BOARD")
 readonly SELFTEST_BOARDS=(mps2_an505) # run the self-tests alone
 readonly FAULT_BOARDS=(mps2_an500)    # run the image of faults alone
 # Of the documents' closed loops, in fixed point: the smallest one. Its UART queues six bytes, which QEMU fills at once.
@@ -29,9 +33,10 @@ configure() {
 
 build_boards() {
   local board
-  for board in "${BOARDS[@]}" "${SELFTEST_BOARDS[@]}"; do
+  for board in "${QEMU_BOARDS[@]}" "${SELFTEST_BOARDS[@]}"; do
     build "$board"
   done
+  build "$RUNNER_BOARD" "${RUNNER_IMAGES[@]}"
   for board in "${FAULT_BOARDS[@]}"; do
     build "$board" faults
   done

@@ -42,14 +42,15 @@ def rows():
     for file in sorted((ROOT / "hal" / "boards").glob("*/board.json")):
         board = load(file)
         yield {"board": board["board"], "cpu": board["cpu"], "flash_bytes": board["flash_bytes"], "ram_bytes": board["ram_bytes"],
-               "machine": board.get("qemu", {}).get("machine"), "tests": sorted(tests.get(board["board"], [])),
+               "qemu": "qemu" in board,
+               "machine": board.get("qemu", board.get("runner", {})).get("machine"), "tests": sorted(tests.get(board["board"], [])),
                "figures": measured.get(board["board"], []), "run": board["run"]}
 
 
 def runs_in(row):
     if not row["tests"] and not row["figures"]:
         return "nothing: compiles only"
-    return f"QEMU, `{row['machine']}`"
+    return f"{'QEMU, ' if row['qemu'] else ''}`{row['machine']}`"
 
 
 def cells(row):

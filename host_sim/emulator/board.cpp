@@ -15,9 +15,18 @@ namespace fs = std::filesystem;
 
 fs::path description(const std::string& board) { return fs::path(AXIAL_ROOT) / "hal/boards" / board / "board.json"; }
 
-bool runs_every_app(const fs::path& description) {
-  std::ifstream file(description);
-  return file && !nlohmann::json::parse(file).value("measuring_only", false);
+bool runs_every_app(const nlohmann::json& board) { return !board.value("measuring_only", false); }
+
+bool counts_instructions(const nlohmann::json& board) { return runs_every_app(board) && board.contains("qemu"); }
+
+std::vector<std::string> names_where(bool (*holds)(const nlohmann::json&)) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(fs::path(AXIAL_ROOT) / "hal/boards")) {
+    std::ifstream file(entry.path() / "board.json");
+    if (file && holds(nlohmann::json::parse(file))) names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -29,13 +38,9 @@ std::string joined(const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::vector<std::string> board_names() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(fs::path(AXIAL_ROOT) / "hal/boards"))
-    if (runs_every_app(entry.path() / "board.json")) names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
+std::vector<std::string> board_names() { return names_where(runs_every_app); }
+
+std::vector<std::string> boards_that_count_instructions() { return names_where(counts_instructions); }
 
 Board read_board(const std::string& name) {
   const auto known = board_names();
@@ -43,11 +48,14 @@ Board read_board(const std::string& name) {
     throw std::runtime_error("unknown board '" + name + "'; there are: " + joined(known));
   std::ifstream file(description(name));
   const auto json = nlohmann::json::parse(file);
+  const auto& emulator = json.contains("qemu") ? json.at("qemu") : json.at("runner");
   Board board{name, json.at("cpu"), json.at("flash_bytes"), json.at("ram_bytes"), {}, false};
-  board.emulator = {json.at("qemu").at("program").get<std::string>()};
-  for (const auto& argument : json.at("qemu").at("arguments"))
+  board.emulator = {emulator.at("program").get<std::string>()};
+  if (emulator.contains("script"))
+    board.emulator.push_back((fs::path(AXIAL_ROOT) / emulator.at("script").get<std::string>()).string());
+  for (const auto& argument : emulator.at("arguments"))
     board.emulator.push_back(argument);
-  board.serial_queue = json.at("qemu").value("serial_queue", false);
+  board.serial_queue = emulator.value("serial_queue", false);
   return board;
 }
 

@@ -17,6 +17,9 @@ struct Board {
 /// Names of all boards that run every app, sorted; those that only measure are left to host_sim/size.
 std::vector<std::string> board_names();
 
+/// Of those, the ones whose emulator counts instructions, as documents compare them.
+std::vector<std::string> boards_that_count_instructions();
+
 /// Throws std::runtime_error that names the boards there are.
 Board read_board(const std::string& name);
 

@@ -28,8 +28,8 @@ std::vector<std::string> command_line(const Board& board, const std::string& ima
 /// The queue is a multiplexer's, though of one user: it hands over a byte as the board takes the one before, where two
 /// threads of QEMU would wait for each other. 256: no byte is the multiplexer's own.
 std::vector<std::string> connected_to(const std::string& socket, bool queue) {
-  const std::string line = "socket,id=uart,path=" + socket + (queue ? ",mux=on" : "");
-  return {"-chardev", line, "-serial", "chardev:uart", "-echr", "256"};
+  if (!queue) return {"-serial", "unix:" + socket};
+  return {"-chardev", "socket,id=uart,mux=on,path=" + socket, "-serial", "chardev:uart", "-echr", "256"};
 }
 
 }  // namespace
@@ -43,8 +43,9 @@ Emulator::Emulator(const Board& board, const std::string& image)
 SerialLine Emulator::connect() {
   const auto end = std::chrono::steady_clock::now() + connection_limit;
   while (!listener_.wait(std::chrono::milliseconds(50))) {
-    if (process_.exit_status()) throw std::runtime_error("QEMU ended at once; it says: " + console());
-    if (std::chrono::steady_clock::now() > end) throw std::runtime_error("QEMU did not connect its serial line");
+    if (process_.exit_status()) throw std::runtime_error("the emulator ended at once; it says: " + console());
+    if (std::chrono::steady_clock::now() > end)
+      throw std::runtime_error("the emulator did not connect its serial line");
   }
   return listener_.accept();
 }

@@ -32,7 +32,7 @@ std::vector<OnBoardRow> measure(const Board& board, const Robot& robot) {
 
 std::vector<OnBoardRow> measure_all(const OnBoardOptions& options) {
   const auto robots = one_or_all(options.robot, robot_names());
-  const auto boards = one_or_all(options.board, board_names());
+  const auto boards = one_or_all(options.board, boards_that_count_instructions());
   Progress progress("measuring kernels", robots.size() * boards.size());
   std::vector<OnBoardRow> rows;
   std::size_t done = 0;

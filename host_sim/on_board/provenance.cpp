@@ -34,7 +34,7 @@ std::string cached(const std::string& board, const std::string& variable) {
 
 nlohmann::json provenance() {
   nlohmann::json boards;
-  for (const std::string& board : board_names())
+  for (const std::string& board : boards_that_count_instructions())
     boards[board] = {{"compiler", first_line({cached(board, "AXIAL_TOOLS") + "g++", "--version"})},
                      {"flags", cached(board, "CMAKE_CXX_FLAGS")}};
   return {{"commit", first_line({AXIAL_ROOT "/host_sim/system/commit.sh"})}, {"boards", boards}};

@@ -109,6 +109,19 @@ ValuesAreChecked() {
 }
 
 # With a dpkg-query that knows what is installed. A name that stands twice among those wanted was once asked for each time.
+# A registry of the test's own, which has something else under that name.
+AnotherEmulatorIsRefused() {
+  local folder
+  folder=$(mktemp -d)
+  mkdir -p "$folder/rp2040js/-"
+  echo other >"$folder/rp2040js/-/rp2040js-1.4.1.tgz"
+  expect 1 env "npm_config_registry=file://$folder" bash -c "source '$(dirname "$AXIAL")/cmake/driver/progress.sh'
+    source '$(dirname "$AXIAL")/cmake/driver/runner.sh'; fetch_rp2040js '$folder/emulator'"
+  [[ $err == *'another checksum'* ]] || fail "says: $err"
+  [[ ! -e $folder/emulator/package ]] || fail "unpacked it all the same"
+  rm -r "$folder"
+}
+
 MissingPackagesAreNamedOnce() {
   local folder root said
   folder=$(mktemp -d) root=$(dirname "$AXIAL")

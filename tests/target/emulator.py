@@ -1,4 +1,4 @@
-"""An image under QEMU, with its serial port on a UNIX socket."""
+"""An image in its board's emulator, QEMU or a runner of ours, with its serial port on a UNIX socket."""
 
 import json
 import os
@@ -27,9 +27,22 @@ def image(board_name, name):
     return path
 
 
+def runs_here(board_name):
+    """Whether the board's emulator is installed; says so where it is not."""
+    runner = board(board_name).get("runner")
+    done = runner and subprocess.run(["sh", "-c", '"$@"', "sh", runner["program"], str(ROOT / runner["script"]), "-check"],
+                                     stdin=subprocess.DEVNULL, check=False)
+    return not done or done.returncode == 0
+
+
 def command(board_name, path, serial, semihosting=True, fast=False):
     """`fast`: time that the board sleeps passes at once."""
-    qemu = board(board_name)["qemu"]
+    described = board(board_name)
+    if "runner" in described:
+        runner, switches = described["runner"], {"-no-semihosting": not semihosting, "-fast": fast}
+        return [runner["program"], str(ROOT / runner["script"]), *runner["arguments"], *(name for name, on in switches.items() if on),
+                "-kernel", str(path), "-serial", serial]
+    qemu = described["qemu"]
     arguments = qemu["arguments"]
     if not semihosting:
         at = arguments.index("-semihosting-config")

@@ -21,14 +21,15 @@ class Feedforward(harness.BoardTest):
         return emulator.board(self.board)["tick_Hz"]
 
     def test_hello(self):
-        for robot, joints in harness.ROBOTS.items():
+        shows = emulator.board(self.board).get("runner", {"clock": "emulator", "counts": "instructions"})
+        for robot, joints in harness.robots(self.board).items():
             with self.subTest(robot), emulator.Emulator(self.board, "feedforward-" + robot) as firmware:
                 hello = firmware.hello
                 self.assertEqual((hello["robot"], hello["board"], hello["joints"]), (robot, self.board, joints))
                 self.assertEqual(hello["version"], 2)
                 self.assertEqual(firmware.greeting["reset_cause"], link.POWER_ON)
-                self.assertEqual(hello["counter_kind"], link.COUNTS_INSTRUCTIONS)
-                self.assertEqual(hello["clock_source"], link.CLOCK_EMULATOR, "the fallback of the clock is reported")
+                self.assertEqual(link.COUNTERS[hello["counter_kind"]], shows["counts"])
+                self.assertEqual(link.CLOCKS[hello["clock_source"]], shows["clock"], "the clock, or its fallback, is reported")
                 self.assertEqual(hello["tick_Hz"], self.tick_Hz())
 
     def test_torque_and_count(self):

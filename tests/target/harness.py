@@ -3,6 +3,10 @@
 import sys
 import unittest
 
+import emulator
+
+SKIPPED = 77
+FEW_IMAGES = {"rp2040"}  # whose emulator is slow
 ROBOTS = {"scara": 3, "scara_rrpr": 4, "puma560": 6, "panda": 7, "planar2r": 2}
 
 
@@ -10,6 +14,13 @@ class BoardTest(unittest.TestCase):
     board = None
 
 
+def robots(board):
+    """Robots that have images there, with their joints."""
+    return {name: joints for name, joints in ROBOTS.items() if board not in FEW_IMAGES or name in ("scara", "puma560")}
+
+
 def main():
     BoardTest.board = sys.argv.pop(1)
+    if not emulator.runs_here(BoardTest.board):
+        sys.exit(SKIPPED)
     unittest.main(verbosity=2)

@@ -13,8 +13,8 @@ SEQUENCE_WINDOW = 20
 POWER_ON, BY_WATCHDOG, BY_FAULT, BY_STACK_OVERFLOW, BY_SOFTWARE, UNKNOWN_CAUSE = range(6)
 OVERFLOW_STACK, JUMP, HANG, WRITE = range(4)
 NO_SESSION = 0
-CLOCK_CRYSTAL, CLOCK_INTERNAL, CLOCK_EMULATOR = range(3)
-COUNTS_INSTRUCTIONS, COUNTS_CYCLES, COUNTS_NOTHING = range(3)
+CLOCKS = ("crystal", "internal", "emulator", "crystal alone")
+COUNTERS = ("instructions", "cycles", "none")
 
 
 def stuff(data):

@@ -1,14 +1,14 @@
 # shellcheck shell=bash
-# summary: streams a pick-and-place cycle to the firmware in QEMU; torques, errors, cost, a picture
+# summary: streams a pick-and-place cycle to the emulated firmware; torques, errors, cost, a picture
 # group: use
 
 usage() {
   cat <<'END'
 usage: ./axial demo [options]
-Installs and builds what is missing, starts the feed-forward firmware of a board in QEMU, streams a pick-and-place
+Installs and builds what is missing, starts the feed-forward firmware of a board in its emulator, streams a pick-and-place
 cycle to it tick by tick, compares every torque with the oracle, prints a table and writes CSV, JSON and a picture.
   --robot ROBOT       scara (default), scara_rrpr, puma560, panda, planar2r
-  --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt
+  --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt, rp2040
   --number float|fixed32  what the firmware computes in; default float (fixed32: 32-bit fixed point; the wire stays float)
   --trajectory IN_FILE  way-points (.json as in host_sim/trajectories) or set-points (.csv: time, q..., qd..., qdd...)
   --output FOLDER     where the files go; default output/demo
@@ -23,6 +23,7 @@ run() {
   board=$(named_board "$@")
   image=$(demo_image "$@")
   ensure_packages
+  ensure_runner "$board"
   build_host_sim
   build "$board" "$image"
   host_sim demo "$@"

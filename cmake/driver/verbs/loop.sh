@@ -9,7 +9,7 @@ Installs and builds what is missing, starts the tracking firmware of a board in 
 at 1 kHz over the serial line: feed-forward and a proportional-derivative torque, then the feedback alone (at most 10 s of it). Prints
 tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a picture (doc/measurements/simulation.md).
   --robot scara|puma560  default scara
-  --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt
+  --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt, rp2040
   --number float|fixed32  what the firmware computes in; default float
   --seconds NUMBER    of motion; default 10 (a few hundred ticks a second run in QEMU: 60 s take some minutes)
   --sweep             besides, the same sources on the host: wrong parameters, friction, coarse encoders, late torques
@@ -39,6 +39,7 @@ loop_program() { "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/loop" "$@"; }
 build_board_of_loop() {
   local board
   board=$(named_board "$@")
+  ensure_runner "$board"
   build "$board" tracking-scara tracking-fixed-scara tracking-puma560 tracking-fixed-puma560
 }
 

@@ -47,7 +47,7 @@ numbers_py() {
 
 measure_sizes() {
   local board
-  for board in "${BOARDS[@]}"; do
+  for board in "${QEMU_BOARDS[@]}"; do
     "$AXIAL_ROOT/axial" size --board "$board" --scene bare --algorithm inverse_dynamics,closed_form --variant unrolled --contract off ${2:+--robot "$2"} \
       --output "$1/size" --json "$1/sizes/$board.json" >/dev/null
   done

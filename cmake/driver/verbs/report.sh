@@ -127,7 +127,7 @@ build_measured_images() {
     robot=$(basename "$robot" .json)
     targets+=("kernels-$robot" "feedforward-$robot")
   done
-  for board in "${BOARDS[@]}"; do
+  for board in "${QEMU_BOARDS[@]}"; do
     build "$board" "${targets[@]}"
   done
 }
@@ -151,7 +151,7 @@ write_work_precision() {
 run_demos() {
   local robots board robot
   robots=("$AXIAL_ROOT"/host_sim/trajectories/*.json)
-  for board in "${BOARDS[@]}"; do
+  for board in "${QEMU_BOARDS[@]}"; do
     for robot in "${robots[@]}"; do
       printf '%s %s\n' "$(basename "$robot" .json)" "$board"
     done

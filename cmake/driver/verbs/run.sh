@@ -6,9 +6,9 @@ usage() {
   cat <<'END_OF_USAGE'
 usage: ./axial run HEADER [options]
 Installs and builds what is missing: an image that computes the torques of a smooth motion inside the limits that the robot of this
-header declares (a file of ./axial import, or your own), starts it in QEMU, prints time, positions and torques, and holds them against
+header declares (a file of ./axial import, or your own), starts it in the board's emulator, prints time, positions and torques, and holds them against
 axial::Model in double.
-  --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt
+  --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt, rp2040
   --number float|fixed32  default float
   --type NAME         the robot's struct, such as robots::MyArm; default: the one that holds the last chain of the header
   --csv FILE          time, positions, torques, exact torques
@@ -29,6 +29,7 @@ run() {
     shift 2
   done
   ensure_packages
+  ensure_runner "$board"
   write_own_robot "$board"
   write_own_robot "$HOST_PRESET"
   build "$board" "run-$number"

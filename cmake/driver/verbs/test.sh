@@ -36,6 +36,7 @@ run() {
 # Both runs happen even if the first fails: one round shows all there is to mend.
 test_everything() {
   local status=0 preset
+  (ensure_runner "$RUNNER_BOARD") || say "the tests of $RUNNER_BOARD will be skipped: its emulator could not be installed"
   build_boards
   for preset in host-unsanitized host-sanitize; do
     test_preset "$preset" "$@" || status=1

@@ -1,0 +1,165 @@
+#include <hal/boards/rp2040/board.hpp>
+
+#include "played_clock.hpp"
+#include "stores.hpp"
+
+namespace axial::hal {
+namespace {
+
+constexpr std::uint32_t everything = 0x1FFFFFF, crystal_on = 0xFABAA0, pll_locked = 1u << 31, crystal_stable = 1u << 31;
+
+struct PlayedResets {
+  bool works = true;
+  Noted reset{"reset", everything};
+  Noted done{"done", 0, [this](std::uint32_t) { return works ? everything & ~reset.written : 0u; }};
+};
+
+struct PlayedGenerator {
+  Noted control;
+  bool works = true;
+  Noted selected{"selected", 0, [this](std::uint32_t) { return works ? 1u << control.written : 0u; }};
+};
+
+/// A chip out of reset, whose parts may be broken.
+struct PlayedChip {
+  bool crystal_works = true, pll_works = true;
+  struct {
+    Noted control{"crystal"}, start_up{"start up"}, status{"status"};
+  } crystal;
+  struct {
+    Noted control{"pll"}, power{"power"}, feedback{"feedback"}, post_dividers{"post dividers"};
+  } pll;
+  struct {
+    PlayedGenerator reference{{"reference"}}, system{{"system"}}, peripheral{{"peripheral"}};
+  } clocks;
+  PlayedResets resets;
+  Noted tick{"tick"};
+
+  PlayedChip() {
+    crystal.status.answer = [this](std::uint32_t) {
+      return crystal_works && crystal.control.written == crystal_on ? crystal_stable : 0u;
+    };
+    pll.control.answer = [this](std::uint32_t value) { return value | (pll_works ? pll_locked : 0u); };
+  }
+};
+
+ClockReport start(PlayedChip& chip) { return rp2040::clock::start(chip); }
+
+/// RP2040 Datasheet, 2.16.3 (delay of the crystal), 2.18.3 (the order of the PLL), 2.15.3.2 (the multiplexers).
+TEST(Rp2040Clock, StartsInTheOrderOfTheManual) {
+  PlayedChip chip;
+  const auto stores = stores_of([&] { expect_clock(start(chip), ClockSource::crystal, 125'000'000, 125'000'000); });
+  const std::vector<Store> expected{{"system", 0},
+                                    {"crystal", 0xAA0},
+                                    {"start up", 47},
+                                    {"crystal", crystal_on},
+                                    {"reference", 2},
+                                    {"reset", everything & ~(1u << 12)},
+                                    {"pll", 1},
+                                    {"feedback", 125},
+                                    {"power", 0xC},
+                                    {"post dividers", 0x62000},
+                                    {"power", 0x4},
+                                    {"system", 1},
+                                    {"peripheral", 1u << 11},
+                                    {"tick", 1u << 9 | 12}};
+  EXPECT_EQ(stores, expected);
+}
+
+TEST(Rp2040Clock, WithoutThePllTheCrystalRunsTheCore) {
+  PlayedChip chip;
+  chip.pll_works = false;
+  expect_clock(start(chip), ClockSource::crystal_alone, 12'000'000, 12'000'000);
+  EXPECT_EQ(chip.clocks.system.control.written, 0u);
+  EXPECT_EQ(chip.tick.written, 1u << 9 | 12);
+}
+
+TEST(Rp2040Clock, AMultiplexerThatDoesNotSwitchGoesBack) {
+  PlayedChip chip;
+  chip.clocks.system.works = false;
+  expect_clock(start(chip), ClockSource::crystal_alone, 12'000'000, 12'000'000);
+  EXPECT_EQ(chip.clocks.system.control.written, 0u);
+}
+
+TEST(Rp2040Clock, WithoutTheCrystalTheRingRunsTheCore) {
+  PlayedChip broken, stuck;
+  broken.crystal_works = false;
+  expect_clock(start(broken), ClockSource::internal, 6'500'000, 6'500'000);
+  EXPECT_EQ(broken.clocks.reference.control.written, 0u) << "nobody waits for a crystal that stands still";
+  EXPECT_EQ(broken.tick.written, 1u << 9 | 7) << "no tick is shorter than 1 us";
+  stuck.clocks.reference.works = false;
+  expect_clock(start(stuck), ClockSource::internal, 6'500'000, 6'500'000);
+}
+
+/// Every wait has an end: a block that stays in reset does not stop the start.
+TEST(Rp2040Resets, AreReleasedOneByOneAndNotWaitedForForever) {
+  PlayedResets resets;
+  rp2040::release(resets, rp2040::block::uart0);
+  EXPECT_EQ(resets.reset.written, everything & ~(1u << 22));
+  rp2040::release(resets, rp2040::block::timer);
+  EXPECT_EQ(resets.reset.written, everything & ~(1u << 22 | 1u << 21));
+  resets.works = false;
+  rp2040::release(resets, rp2040::block::sysinfo);
+}
+
+struct PlayedPort {
+  Noted output_set{"set"}, output_clear{"clear"}, drive_set{"drive"};
+};
+struct PlayedBank {
+  struct {
+    Noted control;
+  } pin[3]{{{"pin 0"}}, {{"pin 1"}}, {{"pin 2"}}};
+};
+struct PlayedPads {
+  Noted pin[2]{{"pad 0"}, {"pad 1"}};
+};
+constexpr std::uint32_t gpio_2 = 1u << 2;
+
+/// The bank may be used when it is out of reset, not before.
+TEST(Rp2040DrivePin, IsLowBeforeItDrivesAndDrivesBeforeItIsConnected) {
+  PlayedResets resets;
+  PlayedPort port;
+  PlayedBank bank;
+  const auto stores = stores_of([&] { rp2040::drive_pin::start(resets, port, bank); });
+  const std::vector<Store> expected{
+      {"clear", gpio_2}, {"drive", gpio_2}, {"reset", everything & ~(1u << 5 | 1u << 8)}, {"pin 2", 5}};
+  EXPECT_EQ(stores, expected);
+}
+
+TEST(Rp2040DrivePin, HighEnables) {
+  PlayedPort port;
+  EXPECT_EQ(stores_of([&] { rp2040::drive_pin::set(port, true); }), (std::vector<Store>{{"set", gpio_2}}));
+  EXPECT_EQ(stores_of([&] { rp2040::drive_pin::set(port, false); }), (std::vector<Store>{{"clear", gpio_2}}));
+}
+
+TEST(Rp2040DrivePin, IsHighWhereThePortDrivesItAndIsConnected) {
+  struct Port {
+    std::uint32_t drive, output;
+  } high{gpio_2, gpio_2}, open{0, gpio_2}, low{gpio_2, 0};
+  PlayedBank bank;
+  bank.pin[2].control = 5;
+  EXPECT_TRUE(rp2040::drive_pin::level(high, bank));
+  EXPECT_FALSE(rp2040::drive_pin::level(open, bank));
+  EXPECT_FALSE(rp2040::drive_pin::level(low, bank));
+  bank.pin[2].control = 31;
+  EXPECT_FALSE(rp2040::drive_pin::level(high, bank));
+}
+
+/// RP2040 Datasheet, 2.3.1.7: SIO at 0xD000 0000, GPIO_OUT_CLR at 0x18.
+TEST(Rp2040DrivePin, AFaultDisablesByOneStore) {
+  EXPECT_EQ(Rp2040::DrivePin::off_register, 0xD0000018u);
+  EXPECT_EQ(Rp2040::DrivePin::off_word, gpio_2);
+}
+
+/// Datasheet 2.19.6.3: input, 4 mA, pull-up, hysteresis; function 2 of pins 0 and 1.
+TEST(Rp2040Pins, TheSerialPortIsReleasedBeforeItIsConnected) {
+  PlayedResets resets;
+  PlayedBank bank;
+  PlayedPads pads;
+  const auto stores = stores_of([&] { rp2040::connect_uart0(resets, bank, pads); });
+  const std::vector<Store> expected{{"reset", everything & ~(1u << 22)}, {"pad 1", 0x5A}, {"pin 0", 2}, {"pin 1", 2}};
+  EXPECT_EQ(stores, expected);
+}
+
+}  // namespace
+}  // namespace axial::hal
