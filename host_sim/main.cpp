@@ -7,7 +7,7 @@ namespace {
 
 void add_demo(host_sim::CommandLine& line, host_sim::DemoOptions& options, int& status) {
   auto verb =
-      line.verb("demo", "streams a pick-and-place cycle to a board in QEMU", [&] { status = run_demo(options); });
+      line.verb("demo", "streams a pick-and-place cycle to an emulated board", [&] { status = run_demo(options); });
   verb.option("--robot", options.robot, "name as in robots/README.md").show_default();
   verb.option("--board", options.board, "folder of hal/boards").show_default();
   verb.option("--number", options.number, "what the firmware computes in: float or fixed32").show_default();

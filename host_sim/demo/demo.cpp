@@ -37,17 +37,17 @@ Recording record(const Board& board, const std::string& image, const Robot& robo
   }
 }
 
-std::vector<std::string> header(int joints) {
+std::vector<std::string> header(int joints, const std::string& counts) {
   std::vector<std::string> names = {"time"};
   for (const char* group : {"q", "qd", "qdd", "torque", "error"})
     for (int i = 1; i <= joints; ++i)
       names.push_back(group + std::to_string(i));
-  names.push_back("instructions");
+  names.push_back(counts);
   return names;
 }
 
-void write_csv(const std::string& path, const Recording& recording, int joints) {
-  CsvFile file(path, header(joints));
+void write_csv(const std::string& path, const Recording& recording, int joints, const std::string& counts) {
+  CsvFile file(path, header(joints, counts));
   for (const Sample& s : recording.samples) {
     file.cell(s.asked.time);
     for (const auto* group : {&s.asked.q, &s.asked.qd, &s.asked.qdd, &s.torque})
@@ -55,7 +55,7 @@ void write_csv(const std::string& path, const Recording& recording, int joints) 
         file.cell(value);
     for (std::size_t i = 0; i < s.torque.size(); ++i)
       file.cell(s.torque[i] - s.exact[i], 4);
-    file.cell(s.instructions);
+    file.cell(s.count);
     file.end_row();
   }
 }
@@ -64,7 +64,7 @@ void write_files(const DemoOptions& options, const Recording& recording, const S
   make_folder(options.output);
   const std::string suffix = options.number == "float" ? "" : "-" + options.number;
   const std::string stem = options.output + "/" + summary.robot.name + "-" + summary.board.name + suffix;
-  write_csv(stem + ".csv", recording, summary.robot.joints());
+  write_csv(stem + ".csv", recording, summary.robot.joints(), summary.board.counts);
   write_json(stem + ".json", to_json(summary));
   if (!options.json.empty()) write_json(options.json, to_json(summary));
   if (!options.without_picture) run_plot("demo.py", {stem + ".csv", stem + ".json"});

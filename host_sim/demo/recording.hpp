@@ -14,7 +14,7 @@ struct Sample {
   SetPoint asked;
   std::vector<double> torque;  ///< the firmware's
   std::vector<double> exact;   ///< the oracle's, for the same floats
-  unsigned instructions = 0;   ///< of this torque, an empty bracket subtracted
+  unsigned count = 0;          ///< instructions or cycles of this torque, an empty bracket subtracted
 };
 
 struct Recording {

@@ -33,8 +33,9 @@ std::string table_of_errors(const Summary& s) {
 }
 
 std::string cost_lines(const Summary& s) {
-  return "instructions per torque  " + grouped(s.instructions.min) + " to " + grouped(s.instructions.max) +
-         "  (counted by QEMU; not cycles)\n" +  //
+  const std::string said = s.board.counts + " per torque";
+  return said + std::string(25 - said.size(), ' ') + grouped(s.counts.min) + " to " + grouped(s.counts.max) +
+         "  (counted in " + s.board.emulator_name + (s.board.counts == "cycles" ? ")\n" : "; not cycles)\n") +  //
          "flash                    " + grouped(s.image.flash) + " of " + grouped(s.board.flash_bytes) + " bytes\n" +
          "RAM                      " + grouped(s.image.ram) + " of " + grouped(s.board.ram_bytes) + " bytes\n" +
          "stack, deepest use       " + grouped(s.stack) + " bytes\n";
@@ -49,7 +50,7 @@ Summary summarise(const Recording& recording, const Robot& robot, const Board& b
   for (const Sample& sample : recording.samples) {
     for (std::size_t i = 0; i < sample.torque.size(); ++i)
       summary.joints[i].add(sample.torque[i], sample.exact[i]);
-    summary.instructions.add(sample.instructions);
+    summary.counts.add(sample.count);
   }
   for (const ErrorStatistics& joint : summary.joints)
     summary.scales.push_back(joint.scale());
@@ -73,9 +74,9 @@ bool within_bound(const Summary& summary) {
 }
 
 std::string describe(const Summary& s) {
-  return s.robot.name + " on " + s.board.name + (is_fixed(s) ? ", 32-bit fixed point, in QEMU: " : " in QEMU: ") +
-         grouped(s.set_points) + " set-points, " + significant(s.duration) + " s of motion\n\n" + table_of_errors(s) +
-         "\n" + cost_lines(s);
+  return s.robot.name + " on " + s.board.name + (is_fixed(s) ? ", 32-bit fixed point," : "") + " in " +
+         s.board.emulator_name + ": " + grouped(s.set_points) + " set-points, " + significant(s.duration) +
+         " s of motion\n\n" + table_of_errors(s) + "\n" + cost_lines(s);
 }
 
 nlohmann::json to_json(const Summary& s) {
@@ -94,8 +95,9 @@ nlohmann::json to_json(const Summary& s) {
                     {"error_rms", e.rms()},
                     {"error_rms_relative", relative(s, i, e.rms())},
                     {"error_bound_relative", relative(s, i, s.bounds[i])},
-                    {"instructions_min", s.instructions.min},
-                    {"instructions_max", s.instructions.max},
+                    {"emulator", s.board.emulator_name},
+                    {s.board.counts + "_min", s.counts.min},
+                    {s.board.counts + "_max", s.counts.max},
                     {"flash_bytes", s.image.flash},
                     {"ram_bytes", s.image.ram},
                     {"stack_bytes", s.stack},

@@ -20,7 +20,7 @@ struct Summary {
   std::vector<double> scales;  ///< what each joint's errors are relative to: joint_scales() of the largest torques
   std::string number;          ///< float or fixed32
   std::vector<double> bounds;  ///< what each joint's errors may be, N m or N
-  Range instructions;
+  Range counts;
   ImageSize image;
   link::Hello hello{};
   std::uint32_t stack = 0;  ///< bytes, deepest use over the run

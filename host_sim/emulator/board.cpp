@@ -49,10 +49,13 @@ Board read_board(const std::string& name) {
   std::ifstream file(description(name));
   const auto json = nlohmann::json::parse(file);
   const auto& emulator = json.contains("qemu") ? json.at("qemu") : json.at("runner");
-  Board board{name, json.at("cpu"), json.at("flash_bytes"), json.at("ram_bytes"), {}, false};
+  Board board{name, json.at("cpu"), json.at("flash_bytes"), json.at("ram_bytes"), {}, "QEMU", "instructions", false};
   board.emulator = {emulator.at("program").get<std::string>()};
-  if (emulator.contains("script"))
+  if (json.contains("runner")) {
+    board.emulator_name = emulator.at("machine");
+    board.counts = emulator.at("counts");
     board.emulator.push_back((fs::path(AXIAL_ROOT) / emulator.at("script").get<std::string>()).string());
+  }
   for (const auto& argument : emulator.at("arguments"))
     board.emulator.push_back(argument);
   board.serial_queue = emulator.value("serial_queue", false);

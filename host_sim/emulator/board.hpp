@@ -11,6 +11,8 @@ struct Board {
   std::string name, cpu;
   std::uint32_t flash_bytes = 0, ram_bytes = 0;  ///< of the part
   std::vector<std::string> emulator;             ///< program and arguments
+  std::string emulator_name;                     ///< QEMU, or which other one
+  std::string counts;                            ///< what the board's counter counts there: instructions, cycles
   bool serial_queue = false;  ///< whether the emulator queues what it has for the UART: one byte at a time without
 };
 

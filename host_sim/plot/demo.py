@@ -34,9 +34,10 @@ def main(csv_file, json_file):
 
 def title(joints):
     first = joints[0]
-    count = f"{first['instructions_min']} to {first['instructions_max']}"
-    return (f"{first['robot']} on {first['board']} in QEMU: {first['set_points']} set-points at 1 kHz, "
-            f"{first.get('scalar', 'float')}, {count} instructions per torque")
+    unit = "cycles" if "cycles_min" in first else "instructions"
+    count = f"{first[unit + '_min']} to {first[unit + '_max']} {unit}"
+    return (f"{first['robot']} on {first['board']} in {first.get('emulator', 'QEMU')}: {first['set_points']} set-points at 1 kHz, "
+            f"{first.get('scalar', 'float')}, {count} per torque")
 
 
 def draw_pair(axes, data, joints, column, heading, units):

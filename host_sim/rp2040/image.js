@@ -24,8 +24,12 @@ function loadElf(file, flash) {
 }
 
 function loadUf2(file, flash) {
-  for (let at = 0; at < file.length; at += 512)
-    put(flash, file.readUInt32LE(at + 12), file.subarray(at + 32, at + 32 + file.readUInt32LE(at + 16)));
+  for (let at = 0; at < file.length; at += 512) {
+    const [begin, second, flags, address, bytes, , , family] = Array.from({length: 8}, (_, i) => file.readUInt32LE(at + 4 * i));
+    const isBlock = begin === 0x0a324655 && second === 0x9e5d5157 && file.readUInt32LE(at + 508) === 0x0ab16f30;
+    if (!isBlock || !(flags & 0x2000) || family !== 0xe48bff56 || bytes !== 256) throw new Error(`a block is no UF2 of an RP2040, at ${at}`);
+    put(flash, address, file.subarray(at + 32, at + 32 + bytes));
+  }
 }
 
 // The whole flash; what the image leaves out is erased.

@@ -1,4 +1,5 @@
-// run: an image of any robot in QEMU, its torques printed and checked against the run-time model in double.
+// run: an image of any robot in its board's emulator, its torques printed and checked against the run-time model in
+// double.
 #include <host_sim/description/description.hpp>
 #include <host_sim/emulator/qemu.hpp>
 #include <host_sim/output/command_line.hpp>
@@ -197,11 +198,11 @@ int run(const Options& options) {
   const bool good = verdict.relative() <= bound;
   print(samples);
   std::printf(
-      "\n%s on %s in QEMU, %s, with %s: largest error %.2g, %.2g of the largest torque %.4g (bound %g), against "
+      "\n%s on %s in %s, %s, with %s: largest error %.2g, %.2g of the largest torque %.4g (bound %g), against "
       "axial::Model in "
       "double\n",
-      Robot::name, board.name.c_str(), options.number.c_str(), loads(scene).c_str(), verdict.error, verdict.relative(),
-      verdict.largest, bound);
+      Robot::name, board.name.c_str(), board.emulator_name.c_str(), options.number.c_str(), loads(scene).c_str(),
+      verdict.error, verdict.relative(), verdict.largest, bound);
   if (!scene.left_out.empty())
     std::fprintf(stderr, "run: fixed point has none of this: %s of %s are left out; --number float has them\n",
                  scene.left_out.c_str(), Robot::name);
@@ -215,7 +216,7 @@ int run(const Options& options) {
 
 int main(int count, char** arguments) {
   Options options;
-  host_sim::CommandLine line("an image of any robot in QEMU", "run");
+  host_sim::CommandLine line("an image of any robot in its board's emulator", "run");
   line.option("--board", options.board, "folder of hal/boards").show_default();
   line.option("--number", options.number, "float or fixed32").show_default().one_of({"float", "fixed32"});
   line.option("--json", options.json, "the figures");

@@ -12,20 +12,23 @@ axial::Model in double.
   --number float|fixed32  default float
   --type NAME         the robot's struct, such as robots::MyArm; default: the one that holds the last chain of the header
   --csv FILE          time, positions, torques, exact torques
+  --uf2 FILE          besides, the image as a file for the drive that a Raspberry Pi Pico shows (board rp2040)
   --json FILE         board, largest error, largest torque
 Exits with 1 when the error is above 1e-5 (float) or 1e-4 (fixed32) of the largest torque.
 END_OF_USAGE
 }
 
 run() {
-  local header=${1:-} board number rest=()
+  local header=${1:-} board number uf2 rest=()
   [[ -n $header && $header != -* ]] || fail_usage "name a robot header; see ./axial run --help"
   shift
   board=$(named_board "$@")
   number=$(option_of --number float "$@")
+  uf2=$(option_of --uf2 '' "$@")
+  [[ -z $uf2 || $board == rp2040 ]] || fail_usage "--uf2 is for the board rp2040"
   take_own_robot "$header" "$(option_of --type '' "$@")"
   while (($#)); do
-    [[ $1 == --type ]] || rest+=("$1" "$2")
+    [[ $1 == --type || $1 == --uf2 ]] || rest+=("$1" "$2")
     shift 2
   done
   ensure_packages
@@ -33,6 +36,7 @@ run() {
   write_own_robot "$board"
   write_own_robot "$HOST_PRESET"
   build "$board" "run-$number"
+  [[ -z $uf2 ]] || "$AXIAL_ROOT/host_sim/rp2040/uf2.py" "$AXIAL_ROOT/build/$board/images/run-$number.elf" "$uf2"
   build "$HOST_PRESET" run
   "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/run/run" "${rest[@]}"
 }
