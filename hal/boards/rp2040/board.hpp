@@ -56,8 +56,8 @@ struct Rp2040 : cortex_m::BoardBase<Rp2040, rp2040::clock::core_Hz,
                                     cortex_m::CycleCounter<rp2040::clock::core_Hz, cortex_m::KnownCyclesM0Plus>> {
   static constexpr const char* name = "rp2040";
   static constexpr std::uint32_t flash_bytes = 2048 * 1024, ram_bytes = 264 * 1024;
-  /// 125 MHz / (16 * 3.90625); from the crystal alone 750 kbit/s, from the ring some 400 kbit/s. At 1 Mbit/s request and
-  /// answer of six joints would take longer than 1 ms.
+  /// 125 MHz / (16 * 3.90625); from the crystal alone 750 kbit/s, from the ring some 400 kbit/s. At 1 Mbit/s request
+  /// and answer of six joints would take longer than 1 ms.
   static constexpr std::uint32_t baud = 2'000'000;
   using Serial = pl011::Uart<rp2040::Uart0, 1024>;
   using Tick = rp2040::TimerTick<rp2040::Timer>;
