@@ -8,7 +8,7 @@
 
 namespace prove {
 
-enum class Operation { variable, constant, add, subtract, multiply };
+enum class Operation { variable, constant, add, subtract, multiply, divide };
 
 /// One value of a formula.
 struct Term {
@@ -38,7 +38,8 @@ class Formula {
                        : t.operation == Operation::constant ? static_cast<long double>(t.constant)
                        : t.operation == Operation::add      ? left + right
                        : t.operation == Operation::subtract ? left - right
-                                                            : left * right);
+                       : t.operation == Operation::multiply ? left * right
+                                                            : left / right);
     }
     return values;
   }
@@ -70,6 +71,9 @@ class Real {
   }
   friend constexpr Real operator*(const Real& a, const Real& b) {
     return both_constant(a, b) ? constant(a.value_ * b.value_) : combine(Operation::multiply, a, b);
+  }
+  friend constexpr Real operator/(const Real& a, const Real& b) {
+    return both_constant(a, b) ? constant(a.value_ / b.value_) : combine(Operation::divide, a, b);
   }
   constexpr Real operator-() const {
     return is_constant() ? constant(-value_) : Real{Formula::active().negated(term_)};

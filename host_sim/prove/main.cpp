@@ -46,6 +46,11 @@ std::vector<Subject> subjects() {
                      [=] { return prove::wave_statement(wave, arc); },
                      {axial::integer::sincos_error}});
     }
+  for (const prove::Arc& range : prove::mantissas())
+    all.push_back({"reciprocal",
+                   "reciprocal-" + std::to_string(range.first),
+                   [=] { return prove::reciprocal_statement(range); },
+                   {}});
   all.push_back(arm<Scara>("scara_closed_form", axial::algorithm::closed_form,
                            [](const auto& q, const auto& qd, const auto& qdd) {
                              return axial::closed_form::scara_torque<Scara>(q, qd, qdd);

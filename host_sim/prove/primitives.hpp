@@ -1,4 +1,4 @@
-// The integer primitives: sine and cosine of an arc of angles.
+// The integer primitives: sine and cosine of an arc of angles, reciprocals of a range of integers.
 #pragma once
 
 #include <host_sim/prove/script.hpp>
@@ -25,5 +25,14 @@ std::vector<Arc> arcs();
 enum class Wave { sine, cosine };
 /// The words that integer::sincos makes of an arc's angles, against sine or cosine.
 Statement wave_statement(Wave wave, const Arc& arc);
+
+/// One unit of a reciprocal's mantissa, as integer::reciprocal promises.
+inline constexpr double reciprocal_bound = 0x1p-30;
+
+/// Integers of 31 bits: 2^30, where the mantissa does not hold what it should, and the others, those apart that need
+/// more pieces. Shorter integers are shifted up first: the rest of the program is the same.
+std::vector<Arc> mantissas();
+/// The mantissa that integer::reciprocal makes of integers of one length, against 1 / d, 1/2 <= d < 1.
+Statement reciprocal_statement(const Arc& range);
 
 }  // namespace prove

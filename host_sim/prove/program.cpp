@@ -129,16 +129,16 @@ bool Program::begins_with_constant(int node) const {
   return (n.kind == Kind::add || n.kind == Kind::subtract) && at(n.left).kind == Kind::constant;
 }
 
-void Program::pin(int node) { claim(node, at(node).value, at(node).value); }
+void Program::pin(int node) { claim(node, at(node).value, at(node).value, true); }
 
-void Program::claim(int node, Integer low, Integer high) {
+void Program::claim(int node, Integer low, Integer high, bool chooses) {
   if (at(node).kind == Kind::constant) return;
   for (Claim& c : claims) {
     if (c.node != node) continue;
-    c.low = std::max(c.low, low), c.high = std::min(c.high, high);
+    c.low = std::max(c.low, low), c.high = std::min(c.high, high), c.chooses = c.chooses || chooses;
     return;
   }
-  claims.push_back({node, low, high});
+  claims.push_back({node, low, high, chooses});
 }
 
 std::vector<int> Program::inputs() const {

@@ -24,6 +24,7 @@ struct Node {
 struct Claim {
   int node = -1;
   Integer low = 0, high = 0;  ///< value of the node, both ends included
+  bool chooses = false;       ///< whether a choice depends on it, so that it counts whatever becomes of the node
 };
 
 /// What a run did. Words are taken modulo 2^width until an operation asks for their value (a shift to the right, a
@@ -46,7 +47,7 @@ class Program {
   int settle(int node, Integer value, int width, bool is_signed);
   /// Claims that the node has the value of this run in every run.
   void pin(int node);
-  void claim(int node, Integer low, Integer high);
+  void claim(int node, Integer low, Integer high, bool chooses = false);
 
   [[nodiscard]] const Node& at(int node) const { return nodes[static_cast<std::size_t>(node)]; }
   /// Values of all nodes for other values of the inputs, in the order in which these were made.

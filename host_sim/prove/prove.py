@@ -21,7 +21,9 @@ import time
 
 UNPROVED = re.compile(r"^  BND\((.+?)\),? ?(best: .*)?$", re.MULTILINE)
 SPLIT = re.compile(r"( \$ \w+);$", re.MULTILINE)
-REWRITING = re.compile(r"^Hypothesis (a\d+) : (\w+ = \w+)\.$", re.MULTILINE)
+REWRITING = re.compile(r"^Hypothesis (a\d+) : ((?:\(\w+ <> 0\)%R -> )?\w+ = \w+)\.$", re.MULTILINE)
+# By ring alone, or with constants as fractions and whatever is divided by.
+IDENTITY = r"Lemma \1 : \2. Proof. first [simpl; ring | intros; unfold Float1, float2R, Defs.F2R; cbn -[IZR]; field; assumption]. Qed."
 # Reals are axioms of Coq's library; nothing else may be assumed.
 AXIOMS = {"Classical_Prop.classic", "ClassicalDedekindReals.sig_forall_dec", "ClassicalDedekindReals.sig_not_dec", "FunctionalExtensionality.functional_extensionality_dep"}
 # What Gappa is known not to prove, and why: doc/measurements/prove.md.
@@ -83,7 +85,7 @@ def accepted_by_coq(script, text, limit):
     status, said, _ = run(["gappa", "-Eno-auto-dichotomy", "-Bcoq"], limit, input=text)
     if status != 0:
         return False
-    text = REWRITING.sub(r"Lemma \1 : \2. Proof. simpl; ring. Qed.", said[said.index("Require") :])
+    text = REWRITING.sub(IDENTITY, said[said.index("Require") :])
     text = text[: text.index("End Generated_by_Gappa.") + len("End Generated_by_Gappa.")]
     last = re.findall(r"^Lemma (\w+) :", text, re.MULTILINE)[-1]
     proof.write_text("From Coq Require Import Reals.\n" + text + f"\nPrint Assumptions {last}.\n", encoding="utf-8")

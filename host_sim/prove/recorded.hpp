@@ -177,7 +177,7 @@ inline int leading_zeros(const Uint32& x) {
   const int zeros = __builtin_clz(x.value());
   if (!x.is_constant()) {
     const Integer low = prove::power_of_two(31 - zeros);
-    Program::active().claim(x.settled(), low, 2 * low - 1);
+    Program::active().claim(x.settled(), low, 2 * low - 1, true);
   }
   return zeros;
 }

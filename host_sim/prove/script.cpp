@@ -1,51 +1,27 @@
-#include <host_sim/prove/script.hpp>
+#include <host_sim/prove/newton.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <sstream>
 
 namespace prove {
 namespace {
 
-std::string binary(Integer value, int scale) { return text_of(value) + "b" + std::to_string(-scale); }
-
-std::string decimal(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", x);
-  return text;
-}
-
-/// A double, exactly.
-std::string exact(double x) {
-  int exponent = 0;
-  const double significand = std::frexp(x, &exponent);
-  auto digits = static_cast<long long>(std::ldexp(significand, 53));
-  exponent -= 53;
-  for (; digits != 0 && digits % 2 == 0; digits /= 2)
-    ++exponent;
-  return std::to_string(digits) + "b" + std::to_string(digits == 0 ? 0 : exponent);
-}
-
-/// Values of a formula's terms in the recorded run.
-std::vector<long double> term_values(const Statement& s) {
-  return s.formula.evaluate([&](const std::string& variable) {
-    for (const RealVariable& v : s.variables)
-      if (v.name == variable) return v.value;
-    for (const int i : s.program.inputs())
-      if (s.program.at(i).name == variable) return real_value(s.program, i, s.known);
-    return 0.0L;
-  });
+const char* sign_of(Operation operation) {
+  if (operation == Operation::add) return " + ";
+  if (operation == Operation::subtract) return " - ";
+  return operation == Operation::multiply ? " * " : " / ";
 }
 
 class Writer {
  public:
-  explicit Writer(const Statement& s)
-      : s_{s}, values_{term_values(s)}, scales_{scales_of(s.program, s.formula, values_, s.known)} {}
+  explicit Writer(const Statement& s) : s_{s}, names_{s} {}
 
   std::string text(Goal goal) {
     mark();
+    match();
+    if (s_.reciprocal) mark_term(s_.reciprocal->excess);  // agrees with no word
     define_formula();
     define_program();
     out_ << "\n{ ";
@@ -53,32 +29,21 @@ class Writer {
     out_ << "->\n  ";
     goals(goal);
     out_ << " }\n\n";
-    write_hints();
+    write_hints(goal);
     for (const Result& r : s_.results)
       if (goal == Goal::errors && !s_.split.empty())
         out_ << name(r.node) << " - " << term_name(r.term) << " $ " << s_.split << ";\n";
+    for (const Claim& c : s_.program.claims)
+      if (goal == Goal::words && s_.reciprocal && !s_.split.empty() && c.chooses)
+        out_ << name(c.node) << " $ " << s_.split << ";\n";
     return out_.str();
   }
 
  private:
-  [[nodiscard]] int scale(int node) const { return scales_.at(node); }
-  [[nodiscard]] std::string name(int node) const {
-    const Node& n = s_.program.at(node);
-    if (n.kind == Kind::input) return n.name;
-    if (n.kind == Kind::constant) return binary(n.value, scale(node));
-    return "p" + std::to_string(node);
-  }
-  /// An operand in the unit of the node that takes it.
-  [[nodiscard]] std::string operand(int node, int wanted) const {
-    const int shift = scale(node) - wanted;
-    return shift == 0 ? name(node) : "(" + name(node) + " * 1b" + std::to_string(shift) + ")";
-  }
-  [[nodiscard]] std::string term_name(int i) const {
-    const Term& t = s_.formula.terms[static_cast<std::size_t>(i)];
-    if (t.operation == Operation::variable) return t.name;
-    if (t.operation == Operation::constant) return exact(t.constant);
-    return "e" + std::to_string(i);
-  }
+  [[nodiscard]] int scale(int node) const { return names_.scale(node); }
+  [[nodiscard]] std::string name(int node) const { return names_.of_node(node); }
+  [[nodiscard]] std::string operand(int node, int wanted) const { return names_.operand(node, wanted); }
+  [[nodiscard]] std::string term_name(int i) const { return names_.of_term(i); }
 
   void mark_node(int i) {
     if (i < 0 || !needed_.insert(i).second) return;
@@ -94,13 +59,16 @@ class Writer {
   void mark() {
     for (const Result& r : s_.results)
       mark_node(r.node), mark_term(r.term);
+    for (const Claim& c : s_.program.claims)
+      if (c.chooses) mark_node(c.node);
+    if (s_.reciprocal) mark_term(s_.reciprocal->polynomial);
   }
 
   void define_formula() {
     for (const int i : meant_) {
       const Term& t = s_.formula.terms[static_cast<std::size_t>(i)];
       if (t.operation == Operation::variable || t.operation == Operation::constant) continue;
-      const char* sign = t.operation == Operation::add ? " + " : t.operation == Operation::subtract ? " - " : " * ";
+      const char* sign = sign_of(t.operation);
       out_ << term_name(i) << " = " << (is_zero_term(t.left) ? "" : term_name(t.left)) << sign << term_name(t.right)
            << ";\n";
     }
@@ -166,10 +134,8 @@ class Writer {
   void match() {
     for (const int i : needed_)
       for (const int t : meant_) {
-        const long double value = values_[static_cast<std::size_t>(t)];
         const bool constant = s_.formula.terms[static_cast<std::size_t>(t)].operation == Operation::constant;
-        if (constant != (s_.program.at(i).kind == Kind::constant)) continue;
-        if (std::abs(value - real_value(s_.program, i, scales_)) <= s_.likeness * std::abs(value)) like_[i].insert(t);
+        if (constant == (s_.program.at(i).kind == Kind::constant) && names_.agree(i, t)) like_[i].insert(t);
       }
   }
   [[nodiscard]] bool alike(int node, int term) const {
@@ -186,12 +152,15 @@ class Writer {
   }
 
   /// How an error is made of others. Gappa checks that each line is an identity.
-  void write_hints() {
-    match();
+  void write_hints(Goal goal) {
+    if (s_.reciprocal) out_ << polynomial_lines(s_, names_);
     for (const auto& [node, terms] : like_) {
       const Node& n = s_.program.at(node);
+      const std::string step = s_.reciprocal ? newton_lines(s_, names_, node) : "";
+      out_ << step;
+      if (s_.reciprocal && goal == Goal::words) out_ << newton_word_lines(s_, names_, node);
       for (const int t : terms) {
-        if (n.kind == Kind::constant || term_name(t) == name(node)) continue;
+        if (!step.empty() || n.kind == Kind::constant || term_name(t) == name(node)) continue;
         if (const int near = nearby(t); near >= 0 && alike(node, near)) {
           out_ << name(node) << " - " << term_name(t) << " -> (" << name(node) << " - " << term_name(near) << ") - ("
                << term_name(t) << " - " << term_name(near) << ");\n";
@@ -203,7 +172,7 @@ class Writer {
           write_sum(node, t);
         } else if (n.kind == Kind::multiply && is_crossed(n, t)) {
           write_crossed(node, t);
-        } else {
+        } else if (!s_.reciprocal || s_.formula.terms[static_cast<std::size_t>(t)].operation == Operation::multiply) {
           out_ << name(node) << " ~ " << term_name(t) << ";\n";
         }
       }
@@ -299,8 +268,7 @@ class Writer {
   }
 
   const Statement& s_;
-  std::vector<long double> values_;  ///< of the formula's terms, in the run
-  Scales scales_;
+  Names names_;
   std::set<int> needed_, meant_;
   std::map<int, std::set<int>> like_;
   int unit_ = 0;  ///< of the sum whose error is written

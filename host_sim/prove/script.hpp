@@ -3,6 +3,8 @@
 
 #include <host_sim/prove/scales.hpp>
 
+#include <optional>
+
 namespace prove {
 
 /// A real variable: off by at most `within` from a term of the formula or, where there is none, from an input.
@@ -21,6 +23,13 @@ struct Result {
   double bound = 0.0;
 };
 
+/// That results approximate 1 / x, by Newton's steps from a polynomial.
+struct Reciprocal {
+  int term = -1, of = -1;  ///< 1 / x, and x
+  int polynomial = -1;     ///< near 1 / x
+  int excess = -1;         ///< x times the polynomial, less 1, in a form that intervals bound well
+};
+
 /// What a script is made from.
 struct Statement {
   Program program;
@@ -28,6 +37,7 @@ struct Statement {
   Scales known;  ///< scales of inputs and results
   std::vector<RealVariable> variables;
   std::vector<Result> results;
+  std::optional<Reciprocal> reciprocal;
   std::string split;             ///< input whose range Gappa cuts into pieces, if any
   long double likeness = 1e-5L;  ///< relative difference of a node and a term, in the run, that are one quantity
 };

@@ -107,6 +107,69 @@ TEST(Prove, TheRecordedSineIsTheKernelOnAllArcs) {
   EXPECT_EQ(angles, std::uint64_t{1} << 32) << "the arcs are one turn";
 }
 
+/// What a node computes of a word, the input shifted up or not: products and sums of it, written out.
+std::string expression(const prove::Program& program, int node, int word) {
+  if (node == word) return "n";
+  const prove::Node& n = program.at(node);
+  if (n.kind == prove::Kind::constant) return prove::text_of(n.value);
+  std::string text = std::to_string(static_cast<int>(n.kind)) + "," + std::to_string(n.power) + "(";
+  for (const int operand : {n.left, n.right})
+    if (operand >= 0) text += expression(program, operand, word) + ";";
+  return text + ")";
+}
+
+/// The input of a reciprocal as a word of 31 bits.
+int normalised(const prove::Program& program, int power) {
+  for (std::size_t i = 0; i < program.nodes.size(); ++i) {
+    const prove::Node& n = program.nodes[i];
+    if (n.kind == (power == 0 ? prove::Kind::input : prove::Kind::times_power) && n.power == power)
+      return static_cast<int>(i);
+  }
+  return -1;
+}
+
+void expect_reciprocals(std::mt19937& random, const prove::Statement& s, const prove::Arc& range) {
+  std::uniform_int_distribution<std::uint32_t> any(range.first, range.last);
+  for (int k = 0; k < states; ++k) {
+    const std::uint32_t d = k == 0 ? range.first : k == 1 ? range.last : any(random);
+    const auto values = s.program.evaluate({d});
+    EXPECT_TRUE(s.program.claims_hold(values)) << d;
+    ASSERT_TRUE(values[static_cast<std::size_t>(s.results[0].node)] ==
+                axial::integer::reciprocal(static_cast<std::int32_t>(d)).mantissa)
+        << d;
+  }
+}
+
+TEST(Prove, TheRecordedReciprocalIsTheKernelForEveryLength) {
+  std::mt19937 random(seed);
+  for (int power = 0; power <= 30; ++power) {
+    std::uint32_t next = 1U << (30 - power);
+    for (const prove::Arc& range : prove::mantissas()) {
+      if ((range.last >> power) < next) continue;  // no integer of this length is shifted there
+      const prove::Statement s = prove::reciprocal_statement({next, range.last >> power});
+      const prove::Statement proved = prove::reciprocal_statement(range);
+      expect_reciprocals(random, s, {next, range.last >> power});
+      EXPECT_EQ(expression(s.program, s.results[0].node, normalised(s.program, power)),
+                expression(proved.program, proved.results[0].node, normalised(proved.program, 0)))
+          << "shifted by " << power;
+      next = (range.last >> power) + 1;
+    }
+    EXPECT_EQ(next, 2U << (30 - power)) << "the ranges are all integers of this length";
+  }
+}
+
+TEST(Prove, AChoiceIsAGoalWhateverBecomesOfItsWord) {
+  const prove::Statement s = prove::wave_statement(prove::Wave::sine, prove::arcs()[0]);
+  const std::string words = prove::script_of(s, prove::Goal::words);
+  int choices = 0;
+  for (const prove::Claim& c : s.program.claims) {
+    if (!c.chooses) continue;
+    ++choices;
+    EXPECT_NE(words.find("p" + std::to_string(c.node) + " in ["), std::string::npos) << c.node;
+  }
+  EXPECT_GE(choices, 4) << "a sign, whether to exchange, and two more signs";
+}
+
 TEST(Prove, WhatDependsOnDataIsRefused) {
   prove::Program program;
   prove::Program::activate(&program);

@@ -1,9 +1,11 @@
 #!/usr/bin/python3
-"""Gappa accepts the SCARA's closed form and inverse dynamics, and refuses the first with a mistake in it.
+"""Gappa accepts the SCARA's closed form and inverse dynamics and a stretch of the reciprocal, and refuses mistakes in them; where Coq
+refuses a certificate another one is asked for.
 
 usage: prove_test.py PROVE_SCRIPTS
 Exits 77 (skipped) where gappa is not installed: `./axial prove` installs it.
 """
+import importlib.util
 import pathlib
 import re
 import shutil
@@ -11,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 SUBJECT = "scara_closed_form"
 
@@ -36,11 +39,67 @@ def scaled_bound(text, factor):
                   text[text.index("->"):], count=1)
 
 
-def scripts(subject):
+def scripts(subject, part=None):
     """What is to be proved of a subject's errors, and of its words."""
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([SCRIPTS, "--output", folder, "--subject", subject], check=True)
-        return [pathlib.Path(folder, f"{subject}.{kind}.g").read_text(encoding="utf-8") for kind in ("errors", "words")]
+        return [pathlib.Path(folder, f"{part or subject}.{kind}.g").read_text(encoding="utf-8") for kind in ("errors", "words")]
+
+
+def runner():
+    """prove.py, which runs Gappa and Coq."""
+    path = pathlib.Path(__file__).resolve().parents[2] / "host_sim/prove/prove.py"
+    spec = importlib.util.spec_from_file_location("prove", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+class Certificates(unittest.TestCase):
+    """What Coq is asked, with a Coq that refuses whatever Gappa split as it liked."""
+
+    def asked(self, script):
+        """Whether a certificate is accepted, and the texts that were tried."""
+        prove, texts = runner(), []
+
+        def accepts_equal_splits(_, text, __):
+            texts.append(text)
+            return " in 32;" in text
+
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.object(prove, "accepted_by_coq", accepts_equal_splits):
+            path = pathlib.Path(folder, "script.g")
+            path.write_text(script, encoding="utf-8")
+            return prove.certificate(path, 1), texts
+
+    def test_equal_splits_are_tried_where_gappas_are_refused(self):
+        script = "{ x in [0,1] -> x * x in [0,1] }\nx * x $ x;\n"
+        self.assertEqual(self.asked(script), (True, [script, script.replace("$ x;", "$ x in 32;")]))
+
+    def test_without_a_split_there_is_no_other(self):
+        script = "{ x in [0,1] -> x * x in [0,1] }\n"
+        self.assertEqual(self.asked(script), (False, [script]))
+
+
+class Reciprocal(unittest.TestCase):
+    """A 64th of a binade, so that it takes seconds."""
+
+    @classmethod
+    def setUpClass(cls):
+        whole, _ = scripts("reciprocal", "reciprocal-1073741825")
+        cls.errors = re.sub(r"d in \[\d+b-31,\d+b-31\]", "d in [1610612737b-31,1627389951b-31]", whole, count=1)
+        assert cls.errors != whole
+
+    def test_one_unit_is_accepted(self):
+        self.assertTrue(accepts(self.errors))
+
+    def test_a_third_of_a_unit_less_is_refused(self):
+        begin = self.errors.index("->")
+        self.assertFalse(accepts(self.errors[:begin] + scaled_bound(self.errors, 0.67)))
+
+    def test_a_step_that_is_not_centred_is_refused(self):
+        centred = str(2**46 + 28000)
+        self.assertIn(centred, self.errors)
+        self.assertFalse(accepts(self.errors.replace(centred, str(2**46))))
 
 
 class NewtonEuler(unittest.TestCase):
