@@ -18,6 +18,16 @@ constexpr unsigned exponent_of(std::uint32_t power_of_two) {
   return power_of_two <= 1 ? 0 : 1 + exponent_of(power_of_two / 2);
 }
 
+/// ARMv6-M: no execution, read by all; no region is smaller than 256 bytes, of whose eight parts those of the guard are
+/// enabled.
+constexpr RegionWords read_only_v6(std::uint32_t begin, std::uint32_t bytes) {
+  constexpr std::uint32_t never_execute = 1u << 28, read_only = 6u << 24, normal_memory = 1u << 17, enable = 1u;
+  constexpr std::uint32_t region = 256, part = region / 8, all = 0xFF;
+  const std::uint32_t guarded = ((1u << bytes / part) - 1) << begin % region / part;
+  return {begin & ~(region - 1),
+          never_execute | read_only | normal_memory | (all & ~guarded) << 8 | (exponent_of(region) - 1) << 1 | enable};
+}
+
 /// ARMv7-M: no execution, read by all, size 2^(field + 1).
 constexpr RegionWords read_only_v7(std::uint32_t begin, std::uint32_t bytes) {
   constexpr std::uint32_t never_execute = 1u << 28, read_only = 6u << 24, normal_memory = 1u << 19, enable = 1u;
@@ -30,8 +40,8 @@ constexpr RegionWords read_only_v8(std::uint32_t begin, std::uint32_t bytes) {
   return {begin | privileged_read_only | never_execute, ((begin + bytes - 1) & ~31u) | enable};
 }
 
-/// Guards `bytes` from `begin`; everywhere else the default map holds on. False where the part has no unit (ARMv6-M
-/// cores and the smaller STM32F1 have none). The registers are an argument so that a host test can play them.
+/// Guards `bytes` from `begin`; everywhere else the default map holds on. False where the part has no unit (the
+/// Cortex-M0 and the smaller STM32F1 have none). The registers are an argument so that a host test can play them.
 template <class Registers>
 bool guard(Registers& unit, RegionWords words) {
   constexpr std::uint32_t regions = 0xFF00u;
@@ -44,17 +54,15 @@ bool guard(Registers& unit, RegionWords words) {
   return true;
 }
 
-#ifdef __ARM_ARCH_6M__
-/// No ARMv6-M core is guarded: where it has the unit, an exception whose frame meets the guard locks the core up,
-/// drives on, until the watchdog restarts it; the paint is asked each tick.
-inline bool guard_stack() { return false; }
-#elif defined(__arm__)
+#ifdef __arm__
 inline bool guard_stack() {
   const auto begin = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(axial_stack_bottom));
 #ifdef __ARM_ARCH_8M_MAIN__
   // The limit sees what would jump over the region.
   asm volatile("msr msplim, %0" ::"r"(begin + guard_bytes));
   const bool guarded = guard(protection(), read_only_v8(begin, guard_bytes));
+#elif defined(__ARM_ARCH_6M__)
+  const bool guarded = guard(protection(), read_only_v6(begin, guard_bytes));
 #else
   const bool guarded = guard(protection(), read_only_v7(begin, guard_bytes));
 #endif

@@ -13,7 +13,8 @@ const LEFT_BY_BOOT_ROM = (1 << 6) | (1 << 9) | (1 << 18) | (1 << 24); // IO_QSPI
 const BLOCKS = {0x40000: 19, 0x40014: 5, 0x4001c: 8, 0x40028: 12, 0x40034: 22, 0x40054: 21}; // whose bit of RESETS
 const RESETS = 0x4000c;
 const SYSINFO = 0x40000;
-const isFaultStatus = (offset) => offset >= 0xd24 && offset <= 0xd3c; // absent in ARMv6-M: read as 0
+// Fault status, absent in ARMv6-M, and the MPU, which the part has and rp2040js has not: read as 0.
+const isAbsent = (offset) => offset >= 0xd24 && offset <= 0xd90;
 
 // An access that the bus refuses.
 class BusFault extends Error {}
@@ -45,9 +46,13 @@ class Chip {
     this.replaceSysTick(new SysTick(this.core, cyclesPerTick));
     this.keepInReset();
     chip.peripherals[SYSINFO].readUint32 = () => 0; // PLATFORM: neither silicon nor an FPGA
-    const watchdog = chip.peripherals[0x40058];
-    watchdog.reason = reason;
-    watchdog.onWatchdogTrigger = () => (this.restarts = true);
+    this.watchdog = chip.peripherals[0x40058];
+    this.watchdog.reason = reason;
+    this.watchdog.onWatchdogTrigger = () => {
+      this.unfedNanos = this.clock.nanos - this.watchdog.timer.baseNanos;
+      this.watchdog.alarm.enable = false; // or it comes for ever, without time passing
+      this.restarts = true;
+    };
     this.uart = new Uart(chip, send);
     this.boot(flash);
   }
@@ -56,16 +61,16 @@ class Chip {
     return this.chip.sram;
   }
   get reason() {
-    return this.chip.peripherals[0x40058].reason;
+    return this.watchdog.reason;
   }
 
   replaceSysTick(sysTick) {
     const ppb = this.chip.ppb;
     const [read, write] = [ppb.readUint32.bind(ppb), ppb.writeUint32.bind(ppb)];
-    ppb.readUint32 = (offset) => (sysTick.has(offset) ? sysTick.read(offset) : isFaultStatus(offset) ? 0 : read(offset));
+    ppb.readUint32 = (offset) => (sysTick.has(offset) ? sysTick.read(offset) : isAbsent(offset) ? 0 : read(offset));
     ppb.writeUint32 = (offset, value) => {
       if (sysTick.has(offset)) sysTick.write(offset, value);
-      else if (!isFaultStatus(offset)) write(offset, value);
+      else if (!isAbsent(offset)) write(offset, value);
     };
   }
 
@@ -101,7 +106,7 @@ class Chip {
     const core = this.core;
     try {
       if (core.interruptsUpdated) core.checkForInterrupts();
-      this.pc = core.PC;
+      this.pc = (core.PC & ~1) >>> 0; // a vector has bit 0 set
       this.clock.tick((core.executeInstruction() * 1e9) / this.chip.clkSys);
     } catch (error) {
       if (!(error instanceof BusFault)) throw error;
@@ -117,17 +122,24 @@ class Chip {
     return (this.core.pendingInterrupts & this.core.enabledInterrupts) !== 0;
   }
 
-  // A fault within a fault locks the core up: only a reset helps.
+  // A fault within a fault locks the core up: only a reset helps. A frame that the bus refuses is not saved.
   hardFault(error) {
     const core = this.core;
     this.lockedUp = core.IPSR === HARD_FAULT;
-    core.PC = this.pc;
-    try {
-      if (!this.lockedUp) core.exceptionEntry(HARD_FAULT);
-    } catch (second) {
-      this.lockedUp = true;
+    if (this.lockedUp) {
+      this.why = error.message;
+      return;
     }
-    if (this.lockedUp) this.why = error.message;
+    core.PC = this.pc;
+    core.writeUint32 = (address, word) => {
+      try {
+        this.chip.writeUint32(address, word);
+      } catch (refused) {
+        if (!(refused instanceof BusFault)) throw refused;
+      }
+    };
+    core.exceptionEntry(HARD_FAULT);
+    delete core.writeUint32;
   }
 
   // Lets time pass until `nanos`, at most to the next event; while the core sleeps.

@@ -9,6 +9,7 @@ const fs = require('fs');
 const net = require('net');
 const path = require('path');
 
+const BY_WATCHDOG = 1; // of the reasons
 const STEPS = 20000; // between two looks at the host
 
 function options(words) {
@@ -123,7 +124,9 @@ class Machine {
   }
 
   restart() {
-    this.powerUp(this.chip.sram, this.chip.reason);
+    const reason = this.chip.reason;
+    if (reason === BY_WATCHDOG) fs.writeSync(1, `watchdog: restarted ${Math.round(this.chip.unfedNanos / 1000)} us after it was fed\n`);
+    this.powerUp(this.chip.sram, reason);
   }
 }
 

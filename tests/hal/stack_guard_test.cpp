@@ -22,6 +22,16 @@ TEST(StackGuard, RegionOfArmv7) {
   EXPECT_EQ(read_only_v7(0, 1024).attributes >> 1 & 0x1Fu, 9u);
 }
 
+/// DDI 0419, B3.5: a region of 2^(7 + 1) bytes, whose bits 8 to 15 leave out an eighth each; C alone is normal memory.
+TEST(StackGuard, RegionOfArmv6) {
+  const RegionWords first = read_only_v6(0x20000000, 32), last = read_only_v6(0x200001E0, 32);
+  EXPECT_EQ(first.base, 0x20000000u);
+  EXPECT_EQ(first.attributes, 1u << 28 | 6u << 24 | 1u << 17 | 0xFEu << 8 | 7u << 1 | 1u);
+  EXPECT_EQ(last.base, 0x20000100u);
+  EXPECT_EQ(last.attributes >> 8 & 0xFFu, 0x7Fu);
+  EXPECT_EQ(read_only_v6(0x20000040, 64).attributes >> 8 & 0xFFu, 0xF3u);
+}
+
 /// DDI 0553, MPU_RBAR and MPU_RLAR: privileged read-only, never execute; the limit is the last block of 32 bytes.
 TEST(StackGuard, RegionOfArmv8) {
   const RegionWords words = read_only_v8(0x38000000, 32);
