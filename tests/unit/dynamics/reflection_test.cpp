@@ -8,6 +8,7 @@ namespace {
 
 template <class J>
 struct TestLink : Plain {
+  using Scalar = double;
   static constexpr bool unrolled = true;
   J value{};
   J rotor() const { return value; }

@@ -112,12 +112,12 @@ TEST(EliminationLoss, IsTheSumOfCompositeOverRemainingInertia) {
   using Code = Status::Code;
   crba::Loss<float, false> loss;
   loss.see(100.0F, 1.0F), loss.see(2.0F, 14.0F);
-  EXPECT_EQ(loss.code(), Code::ok) << "128 is the most";
+  EXPECT_EQ(static_cast<Code>(loss.code()), Code::ok) << "128 is the most";
   loss.see(1.0F, 0.001F);
-  EXPECT_EQ(loss.code(), Code::inaccurate);
+  EXPECT_EQ(static_cast<Code>(loss.code()), Code::inaccurate);
   crba::Loss<float, true> little;
   little.see(1e9F, 1e9F);
-  EXPECT_EQ(little.code(), Code::ok) << "the compiler knows";
+  EXPECT_EQ(static_cast<Code>(little.code()), Code::ok) << "the compiler knows";
 }
 
 TEST(Pivot, IsLostBelowSixteenEpsilonsOfTheCompositeInertia) {

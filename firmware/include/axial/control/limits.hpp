@@ -103,6 +103,10 @@ struct LimitsFor {
   }
 };
 
+// Where T stands for one state: batches have one status per lane.
+template <class T>
+using if_one_state = std::enable_if_t<std::is_same_v<Lane<T>, T>, int>;
+
 // What is wrong with a joint of which something is.
 template <class For, class L, class Q, class T>
 constexpr Status::Code violation(const L& l, const Q& q, const T& qd, const T& qdd) {
@@ -116,7 +120,7 @@ constexpr Status::Code violation(const L& l, const Q& q, const T& qd, const T& q
 
 /// First joint with which something is wrong in a request, and what: not finite, outside the declared limits, or an
 /// angle of so many turns that its sine is not exact (angle_range), where the limits allow one.
-template <class S, class T>
+template <class S, class T, detail::if_one_state<T> = 0>
 [[nodiscard]] constexpr Status check_request(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                              const Accelerations<robot_of<S>, T>& qdd) {
   using For = detail::LimitsFor<S, T>;
@@ -129,7 +133,7 @@ template <class S, class T>
 }
 
 /// First joint whose position is not finite or outside the declared limits, and which of the two, as check_request().
-template <class S, class T>
+template <class S, class T, detail::if_one_state<T> = 0>
 [[nodiscard]] constexpr Status check_position(const Positions<robot_of<S>, T>& q) {
   using For = detail::LimitsFor<S, T>;
   for (int i = 0; i < joint_count<S>; ++i)

@@ -118,21 +118,21 @@ AXIAL_INLINE constexpr auto immersed(const Dry&, const Tree& tree) {
 }
 
 /// What the outward pass needs of a joint, and what the parent gets.
-template <class G, class U, class Z, class L, class S>
+template <class G, class U, class Z, class B, class L, class S>
 struct InwardResult {
-  G gain{};               ///< K = U / D
-  U free{};               ///< u / D: the acceleration of the joint if its parent did not accelerate
-  Z zeta{};               ///< bias acceleration of its motion
-  bool singular = false;  ///< whether D is lost in rounding
-  L left{};               ///< whether anything is left of D: the joint is held if not
-  S sent{};               ///< subtree that its parent bears, in the parent's frame
+  G gain{};      ///< K = U / D
+  U free{};      ///< u / D: the acceleration of the joint if its parent did not accelerate
+  Z zeta{};      ///< bias acceleration of its motion
+  B singular{};  ///< whether D is lost in rounding
+  L left{};      ///< whether anything is left of D: the joint is held if not
+  S sent{};      ///< subtree that its parent bears, in the parent's frame
 };
-template <class G, class U, class Z, class L, class S>
-InwardResult(G, U, Z, bool, L, S) -> InwardResult<G, U, Z, L, S>;
+template <class G, class U, class Z, class B, class L, class S>
+InwardResult(G, U, Z, B, L, S) -> InwardResult<G, U, Z, detail::Decided<B>, L, S>;
 
 /// The same in the form in which the link keeps results.
-template <class Link, class G, class U, class Z, class L, class S>
-AXIAL_INLINE constexpr auto shaped(const Link& link, const InwardResult<G, U, Z, L, S>& left) {
+template <class Link, class G, class U, class Z, class B, class L, class S>
+AXIAL_INLINE constexpr auto shaped(const Link& link, const InwardResult<G, U, Z, B, L, S>& left) {
   return InwardResult{link.shape(left.gain), link.shape(left.free), link.shape(left.zeta), left.singular, left.left,
                       link.shape(left.sent)};
 }
@@ -198,8 +198,8 @@ struct InMotion {
 };
 
 /// Writes the acceleration of a floating base, with gravity back in it.
-template <class Links, class Input, class Motion, class A>
-AXIAL_INLINE constexpr Status write_base(const Links& links, const Input& in, const Motion& base, Status status,
+template <class Links, class Input, class Motion, class Answer, class A>
+AXIAL_INLINE constexpr Answer write_base(const Links& links, const Input& in, const Motion& base, Answer status,
                                          A& result) {
   if constexpr (Links::Scene::template has<FloatingBase>) {
     const auto& a = base.acceleration;
@@ -207,15 +207,16 @@ AXIAL_INLINE constexpr Status write_base(const Links& links, const Input& in, co
       result.base_acceleration = a;
     else
       result.base_acceleration = MotionVector{a.angular, a.linear + gravity_at_base(links, in)};
-    if (base.singular) status.code = Status::Code::near_singular;
+    put_where(status, base.singular, Status::Code::near_singular);
   }
   return status;
 }
 
 /// The algorithm over any form of links and the screws at q; writes one acceleration a joint.
 template <class Links, class Input, class Screws, class Situation, class Tau, class A>
-AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in, const Screws& screws,
-                                            const Situation& situation, const Tau& tau, A& qdd) {
+AXIAL_INLINE constexpr auto accelerations(const Links& links, const Input& in, const Screws& screws,
+                                          const Situation& situation, const Tau& tau, A& qdd) {
+  using T = typename Links::Scalar;
   const TipLoads<typename Links::Scene, Input> loads(in);
   auto velocities = situation.velocities(screws);
   auto own = [&](auto i) AXIAL_INLINE {
@@ -232,13 +233,13 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
       return shaped(link, reflect(joint, link, screws[i], tree, velocities[i], effort));
     });
   });
-  int singular = -1;
+  Ordinal<T> singular = -1;
   auto base = situation.base(joints);
   outward(links, base.acceleration, [&](auto i, const auto& parent) AXIAL_INLINE {
     auto link = links.link(i);
     const auto& left = joints[i];
     auto moved = with_joint(link, to_child(screws[i], to_child(link.x(), parent, link), link), left.zeta);
-    bool lost = left.singular;
+    Truth<T> lost = left.singular;
     auto answer = link.on_joint([&](auto joint) AXIAL_INLINE {
       auto acceleration = joint_acceleration(link, left.free, left.gain, moved, left.left, lost);
       links.write_limited(qdd, i, acceleration, lost);
@@ -252,8 +253,7 @@ AXIAL_INLINE constexpr Status accelerations(const Links& links, const Input& in,
 
 /// The classical form: one inward pass carries inertia and bias.
 template <class Links, class Input, class Q, class V, class Tau, class A>
-AXIAL_INLINE constexpr Status run(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
-                                  A& qdd) {
+AXIAL_INLINE constexpr auto run(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau, A& qdd) {
   auto at = links.read(q);
   auto speed = links.read(qd);
   auto screws = joint_screws(links, in, at);

@@ -10,14 +10,14 @@ namespace axial {
 namespace detail {
 
 /// L D L^T of a symmetric positive definite 3x3 block: the entries yx, zx, zy of L and the inverse of D.
-template <class L, class D>
+template <class L, class D, class B>
 struct Factors {
   L lower{};
   D inverse{};
-  bool singular = false;
+  B singular{};
 };
-template <class L, class D>
-Factors(L, D, bool) -> Factors<L, D>;
+template <class L, class D, class B>
+Factors(L, D, B) -> Factors<L, D, B>;
 
 // A pivot is compared with `scale`, the composite inertia that it was subtracted from.
 template <class T, class Round, class S, class Scale>
@@ -31,7 +31,7 @@ AXIAL_INLINE constexpr auto factored(const Round& round, const S& s, const Scale
   auto zy = round.sum(AngularGain{}, y.inverse * yz);
   auto z = resistance(T(round.sum(JointInertia{}, s.zz, -(zx * s.xz), -(zy * yz))), scale);
   return Factors{Vec3{yx, zx, zy}, Vec3{x.inverse, y.inverse, z.inverse},
-                 static_cast<bool>(x.singular | y.singular | z.singular)};
+                 Truth<T>(x.singular | y.singular | z.singular)};
 }
 
 // L y = v; then L^T x = y.
@@ -63,13 +63,13 @@ AXIAL_INLINE constexpr auto complement(const Round& round, const S& s, const W& 
 }  // namespace detail
 
 /// Acceleration of a free body, and whether its inertia is lost in rounding.
-template <class M>
+template <class M, class B>
 struct FreeMotion {
-  M acceleration{};       ///< rad/s^2 and m/s^2, of the frame's origin
-  bool singular = false;  ///< whether a pivot is lost in rounding
+  M acceleration{};  ///< rad/s^2 and m/s^2, of the frame's origin
+  B singular{};      ///< whether a pivot is lost in rounding
 };
-template <class M>
-FreeMotion(M, bool) -> FreeMotion<M>;
+template <class M, class B>
+FreeMotion(M, B) -> FreeMotion<M, B>;
 
 /// Solves I a + p = 0 for an articulated inertia I and the force p: L D L^T without pivoting, the linear block first,
 /// then the angular one (the inertia about the articulated centre of mass). 86M 65A 6D; known zeros cost nothing.
@@ -89,7 +89,7 @@ AXIAL_INLINE constexpr auto free_motion(const Round& round, const I& inertia, co
       detail::backward(round, angular, detail::scaled(angular.inverse, detail::forward(round, angular, moment)));
   auto shift = round.sum(LinearAcceleration{}, detail::scaled(linear.inverse, force), -transpose_times(gain, turn));
   return FreeMotion{MotionVector{-turn, -detail::backward(round, linear, shift)},
-                    static_cast<bool>(linear.singular | angular.singular)};
+                    Truth<T>(linear.singular | angular.singular)};
 }
 
 }  // namespace axial

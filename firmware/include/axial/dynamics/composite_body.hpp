@@ -88,7 +88,7 @@ AXIAL_INLINE constexpr auto pivot(const Link&, const T& d, const T& composite) {
   if constexpr (detail::AlwaysResists<Link>::value) {
     return Resistance{reciprocal(d), std::false_type{}, std::true_type{}};
   } else {
-    const bool left = d > T(T(Int<16>{}) * NumberTraits<T>::epsilon() * composite);
+    const auto left = d > T(T(Int<16>{}) * NumberTraits<T>::epsilon() * composite);
     return Resistance{select(left, reciprocal(d), T(Zero{})), !left, left};
   }
 }
@@ -112,9 +112,9 @@ class Loss {
   /// Sees a joint's composite inertia, and the inverse of what is left of it.
   AXIAL_INLINE constexpr void see(const T& composite, const T& inverse) { sum_ = sum_ + composite * inverse; }
   /// ok, or inaccurate; about no joint.
-  [[nodiscard]] AXIAL_INLINE constexpr Status::Code code() const {
-    const bool much = sum_ > NumberTraits<T>::constant(most);
-    return static_cast<Status::Code>(select(much, static_cast<int>(Status::Code::inaccurate), 0));
+  [[nodiscard]] AXIAL_INLINE constexpr Ordinal<T> code() const {
+    const auto much = sum_ > NumberTraits<T>::constant(most);
+    return select(much, static_cast<int>(Status::Code::inaccurate), 0);
   }
 
  private:
@@ -124,8 +124,8 @@ class Loss {
 template <class T>
 class Loss<T, true> {
  public:
-  AXIAL_INLINE constexpr void see(const T&, const T&) {}                                       ///< looks at nothing
-  [[nodiscard]] AXIAL_INLINE constexpr Status::Code code() const { return Status::Code::ok; }  ///< always ok
+  AXIAL_INLINE constexpr void see(const T&, const T&) {}                      ///< looks at nothing
+  [[nodiscard]] AXIAL_INLINE constexpr Ordinal<T> code() const { return 0; }  ///< always ok
 };
 
 /// True by type where 1/D of joint k has one use, its own acceleration: a joint on the base, known to resist. Then x /
@@ -146,14 +146,14 @@ AXIAL_INLINE constexpr auto takes_one_quotient(K) {
 /// with its composite inertia M(k, k), from which it was subtracted. The status names the innermost joint that is lost;
 /// it is held: its acceleration is 0 and its ancestors bear what it carries as if it were locked.
 template <class Links, class Matrix, class X>
-AXIAL_INLINE constexpr Status solve(const Links& links, Matrix& m, X& x) {
+AXIAL_INLINE constexpr auto solve(const Links& links, Matrix& m, X& x) {
   using T = typename Links::Scalar;
   auto composite = map_links(links, [&](auto i) AXIAL_INLINE { return m(i, i); });
   Loss<T, loses_little<Links>()> loss;
-  int singular = -1;
+  Ordinal<T> singular = -1;
   for_each_link_inwards(links, [&](auto k) AXIAL_INLINE {
     auto left = pivot(links.link(k), m(k, k), composite[k]);
-    singular = select(left.singular, static_cast<int>(k), singular);
+    singular = select(Truth<T>(left.singular), static_cast<int>(k), singular);
     loss.see(composite[k], left.inverse);
     eliminate(links, k, left.inverse, m, x);
     if constexpr (decltype(takes_one_quotient<Links>(k))::value)
@@ -167,15 +167,14 @@ AXIAL_INLINE constexpr Status solve(const Links& links, Matrix& m, X& x) {
         x[k] = links.link(k).sum(quantity::JointAcceleration{}, x[k], -(m(k, i) * x[i]));
     });
   });
-  const int code =
-      select(is_negative(singular), static_cast<int>(loss.code()), static_cast<int>(Status::Code::near_singular));
-  return {static_cast<Status::Code>(code), singular};
+  const Ordinal<T> lost = static_cast<int>(Status::Code::near_singular);
+  return status_from(select(is_negative(singular), loss.code(), lost), singular);
 }
 
 /// The algorithm over any form of links; writes one acceleration a joint.
 template <class Links, class Input, class Q, class V, class Tau, class A>
-AXIAL_INLINE constexpr Status run_solve(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
-                                        A& qdd) {
+AXIAL_INLINE constexpr auto run_solve(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
+                                      A& qdd) {
   auto screws = joint_screws(links, in, q);
   rnea::efforts(links, in, q, screws, qd, NoMotion{}, qdd);
   for_each_link(links, [&](auto i) AXIAL_INLINE { qdd[i] = tau[i] - qdd[i]; });

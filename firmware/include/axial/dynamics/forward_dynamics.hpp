@@ -14,7 +14,7 @@ namespace axial {
 namespace detail {
 
 template <Route route, class Scene, class T, class Input, class Q, class V, class Tau, class A>
-AXIAL_INLINE constexpr Status solve(const Input& in, const Q& q, const V& qd, const Tau& tau, A& qdd) {
+AXIAL_INLINE constexpr StatusOf<T> solve(const Input& in, const Q& q, const V& qd, const Tau& tau, A& qdd) {
   if constexpr (route == Route::composite_body)
     return crba::run_solve(links_of<Scene, T, BaseParameters>(), in, q, qd, tau, qdd);
   else if constexpr (route == Route::split_articulated_body)
@@ -39,8 +39,8 @@ inline constexpr Route model_route = Scene::template has<CompositeBody>         
                                                                                  : Route::articulated_body;
 
 template <Route route, class Links, class Input, class Q, class V, class Tau, class A>
-AXIAL_INLINE constexpr Status solve_model(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
-                                          A& qdd) {
+AXIAL_INLINE constexpr auto solve_model(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
+                                        A& qdd) {
   if constexpr (route == Route::composite_body)
     return crba::run_solve(links, in, q, qd, tau, qdd);
   else if constexpr (route == Route::split_articulated_body)
@@ -88,7 +88,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
   ForwardDynamicsOf<M, T> result{};
   const auto links = model.template links<T>();
   const auto asked = detail::collected_request(links, in, q, qd);
-  const Status solved = detail::solve_model<detail::model_route<scene_of<M>>>(links, in, q, qd, tau, result);
+  const auto solved = detail::solve_model<detail::model_route<scene_of<M>>>(links, in, q, qd, tau, result);
   result.status = detail::sound_status(links, asked, result, solved);
   return result;
 }

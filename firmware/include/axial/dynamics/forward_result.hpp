@@ -3,7 +3,7 @@
 
 #include <axial/links/links.hpp>
 #include <axial/scalar/select.hpp>
-#include <axial/scene/status.hpp>
+#include <axial/scene/decisions.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -12,7 +12,7 @@ namespace axial {
 /// Accelerations, one per joint, and what the solver has to say about them.
 template <class S, class T>
 struct ForwardDynamics : FreeAccelerations<S, T> {
-  Status status{};  ///< first joint that is near singular, or beyond its formats
+  StatusOf<T> status{};  ///< first joint that is near singular, or beyond its formats
 };
 /// On a floating base also the base's own acceleration: angular (rad/s^2) and of the origin of frame 0 (m/s^2, gravity
 /// included), in axes of frame 0. The status names joint -1 where the base itself is near singular.
@@ -30,10 +30,10 @@ namespace aba {
 
 /// What became of a solve whose joint `lost` (-1: none) is near singular, or whatever these links call it.
 template <class Links>
-AXIAL_INLINE constexpr Status status_of(int lost, bool scaled) {
+AXIAL_INLINE constexpr auto status_of(const Ordinal<typename Links::Scalar>& lost, bool scaled) {
   constexpr auto trouble = static_cast<int>(Links::lost_code);
   const int otherwise = select(scaled, static_cast<int>(Status::Code::rescaled), static_cast<int>(Status::Code::ok));
-  return {static_cast<Status::Code>(select(!is_negative(lost), trouble, otherwise)), lost};
+  return status_from(select(!is_negative(lost), trouble, otherwise), lost);
 }
 
 /// A motion and what the joint adds to it, in the formats of the link.

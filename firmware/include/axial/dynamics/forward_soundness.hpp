@@ -79,13 +79,11 @@ AXIAL_INLINE constexpr auto collected_request(const Links& links, const Input& i
 /// The status of an answer that a solver calls `solved`: what is not finite, and angles without exact sines, come
 /// first.
 template <class Links, class T, class A>
-AXIAL_INLINE constexpr Status sound_status(const Links& links, Soundness<T> all, const A& qdd, Status solved) {
+AXIAL_INLINE constexpr auto sound_status(const Links& links, Soundness<T> all, const A& qdd,
+                                         const StatusOf<T>& solved) {
   for_each_link(links, [&](auto i) AXIAL_INLINE { all.number(qdd[i]); });
   if constexpr (Links::Scene::template has<FloatingBase>) collect(all, qdd.base_acceleration);
-  const Status found = all.status();
-  const int unsound = -static_cast<int>(!found.ok());  // all ones: about no joint, and no other code
-  const int code = static_cast<int>(found.code) | (static_cast<int>(solved.code) & ~unsound);
-  return {static_cast<Status::Code>(code), solved.joint | unsound};
+  return first_trouble(all.status(), solved);
 }
 
 /// The state and the inputs of a solve, looked at before it: while they are in registers. Here nothing wraps, so that
@@ -102,7 +100,7 @@ class StateCheck {
     result.status = sound_status(links_of<S, T>(), asked_, result, result.status);
   }
   /// Puts what is beyond the formats into a status: nothing.
-  AXIAL_INLINE constexpr void name(Status&) const {}
+  AXIAL_INLINE constexpr void name(StatusOf<T>&) const {}
 
  private:
   Soundness<typename decltype(links_of<S, T>())::Scalar> asked_;

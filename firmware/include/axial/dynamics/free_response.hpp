@@ -44,17 +44,17 @@ AXIAL_INLINE constexpr const W& submerged(const Dry&, const W& subtree) {
 }
 
 /// What the structure keeps of a joint: its gain K, D and 1/D; and what its parent bears.
-template <class K, class D, class R, class L, class W>
+template <class K, class D, class R, class B, class L, class W>
 struct AtRest {
-  K gain{};               ///< k = U / D
-  D resistance{};         ///< D, kg m^2 or kg
-  R inverse{};            ///< 1 / D
-  bool singular = false;  ///< whether D is lost in rounding
-  L left{};               ///< whether anything is left of D: the joint is held if not
-  W sent{};               ///< weight that its parent bears, in the parent's frame
+  K gain{};        ///< k = U / D
+  D resistance{};  ///< D, kg m^2 or kg
+  R inverse{};     ///< 1 / D
+  B singular{};    ///< whether D is lost in rounding
+  L left{};        ///< whether anything is left of D: the joint is held if not
+  W sent{};        ///< weight that its parent bears, in the parent's frame
 };
-template <class K, class D, class R, class L, class W>
-AtRest(K, D, R, bool, L, W) -> AtRest<K, D, R, L, W>;
+template <class K, class D, class R, class B, class L, class W>
+AtRest(K, D, R, B, L, W) -> AtRest<K, D, R, detail::Decided<B>, L, W>;
 
 /// The structure at the joint screws, from the tips to the base.
 template <class Links, class Input, class Screws>
@@ -80,14 +80,14 @@ AXIAL_INLINE constexpr auto structure_at_rest(const Links& links, const Input& i
 }
 
 /// What the outward pass needs of a joint's drive, and what the parent gets.
-template <class U, class F>
+template <class U, class B, class F>
 struct Driven {
-  U free{};           ///< u / D, rad/s^2 or m/s^2
-  bool lost = false;  ///< whether D is lost, or the drive is beyond its format
-  F sent{};           ///< N m and N, on the parent, in its frame
+  U free{};  ///< u / D, rad/s^2 or m/s^2
+  B lost{};  ///< whether D is lost, or the drive is beyond its format
+  F sent{};  ///< N m and N, on the parent, in its frame
 };
-template <class U, class F>
-Driven(U, bool, F) -> Driven<U, F>;
+template <class U, class B, class F>
+Driven(U, B, F) -> Driven<U, B, F>;
 
 /// Nothing to watch: numbers that do not leave their range.
 struct Unwatched {
@@ -100,13 +100,14 @@ struct Unwatched {
 /// Accelerations of the structure under efforts alone; take(i, qdd_i) gets one per joint. `watch` sees every vector on
 /// the way. Returns the first joint that is near singular or beyond its formats, or -1.
 template <class Links, class Screws, class Structure, class Drive, class Watch, class Take>
-AXIAL_INLINE constexpr int respond(const Links& links, const Screws& screws, const Structure& structure,
-                                   const Drive& drive, Watch& watch, const Take& take) {
+AXIAL_INLINE constexpr auto respond(const Links& links, const Screws& screws, const Structure& structure,
+                                    const Drive& drive, Watch& watch, const Take& take) {
+  using T = typename Links::Scalar;
   auto nothing = [&](auto i) AXIAL_INLINE { return links.link(i).shape(ForceVector<ZeroVec3, ZeroVec3>{}); };
   auto forces = inward(links, nothing, [&](auto i, const auto& force) AXIAL_INLINE {
     auto link = links.link(i);
     return link.on_joint([&](auto joint) AXIAL_INLINE {
-      bool lost = structure[i].singular;
+      Truth<T> lost = structure[i].singular;
       auto passed = passage(joint, link, structure[i], no_bias_products, force, drive[i], watch.magnified(), lost);
       auto turned = to_parent(screws[i], passed.bias, link);
       auto sent = to_parent(link.x(), turned, link.outer());
@@ -114,12 +115,12 @@ AXIAL_INLINE constexpr int respond(const Links& links, const Screws& screws, con
       return Driven{link.shape(passed.free), lost, link.shape(sent)};
     });
   });
-  int first = -1;
+  Ordinal<T> first = -1;
   outward(links, MotionVector<ZeroVec3, ZeroVec3>{}, [&](auto i, const auto& parent) AXIAL_INLINE {
     auto link = links.link(i);
     auto across = to_child(link.x(), parent, link);
     auto moved = with_joint(link, to_child(screws[i], across, link), MotionVector<ZeroVec3, ZeroVec3>{});
-    bool lost = forces[i].lost;
+    Truth<T> lost = forces[i].lost;
     auto answer = link.on_joint([&](auto joint) AXIAL_INLINE {
       auto own = joint_acceleration(link, forces[i].free, structure[i].gain, moved, structure[i].left, lost);
       auto motion = with_joint(link, moved, along_axis(joint, own));

@@ -18,7 +18,7 @@ template <class S, class T>
 struct ForwardKinematics {
   WorldPose<T> frames[joint_count<S>];  ///< of every link
   WorldPose<T> tool;                    ///< of the tool
-  Status status{};                      ///< whether they are poses, see forward_kinematics()
+  StatusOf<T> status{};                 ///< whether they are poses, see forward_kinematics()
 };
 
 /// Geometric Jacobian of the tool's origin: column j is the motion (angular; linear), in world axes, that a unit speed
@@ -26,7 +26,7 @@ struct ForwardKinematics {
 template <class S, class T>
 struct Jacobian {
   MotionVector<Vec3<T>, Vec3<T>> columns[joint_count<S>];  ///< one per joint, from the base outwards
-  Status status{};                                         ///< whether they are numbers, see forward_kinematics()
+  StatusOf<T> status{};                                    ///< whether they are numbers, see forward_kinematics()
   /// Column of joint j; the index is not checked.
   AXIAL_INLINE constexpr auto& operator[](int j) { return columns[j]; }
   /// Column of joint j; the index is not checked.
@@ -70,8 +70,8 @@ AXIAL_INLINE constexpr auto frames(const Links& links, const Input& in, const Q&
 /// Status of an answer at q. The slides of a type tell whether something overflows; of a run-time model `numbers(i)` of
 /// each link, and `more`, are looked at.
 template <class Links, class Input, class Q, class Numbers, class... More>
-AXIAL_INLINE constexpr Status status_at(const Links& links, const Input& in, const Q& q, const Numbers& numbers,
-                                        const More&... more) {
+AXIAL_INLINE constexpr auto status_at(const Links& links, const Input& in, const Q& q, const Numbers& numbers,
+                                      const More&... more) {
   Soundness<typename Links::Scalar> all;
   detail::judge_positions(all, links, in, q);
   if constexpr (!detail::is_known<typename Links::Scene::Robot>(0)) {

@@ -13,7 +13,7 @@ template <class S, class T>
 struct MomentumTerms {
   MomentaOf<S, T> momentum{};     ///< M(q) qd, with rotors as the scene names them: N m s or N s
   MomentumRatesOf<S, T> drift{};  ///< C^T qd - g - friction - springs + J^T wrench: N m or N
-  Status status{};                ///< whether they are numbers, see momentum_terms()
+  StatusOf<T> status{};           ///< whether they are numbers, see momentum_terms()
 };
 
 namespace momentum {
@@ -94,8 +94,8 @@ AXIAL_INLINE constexpr void carry(const Links& links, const Input& in, const Scr
 
 /// Whether what went in and what came out are numbers.
 template <class Links, class Input, class Q, class V, class Terms>
-AXIAL_INLINE constexpr Status status_of(const Links& links, const Input& in, const Q& q, const V& qd,
-                                        const Terms& terms) {
+AXIAL_INLINE constexpr auto status_of(const Links& links, const Input& in, const Q& q, const V& qd,
+                                      const Terms& terms) {
   Soundness<typename Links::Scalar> all;
   detail::judge_positions(all, links, in, q);
   detail::collect_inputs<typename Links::Scene>(all, in);

@@ -53,15 +53,15 @@ constexpr bool is_known(...) {
 /// the sine and cosine of some angle (to a quarter of their squares).
 template <class Links, class T, class Input, class Q>
 AXIAL_INLINE constexpr void judge_positions(Soundness<T>& all, const Links& links, const Input& in, const Q& q) {
-  if constexpr (std::is_floating_point_v<T>) {
-    constexpr T farthest = slide_scale<typename Links::Scene::Robot, T>(0);
+  if constexpr (std::is_floating_point_v<Lane<T>>) {
+    constexpr Lane<T> scale = slide_scale<typename Links::Scene::Robot, Lane<T>>(0);
     for_each_link(links, [&](auto i) AXIAL_INLINE {
       links.link(i).on_joint([&](auto kind) AXIAL_INLINE {
         if constexpr (std::is_same_v<decltype(kind), Prismatic>) {
-          all.number(farthest * q[i]);
+          all.number(T(scale) * q[i]);
         } else if constexpr (Links::Scene::template has<SineCosines>) {
           const auto& pair = in.turns[i];
-          all.angle(T(4) * largest_angles<T> * ((pair.sin * pair.sin - T(1)) + pair.cos * pair.cos));
+          all.angle(T(4) * T(largest_angles<Lane<T>>) * ((pair.sin * pair.sin - T(1)) + pair.cos * pair.cos));
         } else {
           all.angle(q[i]);
         }
@@ -74,7 +74,7 @@ AXIAL_INLINE constexpr void judge_positions(Soundness<T>& all, const Links& link
 /// looked at.
 template <class S, class T>
 struct PositionCheck {
-  AXIAL_INLINE static constexpr void name(Status&, const Inputs<S, T>&, const Positions<robot_of<S>, T>&) {}
+  AXIAL_INLINE static constexpr void name(StatusOf<T>&, const Inputs<S, T>&, const Positions<robot_of<S>, T>&) {}
 };
 
 }  // namespace detail

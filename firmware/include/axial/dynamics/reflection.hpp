@@ -131,17 +131,17 @@ AXIAL_INLINE constexpr auto passed_bias(Prismatic, const Link& link, const P& p,
 }
 
 /// Everything that a joint's reflection yields.
-template <class I, class P, class K, class U, class L>
+template <class I, class P, class K, class U, class B, class L>
 struct Reflection {
-  I inertia;      ///< N, inertia seen on the inboard side
-  P bias;         ///< force seen on the inboard side
-  K gain;         ///< K = U / D with K_s = I_ss / D
-  U free;         ///< u / D
-  bool singular;  ///< D is lost in the rounding of the composite inertia
-  L left;         ///< whether anything is left of D: the joint is held if not
+  I inertia;   ///< N, inertia seen on the inboard side
+  P bias;      ///< force seen on the inboard side
+  K gain;      ///< K = U / D with K_s = I_ss / D
+  U free;      ///< u / D
+  B singular;  ///< D is lost in the rounding of the composite inertia
+  L left;      ///< whether anything is left of D: the joint is held if not
 };
-template <class I, class P, class K, class U, class L>
-Reflection(I, P, K, U, bool, L) -> Reflection<I, P, K, U, L>;
+template <class I, class P, class K, class U, class B, class L>
+Reflection(I, P, K, U, B, L) -> Reflection<I, P, K, U, detail::Decided<B>, L>;
 
 namespace detail {
 
@@ -157,17 +157,17 @@ AXIAL_INLINE constexpr auto gain_vector(Prismatic, const K& k, const KS& axis) {
 }  // namespace detail
 
 /// What a joint makes of an articulated body's inertia, whatever drives it: N, D and its inverse, and K.
-template <class N, class D, class R, class K, class Left>
+template <class N, class D, class R, class K, class B, class Left>
 struct Hinge {
-  N inertia;      ///< N, an ArticulatedInertia
-  D resistance;   ///< D = I_ss + rotor, kg m^2 or kg
-  R inverse;      ///< 1 / D, 0 of a joint that is held
-  K gain;         ///< k = U / D with K_s = I_ss / D
-  bool singular;  ///< whether D is lost in the rounding of the composite inertia
-  Left left;      ///< whether anything is left of D: the joint is held if not
+  N inertia;     ///< N, an ArticulatedInertia
+  D resistance;  ///< D = I_ss + rotor, kg m^2 or kg
+  R inverse;     ///< 1 / D, 0 of a joint that is held
+  K gain;        ///< k = U / D with K_s = I_ss / D
+  B singular;    ///< whether D is lost in the rounding of the composite inertia
+  Left left;     ///< whether anything is left of D: the joint is held if not
 };
-template <class N, class D, class R, class K, class Left>
-Hinge(N, D, R, K, bool, Left) -> Hinge<N, D, R, K, Left>;
+template <class N, class D, class R, class K, class B, class Left>
+Hinge(N, D, R, K, B, Left) -> Hinge<N, D, R, K, detail::Decided<B>, Left>;
 
 /// Of an articulated body's inertia at its joint; `scale` is what D is compared with.
 template <class Joint, class Link, class I, class Scale>
@@ -207,9 +207,9 @@ JointTransmission(P, U) -> JointTransmission<P, U>;
 
 /// Across a joint that is held all of p passes, and u / D is 0. Sets `lost` where u / 2^magnified is beyond what
 /// formats are made for.
-template <class Joint, class Link, class H, class N, class P, class Tau, class M>
+template <class Joint, class Link, class H, class N, class P, class Tau, class M, class B>
 AXIAL_INLINE constexpr auto passage(Joint joint, const Link& link, const H& hinge, const N& products, const P& p,
-                                    const Tau& tau, M magnified, bool& lost) {
+                                    const Tau& tau, M magnified, B& lost) {
   using namespace quantity;
   auto held = along_joint(joint, p);
   auto axis = detail::along_axis_of(joint, hinge.gain);
@@ -225,7 +225,7 @@ template <class Joint, class Link, class I, class P, class Z, class Tau, class S
 AXIAL_INLINE constexpr auto reflection(Joint joint, const Link& link, const I& inertia, const P& p, const Z& zeta,
                                        const Tau& tau, const Scale& scale) {
   auto h = hinge(joint, link, inertia, scale);
-  bool lost = h.singular;
+  Truth<typename Link::Scalar> lost = h.singular;
   auto passed = passage(joint, link, h, bias_products(h.inertia, zeta), p, tau, Zero{}, lost);
   return Reflection{h.inertia, passed.bias, h.gain, passed.free, lost, h.left};
 }
@@ -238,9 +238,9 @@ AXIAL_INLINE constexpr auto gain_times(const K& k, const M& motion) {
 
 /// Acceleration of a joint whose link's inboard side moves so: u / D - K . a; 0 of a joint that is held. Sets `lost`
 /// where the format is too small for it.
-template <class Link, class U, class K, class M, class Left>
+template <class Link, class U, class K, class M, class Left, class B>
 AXIAL_INLINE constexpr auto joint_acceleration(const Link& link, const U& free, const K& gain, const M& motion,
-                                               Left left, bool& lost) {
+                                               Left left, B& lost) {
   auto own = link.limited(quantity::JointAcceleration{}, lost, free, -gain_times(gain, motion));
   return where_left<decltype(own)>(left, own, Zero{});
 }

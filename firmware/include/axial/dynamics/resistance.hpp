@@ -3,6 +3,7 @@
 
 #include <axial/dynamics/composite_scale.hpp>
 #include <axial/links/link_view.hpp>
+#include <axial/scene/decisions.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -81,7 +82,7 @@ template <class Link>
 struct AlwaysResists : std::false_type {};
 template <class Scene, int I, class T, class Parameters>
 struct AlwaysResists<StaticLink<Scene, I, T, Parameters, Plain>>
-    : std::bool_constant<(own_shares_of<Scene>.of[I] > sufficient_share<T>)> {};
+    : std::bool_constant<(own_shares_of<Scene>.of[I] > sufficient_share<Lane<T>>)> {};
 
 }  // namespace detail
 
@@ -102,7 +103,7 @@ Resistance(R, Singular, Left) -> Resistance<R, Singular, Left>;
 template <class T, class Scale>
 AXIAL_INLINE constexpr auto resistance(const T& d, const Scale& scale) {
   const T eps = NumberTraits<T>::epsilon();
-  const bool left = d > T(eps * eps * scale);
+  const auto left = d > T(eps * eps * scale);
   return Resistance{select(left, reciprocal(d), T(Zero{})), !(d > T(T(Int<16>{}) * eps * scale)), left};
 }
 
@@ -139,8 +140,8 @@ AXIAL_INLINE constexpr No where_left(std::false_type, const Yes&, const No& no) 
   return no;
 }
 /// The same, selected at run time.
-template <class T, class Yes, class No>
-AXIAL_INLINE constexpr T where_left(bool left, const Yes& yes, const No& no) {
+template <class T, class Left, class Yes, class No>
+AXIAL_INLINE constexpr T where_left(Left left, const Yes& yes, const No& no) {
   return select(left, T(yes), T(no));
 }
 

@@ -11,12 +11,12 @@ namespace aba {
 
 /// One answer in numbers of unlimited range, each acceleration as it comes.
 template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
-AXIAL_INLINE constexpr Status answer(const Links& links, const Screws& screws, const Structure& structure,
-                                     const Tau& tau, const Bias& bias, A& qdd) {
+AXIAL_INLINE constexpr auto answer(const Links& links, const Screws& screws, const Structure& structure, const Tau& tau,
+                                   const Bias& bias, A& qdd) {
   auto drive = map_links(links, [&](auto i) AXIAL_INLINE { return tau[i] - bias[i]; });
   Unwatched watch;
-  const int lost = respond(links, screws, structure, drive, watch,
-                           [&](auto i, const auto& own) AXIAL_INLINE { links.write(qdd, i, own); });
+  const auto lost = respond(links, screws, structure, drive, watch,
+                            [&](auto i, const auto& own) AXIAL_INLINE { links.write(qdd, i, own); });
   return status_of<Links>(lost, false);
 }
 
@@ -26,16 +26,16 @@ template <class Scalar>
 struct SplitAnswer {
   /// Writes the accelerations under tau - bias.
   template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
-  AXIAL_INLINE static constexpr Status of(const Links& links, const Screws& screws, const Structure& structure,
-                                          const Tau& tau, const Bias& bias, A& qdd) {
+  AXIAL_INLINE static constexpr auto of(const Links& links, const Screws& screws, const Structure& structure,
+                                        const Tau& tau, const Bias& bias, A& qdd) {
     return answer(links, screws, structure, tau, bias, qdd);
   }
 };
 
 /// The algorithm over any form of links; `bias_links` are those of the bias torque, which may be of base parameters.
 template <class Links, class BiasLinks, class Input, class Q, class V, class Tau, class A>
-AXIAL_INLINE constexpr Status run_split(const Links& links, const BiasLinks& bias_links, const Input& in, const Q& q,
-                                        const V& qd, const Tau& tau, A& qdd) {
+AXIAL_INLINE constexpr auto run_split(const Links& links, const BiasLinks& bias_links, const Input& in, const Q& q,
+                                      const V& qd, const Tau& tau, A& qdd) {
   auto at = links.read(q);
   auto screws = joint_screws(links, in, at);
   auto bias = bias_links.no_efforts();

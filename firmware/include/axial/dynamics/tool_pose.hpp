@@ -3,8 +3,8 @@
 
 #include <axial/links/links.hpp>
 #include <axial/scalar/select.hpp>
+#include <axial/scene/decisions.hpp>
 #include <axial/scene/runtime_tool.hpp>
-#include <axial/scene/status.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -22,11 +22,11 @@ AXIAL_INLINE constexpr auto tool_of(const Links& links, const Input& in) {
 
 /// Whether axes are a right-handed frame to a thousandth and the origin within a kilometre; NaN is neither.
 template <class T>
-constexpr bool is_pose(const Pose<Mat3<Vec3<T>>, Vec3<T>>& tool) {
+constexpr Truth<T> is_pose(const Pose<Mat3<Vec3<T>>, Vec3<T>>& tool) {
   const auto& r = tool.rotation;
   const T off[] = {dot(r.x, r.x) - T(1), dot(r.y, r.y) - T(1), dot(r.z, r.z) - T(1),
                    dot(r.x, r.y),        dot(r.y, r.z),        dot(cross(r.x, r.y), r.z) - T(1)};
-  constexpr T allowed = T(1e-6), largest = T(1e6);
+  const T allowed = T(1e-6), largest = T(1e6);
   T sum = T(0);
   for (const T& x : off)
     sum = sum + x * x;
@@ -34,13 +34,10 @@ constexpr bool is_pose(const Pose<Mat3<Vec3<T>>, Vec3<T>>& tool) {
 }
 
 /// input_limit where a run-time tool is no pose.
-template <class Links, class Input>
-AXIAL_INLINE constexpr void judge_tool(Status& status, const Links&, const Input& in) {
-  if constexpr (Links::Scene::template has<RuntimeTool>) {
-    constexpr int refused = static_cast<int>(Status::Code::input_limit);
-    const int code = static_cast<int>(status.code);
-    status.code = static_cast<Status::Code>(select(is_pose(in.tool), code, refused));
-  }
+template <class Answer, class Links, class Input>
+AXIAL_INLINE constexpr void judge_tool(Answer& status, const Links&, const Input& in) {
+  if constexpr (Links::Scene::template has<RuntimeTool>)
+    put_where(status, !is_pose(in.tool), Status::Code::input_limit);
 }
 
 }  // namespace kinematics

@@ -217,9 +217,10 @@ struct LinksOf {
   AXIAL_INLINE static constexpr auto links() {
     if constexpr (Scene::template has<Looped>) {
       using Columns = detail::ColumnsOf<Robot, Parameters>;
-      return TableLinks<Scene, T, T, Robot::chain.size, Columns>(detail::robot_table<Robot, T, Parameters>.links,
-                                                                 detail::drives_of<Scene, T>(), Robot::chain.size,
-                                                                 detail::robot_placement<Robot>);
+      using Source = Lane<T>;
+      return TableLinks<Scene, T, Source, Robot::chain.size, Columns>(
+          detail::robot_table<Robot, Source, Parameters>.links, detail::drives_of<Scene, Source>(), Robot::chain.size,
+          detail::robot_placement<Robot>);
     } else {
       return StaticLinks<Scene, T, detail::with_axial_masses<Scene, Parameters, Recursion>>{};
     }

@@ -3,7 +3,7 @@
 
 #include <axial/links/link_constants.hpp>
 #include <axial/scalar/select.hpp>
-#include <axial/scene/status.hpp>
+#include <axial/scene/decisions.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -16,6 +16,40 @@ inline constexpr T largest_angles = T(8192.0);
 /// In double the reduction has more bits.
 template <>
 inline constexpr double largest_angles<double> = 524288.0;
+
+namespace detail {
+template <class T>
+AXIAL_INLINE constexpr std::uint32_t upper_word(const T& x) {
+  using Bits = typename BitsOf<T>::type;
+  return static_cast<std::uint32_t>(__builtin_bit_cast(Bits, x) >> (8 * sizeof(T) - 32));
+}
+// All ones where the sign bit is set.
+AXIAL_INLINE constexpr std::uint32_t spread_sign(std::uint32_t x) {
+  return static_cast<std::uint32_t>(static_cast<std::int32_t>(x) >> 31);
+}
+
+}  // namespace detail
+
+/// |x|, by its sign bit.
+///@{
+AXIAL_INLINE constexpr float absolute_of(const float& x) { return __builtin_fabsf(x); }
+AXIAL_INLINE constexpr double absolute_of(const double& x) { return __builtin_fabs(x); }
+///@}
+
+/// ok, angle_range or not_finite, from the sum of |angles| and of what is 0 or NaN. It has no sign bit, so the
+/// differences' sign bits tell: compilers may turn a comparison into a branch.
+template <class T, std::enable_if_t<std::is_floating_point_v<T>, int> = 0>
+AXIAL_INLINE constexpr Status soundness_of(const T& all) {
+  using detail::spread_sign, detail::upper_word;
+  const std::uint32_t sum = upper_word(all);  // numbers without a sign, infinity and NaN stand in the order of these
+  constexpr std::uint32_t most = upper_word(largest_angles<T>);
+  constexpr std::uint32_t infinite = upper_word(std::numeric_limits<T>::infinity());
+  constexpr std::uint32_t large = static_cast<std::uint32_t>(Status::Code::angle_range);
+  constexpr std::uint32_t broken = static_cast<std::uint32_t>(Status::Code::not_finite);
+  const std::uint32_t code =
+      spread_sign(most - sum) & (large ^ (spread_sign(sum + (0x80000000u - infinite)) & (large ^ broken)));
+  return {static_cast<Status::Code>(code), -1};
+}
 
 /// Collects what went into a kernel and what came out of it. NaN and infinity survive sums, so that two sums and two
 /// comparisons of bits judge all the numbers, without a branch: an addition a number, two operations an angle.
@@ -34,15 +68,15 @@ class Soundness {
   /// Looks at nothing.
   template <class Kind, class X>
   AXIAL_INLINE constexpr void position(Kind, const X&) {}
-  AXIAL_INLINE constexpr Status status() const { return {}; }  ///< always ok
+  AXIAL_INLINE constexpr StatusOf<T> status() const { return {}; }  ///< always ok
 };
 
-/// float and double.
+/// float and double, and batches of them.
 template <class T>
-class Soundness<T, std::enable_if_t<std::is_floating_point_v<T> && sizeof(T) <= 8>> {
+class Soundness<T, std::enable_if_t<std::is_floating_point_v<Lane<T>> && sizeof(Lane<T>) <= 8>> {
  public:
   /// An angle, rad, of which a sine is taken.
-  AXIAL_INLINE constexpr void angle(const T& q) { angles_ = angles_ + magnitude_of(q); }
+  AXIAL_INLINE constexpr void angle(const T& q) { angles_ = angles_ + absolute_of(q); }
   /// Any other number.
   AXIAL_INLINE constexpr void number(const T& x) { others_ = others_ + x; }
   AXIAL_INLINE constexpr void number(Zero) {}                                 ///< zero by type is a number
@@ -51,36 +85,13 @@ class Soundness<T, std::enable_if_t<std::is_floating_point_v<T> && sizeof(T) <= 
 
   /// ok; not_finite where one of the numbers is NaN or infinite; angle_range where the angles are too large. Names no
   /// joint.
-  [[nodiscard]] AXIAL_INLINE constexpr Status status() const {
-    // others_ - others_ is 0 or NaN. Numbers without a sign, infinity and NaN stand in the order of their upper words.
-    const std::uint32_t sum = upper_word(angles_ + magnitude_of(others_ - others_));
-    constexpr std::uint32_t most = upper_word(largest_angles<T>);
-    constexpr std::uint32_t infinite = upper_word(std::numeric_limits<T>::infinity());
-    constexpr std::uint32_t large = static_cast<std::uint32_t>(Status::Code::angle_range);
-    constexpr std::uint32_t broken = static_cast<std::uint32_t>(Status::Code::not_finite);
-    // Sums have no sign bit, so the differences' sign bits tell: compilers may turn a comparison into a branch.
-    const std::uint32_t code =
-        spread_sign(most - sum) & (large ^ (spread_sign(sum + (0x80000000u - infinite)) & (large ^ broken)));
-    return {static_cast<Status::Code>(code), -1};
+  [[nodiscard]] AXIAL_INLINE constexpr StatusOf<T> status() const {
+    return soundness_of(angles_ + absolute_of(others_ - others_));  // the latter is 0 or NaN
   }
 
  private:
-  AXIAL_INLINE static constexpr T magnitude_of(const T& x) {
-    if constexpr (sizeof(T) == sizeof(float))
-      return __builtin_fabsf(x);
-    else
-      return __builtin_fabs(x);
-  }
-  AXIAL_INLINE static constexpr std::uint32_t upper_word(const T& x) {
-    using Bits = typename detail::BitsOf<T>::type;
-    return static_cast<std::uint32_t>(__builtin_bit_cast(Bits, x) >> (8 * sizeof(T) - 32));
-  }
-  // All ones where the sign bit is set.
-  AXIAL_INLINE static constexpr std::uint32_t spread_sign(std::uint32_t x) {
-    return static_cast<std::uint32_t>(static_cast<std::int32_t>(x) >> 31);
-  }
   // -0 is what an addition leaves as it is; +0 would turn -0 into +0, so that compilers keep the addition.
-  T angles_ = T(-0.0), others_ = T(-0.0);
+  T angles_ = T(Lane<T>(-0.0)), others_ = T(Lane<T>(-0.0));
 };
 
 }  // namespace axial

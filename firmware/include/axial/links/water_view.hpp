@@ -105,7 +105,7 @@ AXIAL_INLINE constexpr auto water_of(const Links& links, I i) {
   else if constexpr (Links::unrolled)
     return StaticWater<Robot, I::value, T>{};
   else
-    return TableWater<T, T>(detail::robot_waters<Robot, T>.links[i]);
+    return TableWater<T, Lane<T>>(detail::robot_waters<Robot, Lane<T>>.links[i]);
 }
 /// The water about the base body.
 template <class Links>

@@ -28,22 +28,11 @@ template <>
 struct Packed<float> {
   static constexpr int lanes = 4;
   typedef float Values __attribute__((vector_size(16)));
-  typedef std::uint32_t Bits __attribute__((vector_size(16)));
 };
 template <>
 struct Packed<double> {
   static constexpr int lanes = double_lanes;
   typedef double Values __attribute__((vector_size(8 * double_lanes)));
-  typedef std::uint64_t Bits __attribute__((vector_size(8 * double_lanes)));
-};
-
-template <>
-struct TrigonometricConstants<Packed<float>::Values> : TrigonometricConstants<float> {
-  using Bits = Packed<float>::Bits;
-};
-template <>
-struct TrigonometricConstants<Packed<double>::Values> : TrigonometricConstants<double> {
-  using Bits = Packed<double>::Bits;
 };
 
 /// Angles first, first + 1, ...; lanes beyond the last angle repeat it.

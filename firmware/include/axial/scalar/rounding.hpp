@@ -51,13 +51,13 @@ struct Plain {
     return inverse * x;
   }
   /// A sum that is held within its format where there is one; sets `lost` where that changes it.
-  template <class Quantity, class... Terms>
-  AXIAL_INLINE constexpr auto limited(Quantity, bool&, const Terms&... terms) const {
+  template <class Quantity, class Lost, class... Terms>
+  AXIAL_INLINE constexpr auto limited(Quantity, Lost&, const Terms&... terms) const {
     return (... + terms);
   }
   /// Drive u of a joint whose inertia is d, if it is within what formats are made for.
-  template <class D, class U, class M>
-  AXIAL_INLINE constexpr const U& gated_drive(bool&, const D&, const U& u, M) const {
+  template <class Lost, class D, class U, class M>
+  AXIAL_INLINE constexpr const U& gated_drive(Lost&, const D&, const U& u, M) const {
     return u;
   }
   /// A body's inertia in the formats of the link.

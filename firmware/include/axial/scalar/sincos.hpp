@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/scalar/structural.hpp>
+#include <utility>
 
 #include <axial/options/begin.hpp>
 
@@ -18,7 +19,7 @@ namespace detail {
 // The numbers of one floating-point format: pi/2 in pieces short enough that a multiple of each is exact (Cody and
 // Waite 1980), the constant whose addition rounds to an integer, and minimax polynomials in t = r^2 on [0, (pi/4)^2]
 // (weighted least squares, reweighted to the minimax error given with each; 40-digit arithmetic).
-template <class T>
+template <class T, class = void>
 struct TrigonometricConstants;
 
 template <>
@@ -51,7 +52,17 @@ struct TrigonometricConstants<double> {
                                       2.08757195410711982e-9,   -1.13594481519286497e-11};  // 5e-20
 };
 
-// From here on T is a number or a vector of several (packed_sincos.hpp), whose constants are numbers.
+template <class Vector>
+using ElementOf = std::decay_t<decltype(std::declval<const Vector&>()[0])>;
+
+// A vector of several numbers (the compilers' vector_size) has the constants of one.
+template <class Vector>
+struct TrigonometricConstants<Vector, std::enable_if_t<sizeof(ElementOf<Vector>) != 0>>
+    : TrigonometricConstants<ElementOf<Vector>> {
+  typedef typename TrigonometricConstants<ElementOf<Vector>>::Bits Bits __attribute__((vector_size(sizeof(Vector))));
+};
+
+// From here on T is a number or a vector of several, whose constants are numbers.
 
 template <class Number, std::size_t N, class T>
 AXIAL_INLINE constexpr T horner(const Number (&coefficients)[N], T t) {

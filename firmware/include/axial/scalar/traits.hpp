@@ -30,6 +30,15 @@ struct NumberTraits<T, std::enable_if_t<std::is_floating_point_v<T>>> {
 template <class T>
 inline constexpr bool is_number_v = NumberTraits<T>::is_number;
 
+/// One of the numbers that a T holds: T itself, but for a batch (batch.hpp), which holds several.
+template <class T>
+struct LaneOf {
+  using type = T;  ///< the one number
+};
+/// Likewise: T for all but batches.
+template <class T>
+using Lane = typename LaneOf<T>::type;
+
 /// A stored fixed-point number: its name alone, for what computes with it is a plug-in, <axial/fixed.hpp>.
 template <class WordType>
 struct Stored;

@@ -1,8 +1,8 @@
 // Dynamics with its terms apart: what the Automatic Separation Method and the closed forms return.
 #pragma once
 
+#include <axial/scene/decisions.hpp>
 #include <axial/scene/joints.hpp>
-#include <axial/scene/status.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -43,7 +43,7 @@ struct SeparatedG {
 template <class S, class T>
 struct Separated : SeparatedA<S, T>, SeparatedB<S, T>, SeparatedC<S, T>, SeparatedG<S, T> {
   static constexpr int size = joint_count<S>;  ///< number of joints
-  Status status{};                             ///< whether they are numbers, see separate()
+  StatusOf<T> status{};                        ///< whether they are numbers, see separate()
 };
 
 }  // namespace axial

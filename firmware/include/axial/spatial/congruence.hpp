@@ -35,8 +35,8 @@ template <class Number, class A, class B>
 AXIAL_INLINE constexpr auto pick(std::false_type, const A&, const B& no) {
   return no;
 }
-template <class Number, class A, class B>
-AXIAL_INLINE constexpr auto pick(bool condition, const A& yes, const B& no) {
+template <class Number, class C, class A, class B>
+AXIAL_INLINE constexpr auto pick(const C& condition, const A& yes, const B& no) {
   if constexpr (std::is_same_v<A, B> && is_structural_v<A>)
     return yes;
   else if constexpr (is_structural_v<A> && is_structural_v<B>)
