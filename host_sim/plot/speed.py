@@ -23,6 +23,7 @@ ALGORITHMS = {"inverse_dynamics": "Inverse dynamics", "forward_dynamics": "Forwa
               "composite_body": "Composite bodies", "mass_matrix": "Mass matrix", "bias": "Bias torque", "gravity": "Gravity torque"}
 ROUTES = ["articulated_body", "split_articulated_body", "composite_body"]  # of forward dynamics, by name
 PEERS = {"kdl": "KDL", "kdl_vereshchagin": "KDL, Vereshchagin", "dart": "DART"}
+ONE_STATE = "one state"  # the peer of our batches: ours
 PACKAGES = ["liborocos-kdl1.5", "libdart6.12"]
 
 
@@ -36,6 +37,10 @@ def unique(values):
 
 def is_serial(row):
     return row["robot"].startswith("serial_")
+
+
+def against_others(rows):
+    return [row for row in rows if row["peer"] != ONE_STATE]
 
 
 def worse_compiler(rows):
@@ -186,9 +191,13 @@ def main():
     options = parser.parse_args()
     rows = load(options.files)
     style.use()
-    draw_ratios(rows, str(options.folder / "speed-ratios"))
+    draw_ratios(against_others(rows), str(options.folder / "speed-ratios"))
     draw_joints(rows, str(options.folder / "speed-joints"))
-    print_summary(rows)
+    if against_others(rows):
+        print_summary(against_others(rows))
+    for row in rows:
+        if row["peer"] == ONE_STATE:
+            print(f"batches, {row['algorithm']}, {row['robot']}, {row['scalar']}, {row['compiler']}: {row['ratio']:.2f} times one state")
     if options.json:
         write(options.json, rows)
     if options.provenance:

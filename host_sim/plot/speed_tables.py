@@ -13,7 +13,8 @@ from tables import command, markdown
 
 class Data:
     def __init__(self, folder):
-        self.speed = speed.load([folder / "bench-gcc.json", folder / "bench-clang.json"])
+        self.all = speed.load([folder / "bench-gcc.json", folder / "bench-clang.json"])
+        self.speed = speed.against_others(self.all)
         self.speed_provenance = json.loads((folder / "bench-provenance.json").read_text(encoding="utf-8"))
 
 
@@ -70,12 +71,22 @@ def speed_everything(data):
     header = ["algorithm, robot, scalar, peer, compiler", "ratio", "95 % interval", "ns (noise)", "peer's ns (noise)"]
     rows = [[f"{row['algorithm']}, {row['robot']}, {row['scalar']}, {row['peer']}, {row['compiler']}",
              f"{row['ratio']:.2f}", f"{row['ratio_low']:.2f} to {row['ratio_high']:.2f}", f"{row['ns_noise']:.0f}",
-             f"{row['peer_ns_noise']:.0f}"] for row in data.speed]
+             f"{row['peer_ns_noise']:.0f}"] for row in data.all]
     return markdown(header, rows)
 
 
+def speed_batches(data):
+    """Batches against one state at a time; every compiler."""
+    rows = [row for row in data.all if row["peer"] == speed.ONE_STATE]
+    algorithms = speed.unique(row["algorithm"] for row in rows)
+    cells = {(row["robot"], row["scalar"], row["compiler"], row["algorithm"]): ratio(row) for row in rows}
+    return markdown(["robot, scalar, compiler"] + [speed.ALGORITHMS[name].lower() for name in algorithms],
+                    [[", ".join(key)] + [cells[(*key, name)] for name in algorithms] for key in speed.unique(key[:3] for key in cells)])
+
+
 TABLES = {"speed_provenance": speed_provenance, "speed_ratios": speed_ratios, "speed_routes": speed_routes, "speed_joints": speed_joints,
-          "speed_exponents": speed_exponents, "speed_everything": speed_everything}
+          "speed_exponents": speed_exponents, "speed_everything": speed_everything,
+          "speed_batches": speed_batches}
 
 
 if __name__ == "__main__":

@@ -55,6 +55,9 @@ void add_robot(std::vector<Duel>& duels, const std::string& name) {
       duels.push_back(duel<T>(name_of(algorithm), name, peer, same, ours<Robot, T>(algorithm, rotors, same),
                               static_cast<Made&&>(theirs)));
     };
+    if (Made batch = batches<Robot, T>(algorithm, states))
+      duels.push_back(duel<T>(name_of(algorithm), name, "one state", states, static_cast<Made&&>(batch),
+                              ours<Robot, T>(algorithm, Rotors::with, states)));
     race("kdl", Rotors::with, make_kdl(algorithm, chain, states));
     if (is_forward(algorithm)) race("kdl_vereshchagin", Rotors::with, make_vereshchagin(chain, states));
     if constexpr (dart_races)

@@ -11,5 +11,8 @@ enum class Rotors { with, without };
 /// Specialised in a translation unit for each robot and scalar.
 template <class Robot, class T>
 std::unique_ptr<Contender> ours(Algorithm algorithm, Rotors rotors, const States& states);
+/// The same for batches of states; null where they do not race.
+template <class Robot, class T>
+std::unique_ptr<Contender> batches(Algorithm algorithm, const States& states);
 
 }  // namespace bench
