@@ -85,11 +85,12 @@ struct BoardBase {
   /// The drives' pin. Off out of reset, and written off by start-up before anything else.
   static void enable_drives(bool on) {
     Derived::DrivePin::set(on);
-    if ((axial_drives != 0) == on) return;
+    const bool were_enabled = drives_enabled();
     axial_drives = on ? 1 : 0;
-    if (Derived::emulated()) announce_drives(on);
+    if (were_enabled != on && Derived::emulated()) announce_drives(on);
   }
-  static bool drives_enabled() { return axial_drives != 0; }
+  /// At power-on RAM may hold anything else.
+  static bool drives_enabled() { return axial_drives == 1; }
   /// Whether the pin is driven high, by the port's own registers; false in an emulator without them (the STM32s').
   static bool drive_pin() { return Derived::DrivePin::level(); }
 

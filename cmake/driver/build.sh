@@ -4,7 +4,7 @@
 readonly QEMU_BOARDS=(stm32f405 stm32f100 nrf51 rv32_virt)
 readonly RUNNER_BOARD=rp2040 # in an emulator of its own, slower than QEMU: tests build and run these images alone
 readonly RUNNER_IMAGES=(selftest{,-scara,-puma560} fixed-{scara,puma560} feedforward-{scara,puma560} feedforward-fixed-{scara,puma560}
-  injection-scara kernels-scara faults overflow)
+  injection-scara kernels-scara faults overflow tracking-fixed-scara)
 readonly BOARDS=("${QEMU_BOARDS[@]}" "$RUNNER_BOARD")
 readonly SELFTEST_BOARDS=(mps2_an505) # run the self-tests alone
 readonly FAULT_BOARDS=(mps2_an500)    # run the image of faults alone

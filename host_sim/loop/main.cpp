@@ -21,7 +21,7 @@ constexpr double needed_ratio = 20.0;
 constexpr unsigned seeds = 8;
 constexpr std::uint32_t most_places = 4;
 constexpr std::size_t drawn_ticks = 4000;
-constexpr double seconds_alone = 10.0;  // of the feedback alone in QEMU, at most: the cycle repeats itself
+constexpr double seconds_alone = 10.0;  // of the feedback alone on a board, at most: the cycle repeats itself
 
 struct Options {
   std::string robot = "scara", board = "stm32f405", number = "float", output = "output/loop", json, provenance;
@@ -82,7 +82,7 @@ std::vector<Row> sweep(const Options& options) {
   return rows;
 }
 
-/// The motion with the image in QEMU, drawn and told.
+/// The motion with the image in the board's emulator, drawn and told.
 Row in_loop(const Options& options, bool feeds_forward, host_sim::CsvFile& file) {
   Case situation;
   situation.robot = options.robot, situation.feeds_forward = feeds_forward;

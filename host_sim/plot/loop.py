@@ -46,7 +46,7 @@ def draw_errors(panel, samples, joints, row):
     panel.set_ylim(1e-8, 1.0)
     panel.set_xlabel("time, s")
     panel.set_ylabel("tracking error, rad or m")
-    panel.set_title(f"{row['robot']} on {row['board']} in QEMU, {row['scalar']}; pale: feedback alone")
+    panel.set_title(f"{row['robot']} on the emulated {row['board']}, {row['scalar']}; pale: feedback alone")
     panel.legend(ncols=joints, loc="upper right")
 
 

@@ -21,12 +21,17 @@ NOWHERE = link.set_point([0.1, math.nan, 0.1], [0] * 3, [0] * 3)
 ENCODERS = [round(0.1 / (2 * math.pi) * 2**32)] * 2 + [1_000_000]
 JOBS = ("feedforward-scara", "feedforward-fixed-scara", "tracking-scara", "tracking-fixed-scara")
 # Where nothing can be executed.
-NOT_CODE = {"qemu-system-arm": 0xA0000000, "qemu-system-riscv32": 0x05000000}
+NOT_CODE = {"arm": 0xA0000000, "riscv": 0x05000000}
+TOOLS = {"arm": "arm-none-eabi-", "riscv": "riscv64-unknown-elf-"}
 
 
 class Safety(harness.BoardTest):
     def ticks(self, ms):
         return -(-ms * emulator.board(self.board)["tick_Hz"] // 1000)
+
+    def jobs(self, kind=""):
+        jobs = ("feedforward-scara", "tracking-fixed-scara") if self.board in harness.FEW_IMAGES else JOBS
+        return [job for job in jobs if job.startswith(kind)]
 
     def lifetime(self, mode):
         """Ticks from the last good set-point to the drives' disabling."""
@@ -68,7 +73,7 @@ class Safety(harness.BoardTest):
             self.assertAlmostEqual(found, wanted, places=4)
 
     def test_a_silent_line(self):
-        for job in JOBS:
+        for job in self.jobs():
             for mode in link.FREE_RUNNING, link.LOCK_STEP:
                 with self.subTest(job, mode=mode), self.run_job(job, mode) as firmware:
                     firmware.send(self.set_point(job, firmware, 1, MOVING))
@@ -108,6 +113,8 @@ class Safety(harness.BoardTest):
             firmware.pending.clear()
 
     def flooded(self, job, make):
+        if self.board in harness.FEW_IMAGES:
+            self.skipTest("a flood takes its emulator minutes")
         with self.subTest(job), self.run_job(job, link.FREE_RUNNING) as firmware:
             firmware.send(self.set_point(job, firmware, 1, MOVING))
             self.assertEqual(link.torque(firmware.expect(link.TORQUE)[1])["status"], link.OK)
@@ -169,7 +176,7 @@ class Safety(harness.BoardTest):
             self.assertEqual(firmware.ask(2, AT_REST)["status"], link.OK)
 
     def test_a_first_request_that_is_refused(self):
-        for job in JOBS:
+        for job in self.jobs():
             for mode in link.FREE_RUNNING, link.LOCK_STEP:
                 with self.subTest(job, mode=mode), self.run_job(job, mode) as firmware:
                     firmware.send(self.set_point(job, firmware, 1, NOWHERE))
@@ -189,7 +196,7 @@ class Safety(harness.BoardTest):
                     self.assertLessEqual(abs(last - first - self.ticks(HOLD_MS)), 1)
 
     def test_requests_that_go_bad(self):
-        for job in JOBS:
+        for job in self.jobs():
             with self.subTest(job), self.run_job(job, link.FREE_RUNNING, fast=False) as firmware:
                 firmware.send(self.set_point(job, firmware, 1, MOVING))
                 number = 1
@@ -204,7 +211,7 @@ class Safety(harness.BoardTest):
                 self.assertTrue(self.drives(firmware)[-1][0])
 
     def test_measurements_that_stop(self):
-        for job in JOBS[2:]:
+        for job in self.jobs("tracking"):
             with self.subTest(job), self.run_job(job, link.LOCK_STEP) as firmware:
                 firmware.send(self.set_point(job, firmware, 1, MOVING) + firmware.frame(link.SET_POINT, 2, AT_REST))
                 first = link.torque(firmware.expect(link.TORQUE)[1])
@@ -214,9 +221,11 @@ class Safety(harness.BoardTest):
                 self.until(firmware, link.PHASE_DISABLED)
                 self.expect_lifetime(firmware, link.LOCK_STEP)
 
+    def family(self):
+        return "riscv" if emulator.board(self.board)["cpu"].startswith("rv") else "arm"
+
     def stack_bottom(self, job):
-        tools = "arm-none-eabi-" if emulator.board(self.board)["qemu"]["program"] == "qemu-system-arm" else "riscv64-unknown-elf-"
-        listing = subprocess.run([tools + "nm", emulator.image(self.board, job)], capture_output=True, text=True, check=True).stdout
+        listing = subprocess.run([TOOLS[self.family()] + "nm", emulator.image(self.board, job)], capture_output=True, text=True, check=True).stdout
         return int(re.search(r"^([0-9a-f]+) \w axial_stack_bottom$", listing, re.MULTILINE)[1], 16)
 
     def injected(self, job, fault, address, cause, ms):
@@ -236,8 +245,9 @@ class Safety(harness.BoardTest):
             self.assertLessEqual(last - first, self.ticks(ms) + 2)
 
     def test_a_program_that_fails(self):
-        nowhere = NOT_CODE[emulator.board(self.board)["qemu"]["program"]]
-        for image, job in ("injection-scara", "feedforward-scara"), ("injection-tracking-fixed-scara", "tracking-fixed-scara"):
+        nowhere = NOT_CODE[self.family()]
+        images = ("injection-scara", "feedforward-scara"), ("injection-tracking-fixed-scara", "tracking-fixed-scara")
+        for image, job in images[:1] if self.board in harness.FEW_IMAGES else images:
             with self.run_job(image, None, fast=False) as self.firmware:
                 self.injected(job, link.OVERFLOW_STACK, 0, link.BY_STACK_OVERFLOW, 5)  # 32 KiB take 4 ms to fill
                 self.injected(job, link.JUMP, nowhere, link.BY_FAULT, 0)

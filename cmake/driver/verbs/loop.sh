@@ -5,7 +5,7 @@
 usage() {
   cat <<'END_OF_USAGE'
 usage: ./axial loop [options]
-Installs and builds what is missing, starts the tracking firmware of a board in QEMU and lets it drive a plant in double, in lock-step
+Installs and builds what is missing, starts the tracking firmware of a board in its emulator and lets it drive a plant in double, in lock-step
 at 1 kHz over the serial line: feed-forward and a proportional-derivative torque, then the feedback alone (at most 10 s of it). Prints
 tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a picture (doc/measurements/simulation.md).
   --robot scara|puma560  default scara
