@@ -16,7 +16,8 @@ set_property(CACHE AXIAL_TESTS PROPERTY STRINGS all sanitized unsanitized)
 
 # Folders of tests/ that sanitizers see; the others start programs, images and compilers.
 set(AXIAL_SANITIZED_FOLDERS oracle cases hal unit property simulation host_sim description import)
-# Programs of these folders that sanitizers do without: every algorithm for many robots, minutes to compile when instrumented.
+# Programs of these folders that sanitizers do without: every algorithm for many robots, minutes to compile when instrumented. They judge
+# errors, not times: nothing is inlined by force, which would take the compiler up to three times as long.
 set(AXIAL_UNSANITIZED_TESTS counts_test robots_test unrolled_test scenes_test floating_base_test underwater_test operation_counts_test errors_test
   forward_overflow_test fixed_error_test motion_test loop_test c_interface_test)
 
@@ -49,6 +50,9 @@ function(axial_add_test name)
   target_compile_definitions(${name} PRIVATE ${arg_DEFINES})
   if(arg_ARITHMETIC_SANITIZED AND AXIAL_TESTS STREQUAL sanitized)
     target_compile_options(${name} PRIVATE -fno-sanitize=address,null,alignment,object-size,vptr)
+  endif()
+  if(name IN_LIST AXIAL_UNSANITIZED_TESTS)
+    target_compile_options(${name} PRIVATE ${AXIAL_ERRORS_OPTIMISATION} -g0 -DAXIAL_USER_OPTIONS -DAXIAL_INLINE=)
   endif()
   target_link_libraries(${name} PRIVATE axial::axial axial_warnings ${arg_LIBS} GTest::gtest_main)
   if(TARGET axial_oracle)
