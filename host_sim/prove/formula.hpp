@@ -67,6 +67,7 @@ class Real {
   }
   friend constexpr Real operator-(const Real& a, const Real& b) {
     if (both_constant(a, b)) return constant(a.value_ - b.value_);
+    if (b.is_multiple()) return a + b.opposite_multiple();  // as words do
     return b.is_zero() ? a : combine(Operation::subtract, a, b);
   }
   friend constexpr Real operator*(const Real& a, const Real& b) {
@@ -91,6 +92,21 @@ class Real {
     const int left = a.term(), right = b.term();
     return Real{Formula::active().add({operation, left, right, 0.0, {}})};
   }
+  /// A constant times something, and the same with the opposite constant.
+  ///@{
+  [[nodiscard]] bool is_multiple() const {
+    if (is_constant()) return false;
+    const Formula& f = Formula::active();
+    const Term& t = f.terms[static_cast<std::size_t>(term_)];
+    return t.operation == Operation::multiply &&
+           f.terms[static_cast<std::size_t>(t.left)].operation == Operation::constant;
+  }
+  [[nodiscard]] Real opposite_multiple() const {
+    const Formula& f = Formula::active();
+    const Term t = f.terms[static_cast<std::size_t>(term_)];
+    return constant(-f.terms[static_cast<std::size_t>(t.left)].constant) * Real{t.right};
+  }
+  ///@}
   static int term_of(double value) { return Formula::active().add({Operation::constant, -1, -1, value, {}}); }
   [[nodiscard]] constexpr bool is_zero() const { return is_constant() && !(value_ < 0.0) && !(value_ > 0.0); }
   [[nodiscard]] constexpr bool is_constant() const { return term_ < 0; }

@@ -3,6 +3,7 @@
 #include <host_sim/output/files.hpp>
 #include <host_sim/prove/arm.hpp>
 #include <host_sim/prove/primitives.hpp>
+#include <host_sim/prove/step.hpp>
 
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>
@@ -35,6 +36,18 @@ Subject newton_euler(const std::string& name) {
   });
 }
 
+/// A joint's step, result by result: what one needs is not always what another one needs.
+template <class Robot, int J>
+void add_step(std::vector<Subject>& all, const std::string& name) {
+  const prove::Statement whole = prove::step_statement<Robot, J>();
+  for (std::size_t i = 0; i < whole.results.size(); ++i) {
+    prove::Statement one = whole;
+    one.results = {whole.results[i]};
+    one.results[0].bound *= prove::boxes;
+    all.push_back({name, name + "-" + std::to_string(i), [=] { return one; }, {whole.results[i].bound}});
+  }
+}
+
 std::vector<Subject> subjects() {
   using robots::Scara;
   std::vector<Subject> all;
@@ -56,6 +69,7 @@ std::vector<Subject> subjects() {
                              return axial::closed_form::scara_torque<Scara>(q, qd, qdd);
                            }));
   all.push_back(newton_euler<Scara>("scara_inverse_dynamics"));
+  add_step<robots::Puma560, 2>(all, "puma560_joint3_step");
   all.push_back(newton_euler<robots::Puma560>("puma560_inverse_dynamics"));
   return all;
 }

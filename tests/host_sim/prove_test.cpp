@@ -1,11 +1,14 @@
 // What is proved is the kernel: a recorded program, evaluated at other inputs, gives the kernel's bits.
 #include <host_sim/prove/arm.hpp>
 #include <host_sim/prove/primitives.hpp>
+#include <host_sim/prove/step.hpp>
 
+#include <robots/puma560.hpp>
 #include <robots/scara.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 
@@ -155,6 +158,51 @@ TEST(Prove, TheRecordedReciprocalIsTheKernelForEveryLength) {
       next = (range.last >> power) + 1;
     }
     EXPECT_EQ(next, 2U << (30 - power)) << "the ranges are all integers of this length";
+  }
+}
+
+/// The words of a vector under the names that the step's inputs have.
+template <class V>
+void name_words(std::map<std::string, std::int32_t>& named, const std::string& name, const V& v) {
+  named[name + "x"] = v.x.raw, named[name + "y"] = v.y.raw, named[name + "z"] = v.z.raw;
+}
+
+TEST(Prove, TheRecordedStepIsTheKernelBetweenItsNeighbours) {
+  using Puma = robots::Puma560;
+  const prove::Statement s = prove::step_statement<Puma, 2>();
+  std::mt19937 random(seed);
+  const auto within_limit = [&](double most, int exponent) {
+    return prove::raw_value(most * std::uniform_real_distribution<double>(-1.0, 1.0)(random), exponent);
+  };
+  for (int k = 0; k < states; ++k) {
+    axial::Positions<Puma, Fixed32> q{};
+    axial::Velocities<Puma, Fixed32> qd{};
+    axial::Accelerations<Puma, Fixed32> qdd{};
+    std::map<std::string, std::int32_t> named;
+    for (int i = 0; i < q.size; ++i) {
+      const auto& link = Puma::chain.links[i];
+      const std::string number = std::to_string(i + 1);
+      q.values[i].raw = static_cast<std::int32_t>(random());
+      named["v" + number] = qd.values[i].raw = within_limit(link.speed_limit, qd.exponent(i));
+      named["a" + number] = qdd.values[i].raw = within_limit(link.acceleration_limit, qdd.exponent(i));
+      const auto pair = axial::integer::sincos(static_cast<std::uint32_t>(q.values[i].raw));
+      named["sin" + number] = pair.sin, named["cos" + number] = pair.cos;
+    }
+    const auto [links, screws, at, speeds, accelerations] = prove::run_of<Puma, Fixed32>(q, qd, qdd);
+    const auto around = prove::neighbours<2>(links, axial::Inputs<Puma, Fixed32>{}, screws, speeds, accelerations);
+    name_words(named, "w", around.parent.w), name_words(named, "dw", around.parent.dw);
+    name_words(named, "acc", around.parent.a), name_words(named, "n", around.sent.moment);
+    name_words(named, "f", around.sent.force), name_words(named, "ux", around.parent.u.x);
+    name_words(named, "uy", around.parent.u.y), name_words(named, "uz", around.parent.u.z);
+    std::vector<prove::Integer> inputs;
+    for (const int i : s.program.inputs())
+      inputs.push_back(named.at(s.program.at(i).name));
+    const auto values = s.program.evaluate(inputs);
+    EXPECT_TRUE(s.program.claims_hold(values)) << "state " << k;
+    const auto tau = axial::inverse_dynamics<Puma>(q, qd, qdd);
+    const auto effort =
+        std::find_if(s.results.begin(), s.results.end(), [](const auto& r) { return r.name == "effort"; });
+    ASSERT_TRUE(values[static_cast<std::size_t>(effort->node)] == tau.values[2].raw) << "state " << k;
   }
 }
 

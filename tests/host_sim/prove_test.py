@@ -80,6 +80,16 @@ class Certificates(unittest.TestCase):
         self.assertEqual(self.asked(script), (False, [script]))
 
 
+class Step(unittest.TestCase):
+    """The angular acceleration of the Puma's third link across its axis."""
+
+    def test_the_bound_is_accepted_and_half_of_it_refused(self):
+        errors, _ = scripts("puma560_joint3_step", "puma560_joint3_step-3")
+        self.assertTrue(accepts(errors))
+        begin = errors.index("->")
+        self.assertFalse(accepts(errors[:begin] + scaled_bound(errors, 0.5)))
+
+
 class Reciprocal(unittest.TestCase):
     """A 64th of a binade, so that it takes seconds."""
 

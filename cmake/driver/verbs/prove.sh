@@ -8,7 +8,8 @@ usage: ./axial prove [options]
 Installs gappa, with --coq also coq and its libraries (1.1 GB), and builds what is missing. Records the integer program that each
 kernel executes, writes it as a script of Gappa beside the same kernel over the reals, and has Gappa prove the library's certified
 errors and that no word overflows. Prints our bounds, Gappa's own, and who accepts them; doc/measurements/prove.md says what is assumed.
-  --subject sine|cosine|reciprocal|scara_closed_form|scara_inverse_dynamics|puma560_inverse_dynamics  default all
+  --subject sine|cosine|reciprocal|scara_closed_form|scara_inverse_dynamics|puma560_joint3_step|
+                      puma560_inverse_dynamics  default all
   --coq               Coq checks every certificate of Gappa's, and the polynomials of sine and cosine
   --limit NUMBER     of one run of Gappa or Coq; default 300
   --json FILE         an array of objects: subject, result, ours, theirs, bound, accepted, words, words_accepted, coq, seconds
