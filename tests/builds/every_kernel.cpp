@@ -118,6 +118,17 @@ bool simulated() {
          advance<LinearlyImplicitEuler>(x, h, Drive{}).ok();
 }
 
+template <class S, class T>
+bool in_batches() {
+  Joints<robot_of<S>, T> states[8] = {};
+  const auto q = load<8>(states);
+  store(inverse_dynamics<S>(q, q, q), states);
+  const auto answer = forward_dynamics<S>(q, q, q);
+  return check_request<S>(q, q, q).ok() && check_position<S>(q).ok() && check_finite(q, q).ok() && answer.status.ok() &&
+         forward_kinematics<S>(q).status.ok() && jacobian<S>(q).status.ok() && separate<S>(q).status.ok() &&
+         momentum_terms<S>(q, q).status.ok() && is_finite(mass_matrix<S>(q)(0, 0))[0] && lane(q, 0)[0] < T(1);
+}
+
 template <class Robot, class... Tags>
 using Loaded = Scene<Robot, Gravity, RotorInertia, Friction, Payload, Tags...>;
 
@@ -134,7 +145,8 @@ bool in_floating_point() {
   return all_of<Planar2r, float>() && all_of<Planar2r, double>() && all_of<TwoArm, float>() &&
          all_of<Loaded<Scara>, float>() && all_of<Loaded<Scara, Looped>, double>() &&
          separated<Scara, float>({}, {}, {}) && simulated<Planar2r, float>() && simulated<Planar2r, double>() &&
-         modelled<float>() && modelled<double>() && counted<Scara>() &&
+         modelled<float>() && modelled<double>() && counted<Scara>() && in_batches<Planar2r, float>() &&
+         in_batches<Loaded<Scara, Looped>, double>() &&
          check_finite(
              closed_form::scara_torque<Scara>(Joints<Scara, float>{}, Joints<Scara, float>{}, Joints<Scara, float>{}))
              .ok();
