@@ -1,7 +1,10 @@
 // The block of doc/guides/batch.md.
 #include <gtest/gtest.h>
 
+#include <axial/batch.hpp>
 #include <robots/planar2r.hpp>
+
+namespace {
 
 using Arm = robots::Planar2r;
 #include "batch-1.inc"
@@ -19,3 +22,5 @@ TEST(BatchPage, AnswersEveryState) {
       EXPECT_NEAR(tau[k][i], k < whole ? one[i] : 0.0, 1e-12);
   }
 }
+
+}  // namespace
