@@ -23,7 +23,11 @@ def cell(row):
         return "none"
     kernel = "" if row["subject"] == row["job"] else row["subject"].replace("_", " ") + ", "
     variant = "" if row["variant"] == "unrolled" else ", " + row["variant"]
-    return f"{kernel}{NAMES[row['scalar']]}{variant}: {grouped(row['work'])}"
+    return f"{kernel}{NAMES[row['scalar']]}{variant}: {amount(row)}"
+
+
+def amount(row):
+    return f"{row['work']:.1f}" if row["unit_of_work"] == "microseconds" else grouped(row["work"])
 
 
 def choices(rows, job, unit):

@@ -24,8 +24,8 @@ CORES = {core.name: core for core in (
     Core("hazard3", "validated", "Hazard3 v1.0 as in the RP2350, equal to its RTL on 230 sequences; memory without wait states"),
     Core("cortex-m3", "estimate", "Arm DDI 0337: between loads that overlap, branches that refill in 1 and long products that end early, and none of it"),
     Core("cortex-m4f", "estimate", "Arm DDI 0439: between loads that overlap and branches that refill in 1, and none of it"),
-    Core("cortex-m7", "estimate", "no table of Arm's: two instructions at once with latencies as measured by others; low and high leave out and double them"),
-    Core("cortex-m33", "estimate", "no table of Arm's: one instruction after the other with latencies as measured by others"),
+    Core("cortex-m7", "estimate", "no table of Arm's: two instructions at once with the latencies of LLVM's model; low without latencies, high one instruction at a time"),
+    Core("cortex-m33", "estimate", "no table of Arm's: one instruction at a time with short latencies; low two at once without any"),
 )}
 
 

@@ -242,6 +242,8 @@ class CortexM(unittest.TestCase):
     def test_long_products_of_the_m3_end_early_or_not(self):
         self.assertEqual(self.interval("cortex-m3", "smull r0, r1, r2, r3"), (3, 4, 5))
         self.assertEqual(self.interval("cortex-m3", "smlal r0, r1, r2, r3"), (4, 6, 7))
+        self.assertEqual(self.interval("cortex-m3", "mla r0, r1, r2, r3"), (2, 2, 2))
+        self.assertEqual(self.interval("cortex-m4f", "mla r0, r1, r2, r3"), (1, 1, 1))
         self.assertEqual(self.interval("cortex-m4f", "smlal r0, r1, r2, r3"), (1, 1, 1))
 
     def test_divisions_depend_on_data(self):
