@@ -19,24 +19,17 @@ maintainers:
                       each result with the oracle; may be followed by the options above; default output/on_board. Exits non-zero
                       when an error is above its bound
   --documents         stands alone: runs all reports, demos, sizes, counts and comparisons anew and writes the tables and pictures of
-                      README.md and doc/; with --work-precision behind it: those of doc/measurements/work_precision.md alone, from the sizes
-                      and simulations that are in doc/data
+                      README.md and doc/
+  --work-precision    stands alone: those of doc/measurements/work_precision.md and of doc/guides/choosing.md, from the sizes and
+                      simulations that are in doc/data
 END_OF_USAGE
 }
 
 run() {
   ensure_packages
   case ${1:-} in
-    --documents)
-      shift
-      case $# in
-        0) write_documents ;;
-        *)
-          [[ $* == --work-precision ]] || fail_usage "--documents stands alone, or before --work-precision; see ./axial report --help"
-          write_work_precision
-          ;;
-      esac
-      ;;
+    --documents) write_documents ;;
+    --work-precision) write_work_precision ;;
     --on-board)
       shift
       build_host_sim
