@@ -5,6 +5,8 @@
 #include <axial/closed_form/scara.hpp>
 #include <axial/dynamics/base_wrench.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
+#include <axial/dynamics/forward_dynamics_derivatives.hpp>
+#include <axial/dynamics/inverse_dynamics_derivatives.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/separated_torque.hpp>
 
@@ -23,6 +25,16 @@ struct InverseDynamics {
   template <class S, class J, class In>
   static constexpr auto run(const J& q, const J& qd, const J& qdd, const In& in) {
     return axial::inverse_dynamics<S>(q, qd, qdd, in);
+  }
+};
+
+/// axial::inverse_dynamics_derivatives(), all four results.
+struct InverseDynamicsDerivatives {
+  static constexpr const char* name = "inverse_dynamics_derivatives";  ///< in files, tables and JSON
+  /// Runs it for the scene S.
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J& qd, const J& qdd, const In& in) {
+    return axial::inverse_dynamics_derivatives<S>(q, qd, qdd, in);
   }
 };
 
@@ -63,6 +75,16 @@ struct ForwardDynamics {
   template <class S, class J, class In>
   static constexpr auto run(const J& q, const J& qd, const J& tau, const In& in) {
     return axial::forward_dynamics<S>(q, qd, tau, in);
+  }
+};
+
+/// axial::forward_dynamics_derivatives(), all results.
+struct ForwardDynamicsDerivatives {
+  static constexpr const char* name = "forward_dynamics_derivatives";  ///< in files, tables and JSON
+  /// Runs it for the scene S.
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J& qd, const J& tau, const In& in) {
+    return axial::forward_dynamics_derivatives<S>(q, qd, tau, in);
   }
 };
 
@@ -136,10 +158,12 @@ struct ClosedForm {
 /// The algorithm of that name, as an argument.
 ///@{
 inline constexpr InverseDynamics inverse_dynamics;
+inline constexpr InverseDynamicsDerivatives inverse_dynamics_derivatives;
 inline constexpr Bias bias;
 inline constexpr Gravity gravity;
 inline constexpr MassMatrix mass_matrix;
 inline constexpr ForwardDynamics forward_dynamics;
+inline constexpr ForwardDynamicsDerivatives forward_dynamics_derivatives;
 inline constexpr BaseWrench base_wrench;
 inline constexpr ForwardKinematics forward_kinematics;
 inline constexpr Jacobian jacobian;

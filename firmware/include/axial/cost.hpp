@@ -52,6 +52,28 @@ constexpr void need_all(const Separated<S, Counting>& result) {
   need(result.G);
 }
 
+template <class S>
+constexpr void need_all(const JointMatrix<S, Counting>& result) {
+  need(result.values);
+}
+template <class S, class... Wanted>
+constexpr void need_all(const InverseDynamicsDerivatives<S, Counting, Wanted...>& result) {
+  using R = InverseDynamicsDerivatives<S, Counting, Wanted...>;
+  if constexpr (R::template has<with_efforts>) need_all(result.tau);
+  if constexpr (R::template has<with_mass_matrix>) need_all(result.M);
+  if constexpr (R::template has<with_position_jacobian>) need_all(result.dtau_dq);
+  if constexpr (R::template has<with_velocity_jacobian>) need_all(result.dtau_dqd);
+}
+
+template <class S, class... Wanted>
+constexpr void need_all(const ForwardDynamicsDerivatives<S, Counting, Wanted...>& result) {
+  using R = ForwardDynamicsDerivatives<S, Counting, Wanted...>;
+  need_all(result.qdd);
+  if constexpr (R::template has<with_inverse_mass_matrix>) need_all(result.M_inverse);
+  if constexpr (R::template has<with_acceleration_by_position>) need_all(result.dqdd_dq);
+  if constexpr (R::template has<with_acceleration_by_velocity>) need_all(result.dqdd_dqd);
+}
+
 // Run-time inputs count as such.
 constexpr void traced(Trace& trace, Counting& value) { value = Counting(trace); }
 template <class... Parts>

@@ -21,6 +21,7 @@ struct Kinematics {};               ///< poses and Jacobians
 struct Separation {};               ///< the separated terms
 struct Momenta {};                  ///< joint momenta and their drift
 struct BaseForce {};                ///< what carries the robot
+struct Derivatives {};              ///< of inverse dynamics
 }  // namespace recursion
 
 /// Links without formats: results are kept as they come, joint values are as they are.
@@ -186,6 +187,7 @@ using with_rotors =
 template <class Scene, class Recursion>
 inline constexpr bool knows_axial_masses = !Scene::template has<Payload> && !Scene::template has<Underwater> &&
                                            !std::is_same_v<Recursion, recursion::ArticulatedBodies> &&
+                                           !std::is_same_v<Recursion, recursion::Derivatives> &&
                                            !std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>;
 // Whether no link declares a rotor: then a scene that leaves them out is the one that names them.
 template <class Robot>

@@ -1,0 +1,146 @@
+// What a joint's acceleration, speed and position do to all that it carries, and to the joints inboard of it.
+#pragma once
+
+#include <axial/dynamics/axis_motion.hpp>
+#include <axial/dynamics/mass_flow.hpp>
+#include <axial/dynamics/mass_matrix.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+namespace derivatives {
+
+/// All that a joint carries, about the origin of its link's frame.
+template <class B, class W, class F>
+struct Subtree {
+  B body{};   ///< a RigidInertia
+  W flow{};   ///< a MassFlow
+  F force{};  ///< what moves it, N m and N
+  /// The same as numbers.
+  template <class T>
+  AXIAL_INLINE constexpr auto dense() const {
+    return derivatives::Subtree{body.template dense<T>(), flow.template dense<T>(), force.template dense<T>()};
+  }
+};
+template <class B, class W, class F>
+Subtree(B, W, F) -> Subtree<B, W, F>;
+/// Two of one frame as one.
+template <class A, class B, class C, class D, class E, class F>
+AXIAL_INLINE constexpr auto operator+(const Subtree<A, B, C>& a, const Subtree<D, E, F>& b) {
+  return Subtree{a.body + b.body, a.flow + b.flow, a.force + b.force};
+}
+
+/// About the parent's frame, in its axes.
+template <class Axis, class C, class S, class L, class Turn, class B, class W, class F>
+AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Subtree<B, W, F>& t) {
+  using axial::to_parent;
+  const auto h = Axis::in(to_parent(x, t.body.first_moment));
+  const auto j = detail::turned_tensor(x, Axis::in(t.body.inertia));
+  const auto hz = h.z + x.shift * t.body.mass;
+  const auto growth = detail::moment_growth(x.shift, h.z, hz);
+  const Sym3 inertia{j.xx + growth, j.yy + growth, j.zz, j.xy, j.xz - x.shift * h.x, j.yz - x.shift * h.y};
+  const RigidInertia body{t.body.mass, Axis::out(Vec3{h.x, h.y, hz}), Axis::out(inertia)};
+  return Subtree{body, to_parent(x, t.flow), to_parent(x, t.force)};
+}
+
+/// Force that gives a rigid body the motion m about its frame, without products of speeds: I m.
+template <class B, class M>
+AXIAL_INLINE constexpr auto inertial_force(const B& body, const M& m) {
+  const auto& h = body.first_moment;
+  return ForceVector{body.inertia * m.angular + cross(h, m.linear), body.mass * m.linear + cross(m.angular, h)};
+}
+/// phi x* F: how a force turns, or its moment grows, with the joint.
+template <class F>
+AXIAL_INLINE constexpr auto turned_force(Revolute, const F& f) {
+  return ForceVector{-across(f.moment), -across(f.force)};
+}
+/// Of a prismatic joint.
+template <class F>
+AXIAL_INLINE constexpr auto turned_force(Prismatic, const F& f) {
+  return ForceVector{-across(f.force), ZeroVec3{}};
+}
+
+/// What joint k sends inwards: the forces of one unit of its acceleration, speed and position on all that it carries,
+/// and its row of the Coriolis matrix.
+template <class F, class B, class U, class T>
+struct Columns {
+  F acceleration{};  ///< I phi
+  B row{};           ///< b
+  U speed{};         ///< B phi + 2 I psi
+  T position{};      ///< B psi + I d(psi)/dt + phi x* F
+  /// The same as numbers.
+  template <class N>
+  AXIAL_INLINE constexpr auto dense() const {
+    return derivatives::Columns{acceleration.template dense<N>(), row.template dense<N>(), speed.template dense<N>(),
+                                position.template dense<N>()};
+  }
+};
+template <class F, class B, class U, class T>
+Columns(F, B, U, T) -> Columns<F, B, U, T>;
+
+/// Of a joint, from its axis' motion and what it carries.
+template <class Joint, class S, class M>
+AXIAL_INLINE constexpr auto columns_of(Joint joint, const S& carried, const M& axis) {
+  return Columns{crba::unit_force(joint, carried.body), joint_row(joint, carried.flow),
+                 unit_flow_force(joint, carried.flow) + inertial_force(carried.body, axis.doubled),
+                 flow_force(carried.flow, axis.first.angular) + inertial_force(carried.body, axis.second) +
+                     turned_force(joint, carried.force)};
+}
+/// One screw farther in.
+template <class Axis, class C, class S, class L, class Turn, class F, class B, class U, class T>
+AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Columns<F, B, U, T>& c) {
+  using axial::to_parent;
+  return Columns{to_parent(x, c.acceleration), to_parent(x, c.row), to_parent(x, c.speed), to_parent(x, c.position)};
+}
+
+/// Power of a force on a motion.
+template <class M, class F>
+AXIAL_INLINE constexpr auto power(const M& motion, const F& force) {
+  return dot(motion.angular, force.moment) + dot(motion.linear, force.force);
+}
+/// b . phi.
+template <class B>
+AXIAL_INLINE constexpr auto row_along(Revolute, const B& row) {
+  return row.z;
+}
+/// A slide turns nothing.
+template <class B>
+AXIAL_INLINE constexpr Zero row_along(Prismatic, const B&) {
+  return {};
+}
+
+/// Entries of joint k with joint i inboard of it, in whose frame the columns stand: both ways round.
+template <class Joint, class K, class I, class C, class M, class Out>
+AXIAL_INLINE constexpr void write_pair(Joint joint, K k, I i, const C& columns, const M& axis, Out& out) {
+  out.mass(k, i, along_joint(joint, columns.acceleration));
+  out.position(i, k, along_joint(joint, columns.position));
+  out.position(k, i, dot(columns.row, axis.first.angular) + power(axis.second, columns.acceleration));
+  out.velocity(i, k, along_joint(joint, columns.speed));
+  out.velocity(k, i, row_along(joint, columns.row) + power(axis.doubled, columns.acceleration));
+}
+
+/// Carries the columns of joint k, in the frame of joint j's axis, to all joints inboard of it.
+template <class Links, class Screws, class Axes, class C, class K, class J, class Out>
+AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, const Axes& axes, const C& columns, K k,
+                                  J j, Out& out) {
+  if constexpr (Links::unrolled) {
+    constexpr int parent = Links::template parent_of<J::value>;
+    if constexpr (parent >= 0) {
+      const Index<parent> i;
+      auto carried = to_axis(links, screws, i, to_parent(links.link(j).x(), columns));
+      links.link(i).on_joint([&](auto joint) AXIAL_INLINE { write_pair(joint, k, i, carried, axes[i], out); });
+      climb(links, screws, axes, carried, k, i, out);
+    }
+  } else {
+    auto carried = columns;
+    for (int from = j, i = links.parent_index(from); i >= 0; from = i, i = links.parent_index(from)) {
+      carried = links.link(i).shape(to_parent(screws[i], to_parent(links.link(from).x(), carried)));
+      links.link(i).on_joint([&](auto joint) { write_pair(joint, k, i, carried, axes[i], out); });
+    }
+  }
+}
+
+}  // namespace derivatives
+}  // namespace axial
+
+#include <axial/options/end.hpp>

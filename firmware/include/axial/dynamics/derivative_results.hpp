@@ -1,0 +1,121 @@
+// What derivatives of the dynamics are handed back in.
+#pragma once
+
+#include <axial/dynamics/mass_matrix.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+
+/// N x N matrix with an entry for each pair of joints, row by row.
+template <class S, class T>
+struct JointMatrix {
+  static constexpr int size = joint_count<S>;  ///< number of joints
+  T values[size * size] = {};                  ///< row by row
+
+  AXIAL_INLINE constexpr T& operator()(int i, int j) { return values[i * size + j]; }  ///< entry (i, j)
+  /// Entry (i, j).
+  AXIAL_INLINE constexpr const T& operator()(int i, int j) const { return values[i * size + j]; }
+};
+
+/// Of a scene.
+template <class S, class T>
+using JointMatrixOf = JointMatrix<subject_of<S, T>, T>;
+
+/// What inverse_dynamics_derivatives() may be asked for.
+///@{
+struct with_efforts {
+  /// Its member.
+  template <class S, class T>
+  struct Result {
+    EffortsOf<S, T> tau{};  ///< N m or N
+  };
+};
+struct with_mass_matrix {
+  /// Its member.
+  template <class S, class T>
+  struct Result {
+    MassMatrixOf<S, T> M{};  ///< d tau / d qdd, with rotors as the scene names them
+  };
+};
+struct with_position_jacobian {
+  /// Its member.
+  template <class S, class T>
+  struct Result {
+    JointMatrixOf<S, T> dtau_dq{};  ///< (i, j) = d tau_i / d q_j: N m/rad, N m/m, N/rad or N/m
+  };
+};
+struct with_velocity_jacobian {
+  /// Its member.
+  template <class S, class T>
+  struct Result {
+    JointMatrixOf<S, T> dtau_dqd{};  ///< (i, j) = d tau_i / d qd_j: N m s/rad and so on
+  };
+};
+///@}
+
+/// Efforts and their derivatives: a member for each that is wanted, of all four unless some are named.
+template <class S, class T, class... Wanted>
+struct InverseDynamicsDerivatives : Wanted::template Result<S, T>... {
+  /// Whether it was asked for.
+  template <class What>
+  static constexpr bool has = (std::is_same_v<What, Wanted> || ...);
+};
+/// All of them.
+template <class S, class T>
+struct InverseDynamicsDerivatives<S, T>
+    : InverseDynamicsDerivatives<S, T, with_efforts, with_mass_matrix, with_position_jacobian, with_velocity_jacobian> {
+};
+
+namespace derivatives {
+
+/// Where the algorithm writes entries: into what was asked for.
+template <class Result>
+struct Entries {
+  Result& result;  ///< referred to
+
+  /// tau_i, N m or N
+  template <class I, class X>
+  AXIAL_INLINE constexpr void effort(I i, const X& x) {
+    if constexpr (Result::template has<with_efforts>) set(result.tau[i], x);
+  }
+  /// M(i, j)
+  template <class I, class J, class X>
+  AXIAL_INLINE constexpr void mass(I i, J j, const X& x) {
+    if constexpr (Result::template has<with_mass_matrix>) result.M.set(i, j, x);
+  }
+  /// d tau_i / d q_j
+  template <class I, class J, class X>
+  AXIAL_INLINE constexpr void position(I i, J j, const X& x) {
+    if constexpr (Result::template has<with_position_jacobian>) set(result.dtau_dq(i, j), x);
+  }
+  /// d tau_i / d qd_j
+  template <class I, class J, class X>
+  AXIAL_INLINE constexpr void velocity(I i, J j, const X& x) {
+    if constexpr (Result::template has<with_velocity_jacobian>) set(result.dtau_dqd(i, j), x);
+  }
+
+ private:
+  template <class T, class X>
+  AXIAL_INLINE static constexpr void set(T& entry, const X& x) {
+    entry = static_cast<T>(x);
+  }
+};
+
+}  // namespace derivatives
+namespace detail {
+
+// Scenes and numbers that derivatives are offered for.
+template <class Scene, class T>
+constexpr void check_derivable() {
+  static_assert(std::is_floating_point_v<T> || is_number_v<T>,
+                "axial: derivatives have no formats in fixed point; compute them in float");
+  static_assert(!Scene::template has<BaseMotion> && !Scene::template has<FloatingBase>,
+                "axial: derivatives are those of a base at rest; take BaseMotion and FloatingBase out of the scene");
+  static_assert(!Scene::template has<Underwater>, "axial: derivatives have no water; take Underwater out of the scene");
+}
+
+}  // namespace detail
+}  // namespace axial
+
+#include <axial/options/end.hpp>

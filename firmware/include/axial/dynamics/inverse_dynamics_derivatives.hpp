@@ -1,0 +1,92 @@
+// Derivatives of inverse dynamics: efforts, mass matrix and both Jacobians in one pass.
+#pragma once
+
+#include <axial/dynamics/derivative_columns.hpp>
+#include <axial/dynamics/derivative_results.hpp>
+#include <axial/dynamics/friction_slope.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+namespace derivatives {
+
+/// What link i is by itself.
+template <class Links, class Input, class Motions, class Passages, class Water, class I>
+AXIAL_INLINE constexpr auto own_part(const Links& links, const Input& in, const Motions& motions,
+                                     const Passages& passages, const Water& water, I i) {
+  const TipLoads<typename Links::Scene, Input> loads(in);
+  auto link = links.link(i);
+  auto body = loads.body(link);
+  auto moments = [&]() AXIAL_INLINE {
+    if constexpr (Links::Scene::template has<Payload>)
+      return doubled_moments(body);
+    else
+      return doubled_moments(link);
+  };
+  auto flow = mass_flow(moments(), motions[i].w, passages[i].origin);
+  return link.shape(Subtree{body, flow, rnea::own_force(links, in, motions, water, i)});
+}
+
+/// The algorithm over any form of links; hands every entry to `out`.
+template <class Links, class Input, class Q, class V, class A, class Out>
+AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Out& out) {
+  auto screws = joint_screws(links, in, q);
+  auto motions = rnea::link_motions(links, in, screws, qd, qdd);
+  auto passed = passages(links, in, screws, motions, qd);
+  auto axes = map_links(links, [&](auto i) AXIAL_INLINE {
+    auto link = links.link(i);
+    return link.on_joint([&](auto joint) AXIAL_INLINE { return link.shape(axis_motion(joint, passed[i].frame)); });
+  });
+  auto water = immersions(links, in, screws, qd);
+  auto own = [&](auto i) AXIAL_INLINE { return own_part(links, in, motions, passed, water, i); };
+  inward(links, own, [&](auto i, const auto& carried) AXIAL_INLINE {
+    auto link = links.link(i);
+    auto turned = link.shape(to_axis(links, screws, i, carried));
+    link.on_joint([&](auto joint) AXIAL_INLINE {
+      auto columns = link.shape(columns_of(joint, turned, axes[i]));
+      out.effort(i, rnea::joint_effort(links, i, turned.force, q, qd, qdd));
+      out.mass(i, i, along_joint(joint, columns.acceleration) + link.rotor());
+      out.position(i, i, along_joint(joint, columns.position) + spring_slope(link));
+      out.velocity(i, i, along_joint(joint, columns.speed) + friction_slope(link, qd[i]));
+      climb(links, screws, axes, columns, i, i, out);
+    });
+    return rnea::InwardResult{link.shape(to_parent(link.x(), turned))};
+  });
+}
+
+}  // namespace derivatives
+
+/// Inverse dynamics with its derivatives, in one pass: efforts tau (N m or N), mass matrix M, dtau_dq(i, j) = d tau_i /
+/// d q_j and dtau_dqd(i, j) = d tau_i / d qd_j at given q, qd, qdd; d tau / d qdd is M. `Wanted` are with_efforts,
+/// with_mass_matrix, with_position_jacobian, with_velocity_jacobian; all of them unless some are named: what is not
+/// asked for has no member and no code.
+/// Friction adds its slope to the diagonal, where it has one: dry friction without a smooth speed jumps at rest, and
+/// its slope there is 0, as everywhere else. A payload moves with the last link; wrenches are constant in the axes of
+/// the link that they act on. In floating point; for a base at rest, tilted or not.
+/// Source: Singh, Russell and Wensing 2022, "Efficient Analytical Derivatives of Rigid-Body Dynamics Using Spatial
+/// Vector Algebra" (arXiv 2105.05102), in link frames with successive axial screws. NaN and infinities propagate.
+template <class S, class... Wanted, class T>
+[[nodiscard]] constexpr InverseDynamicsDerivatives<S, T, Wanted...> inverse_dynamics_derivatives(
+    const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const Accelerations<robot_of<S>, T>& qdd,
+    const Inputs<S, T>& in = {}) {
+  detail::check_derivable<scene_of<S>, T>();
+  InverseDynamicsDerivatives<S, T, Wanted...> result{};
+  derivatives::Entries<InverseDynamicsDerivatives<S, T, Wanted...>> entries{result};
+  derivatives::run(links_of<S, T, BaseParameters, recursion::Derivatives>(), in, q, qd, qdd, entries);
+  return result;
+}
+/// The same for a run-time model.
+template <class... Wanted, int N, class... F, class T, class M = Model<N, F...>>
+[[nodiscard]] constexpr InverseDynamicsDerivatives<M, T, Wanted...> inverse_dynamics_derivatives(
+    const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,
+    const Inputs<M, T>& in = {}) {
+  detail::check_derivable<scene_of<M>, T>();
+  InverseDynamicsDerivatives<M, T, Wanted...> result{};
+  derivatives::Entries<InverseDynamicsDerivatives<M, T, Wanted...>> entries{result};
+  derivatives::run(model.template links<T>(), in, q, qd, qdd, entries);
+  return result;
+}
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -1,0 +1,136 @@
+// How the mass of a body flows past its frame: what Coriolis forces depend on.
+#pragma once
+
+#include <axial/links/doubled_moments.hpp>
+#include <axial/spatial/branch_screw.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+
+/// Of a (composite) body whose points r move with v(r), about the origin and in the axes of one frame: P = 2 integral
+/// of v dm and C = tr(N) 1 - N with N = 2 integral of v r^T dm. Turning with the rate a besides takes the force (C a; a
+/// x P): the Coriolis matrix of Singh, Russell and Wensing 2022, section III, of which C and P are what depends on the
+/// body.
+template <class C, class P>
+struct MassFlow {
+  C moment{};    ///< kg m^2/s, a Mat3: C
+  P momentum{};  ///< kg m/s: P
+
+  /// The same as numbers.
+  template <class T>
+  AXIAL_INLINE constexpr auto dense() const {
+    return axial::MassFlow{moment.template dense<T>(), momentum.template dense<T>()};
+  }
+};
+template <class C, class P>
+MassFlow(C, P) -> MassFlow<C, P>;
+
+/// Two bodies of one frame as one.
+template <class A, class B, class C, class D>
+AXIAL_INLINE constexpr auto operator+(const MassFlow<A, B>& a, const MassFlow<C, D>& b) {
+  return MassFlow{a.moment + b.moment, a.momentum + b.momentum};
+}
+
+/// Of one body, by twice its moments m, h and s, whose frame moves with w and v: C = (v . h) 1 - v h^T - w x s, P = m v
+/// + w x h.
+template <class M, class H, class S, class W, class V>
+AXIAL_INLINE constexpr auto mass_flow(const DoubledMoments<M, H, S>& body, const W& w, const V& v) {
+  const auto& h = body.first;
+  const auto& s = body.second;
+  const auto x = v.x * h.x;
+  const auto y = v.y * h.y;
+  const auto z = v.z * h.z;
+  return MassFlow{Mat3{Vec3{y + z + (w.z * s.xy - w.y * s.xz), w.z * s.yy - w.y * s.yz - v.x * h.y,
+                            w.z * s.yz - w.y * s.zz - v.x * h.z},
+                       Vec3{w.x * s.xz - w.z * s.xx - v.y * h.x, x + z + (w.x * s.yz - w.z * s.xy),
+                            w.x * s.zz - w.z * s.xz - v.y * h.z},
+                       Vec3{w.y * s.xx - w.x * s.xy - v.z * h.x, w.y * s.xy - w.x * s.yy - v.z * h.y,
+                            x + y + (w.y * s.xz - w.x * s.yz)}},
+                  body.mass * v + cross(w, h)};
+}
+
+namespace detail {
+
+// R S R^T about z without the products of step A: 8M 8A; a quarter turn exchanges elements and costs nothing.
+template <class Axis, class C, class S, class L, class Turn, class XX, class YY, class ZZ, class XY, class XZ, class YZ>
+AXIAL_INLINE constexpr auto turned_tensor(const AxialScrew<Axis, C, S, L, Turn>& x,
+                                          const Sym3<XX, YY, ZZ, XY, XZ, YZ>& s) {
+  auto column = to_parent(z_screw(x.cos, x.sin, Zero{}), Vec3{s.xz, s.yz, Zero{}});
+  if constexpr (is_zero_v<S>) {
+    return Sym3{s.xx, s.yy, s.zz, s.xy, column.x, column.y};
+  } else if constexpr (is_zero_v<C>) {
+    return Sym3{s.yy, s.xx, s.zz, -s.xy, column.x, column.y};
+  } else {
+    auto w = x.sin * (s.xx - s.yy) + (x.cos + x.cos) * s.xy;
+    auto moved = x.sin * w;
+    return Sym3{s.xx - moved, s.yy + moved, s.zz, x.cos * w - s.xy, column.x, column.y};
+  }
+}
+// R M R^T for a general M likewise: 12M 13A.
+template <class Axis, class C, class S, class L, class Turn, class R1, class R2, class R3>
+AXIAL_INLINE constexpr auto turned_tensor(const AxialScrew<Axis, C, S, L, Turn>& x, const Mat3<R1, R2, R3>& m) {
+  auto plane = z_screw(x.cos, x.sin, Zero{});
+  auto column = to_parent(plane, Vec3{m.x.z, m.y.z, Zero{}});
+  auto row = to_parent(plane, Vec3{m.z.x, m.z.y, m.z.z});
+  if constexpr (is_zero_v<S>) {
+    return Mat3{Vec3{m.x.x, m.x.y, column.x}, Vec3{m.y.x, m.y.y, column.y}, row};
+  } else if constexpr (is_zero_v<C>) {
+    return Mat3{Vec3{m.y.y, -m.y.x, column.x}, Vec3{-m.x.y, m.x.x, column.y}, row};
+  } else {
+    auto w = x.sin * (m.x.x - m.y.y) + x.cos * (m.x.y + m.y.x);
+    auto moved = x.sin * w, turning = x.cos * w;
+    return Mat3{Vec3{m.x.x - moved, turning - m.y.x, column.x}, Vec3{turning - m.x.y, m.y.y + moved, column.y}, row};
+  }
+}
+
+}  // namespace detail
+
+/// About the parent's frame, in its axes: the matrix is turned, and P p^T taken from it and P . p added for the shift
+/// p.
+template <class Axis, class C, class S, class L, class Turn, class N, class P>
+AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const MassFlow<N, P>& flow) {
+  if constexpr (AxialScrew<Axis, C, S, L, Turn>::is_identity) {
+    return flow;
+  } else {
+    const auto momentum = to_parent(x, flow.momentum);
+    const auto c = detail::turned_tensor(x, Axis::in(flow.moment));
+    const auto p = Axis::in(momentum);
+    const auto along = x.shift * p.z;
+    const Mat3 shifted{Vec3{c.x.x + along, c.x.y, c.x.z - x.shift * p.x},
+                       Vec3{c.y.x, c.y.y + along, c.y.z - x.shift * p.y}, c.z};
+    return MassFlow{Axis::out(shifted), momentum};
+  }
+}
+
+/// Force of a turning rate across the joint's axis, of whose z nothing is read.
+template <class F, class V>
+AXIAL_INLINE constexpr auto flow_force(const F& flow, const V& rate) {
+  const Vec3 a{rate.x, rate.y, Zero{}};
+  return ForceVector{flow.moment * a, cross(a, flow.momentum)};
+}
+/// Force of one unit of the joint's rate.
+template <class F>
+AXIAL_INLINE constexpr auto unit_flow_force(Revolute, const F& flow) {
+  const auto& c = flow.moment;
+  return ForceVector{Vec3{c.x.z, c.y.z, c.z.z}, Vec3{-flow.momentum.y, flow.momentum.x, Zero{}}};
+}
+/// A slide turns nothing.
+template <class F>
+AXIAL_INLINE constexpr auto unit_flow_force(Prismatic, const F&) {
+  return ForceVector{ZeroVec3{}, ZeroVec3{}};
+}
+/// What turning rates a do along the joint: b . a.
+template <class F>
+AXIAL_INLINE constexpr const auto& joint_row(Revolute, const F& flow) {
+  return flow.moment.z;
+}
+/// Of a prismatic joint.
+template <class F>
+AXIAL_INLINE constexpr auto joint_row(Prismatic, const F& flow) {
+  return Vec3{flow.momentum.y, -flow.momentum.x, Zero{}};
+}
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>

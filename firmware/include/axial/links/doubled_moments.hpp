@@ -1,0 +1,69 @@
+// Moments of a link's mass, doubled, as products of speeds need them.
+#pragma once
+
+#include <axial/links/link_view.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+
+/// Twice the moments of a body's mass: mass (kg), first moment (kg m) and second moments, the integral of r r^T dm (kg
+/// m^2), a Sym3: tr(J) 1 - 2 J.
+template <class M, class H, class S>
+struct DoubledMoments {
+  M mass{};    ///< 2 m
+  H first{};   ///< 2 m c
+  S second{};  ///< 2 integral of r r^T dm
+};
+template <class M, class H, class S>
+DoubledMoments(M, H, S) -> DoubledMoments<M, H, S>;
+
+/// Of a body.
+template <class M, class H, class J>
+AXIAL_INLINE constexpr auto doubled_moments(const RigidInertia<M, H, J>& body) {
+  const auto& h = body.first_moment;
+  const auto& j = body.inertia;
+  return DoubledMoments{
+      body.mass + body.mass, h + h,
+      Sym3{j.yy + j.zz - j.xx, j.xx + j.zz - j.yy, j.xx + j.yy - j.zz, -(j.xy + j.xy), -(j.xz + j.xz), -(j.yz + j.yz)}};
+}
+
+namespace detail {
+
+template <class T, class Constants, Member<double> M>
+AXIAL_INLINE constexpr auto twice_constant() {
+  return literal<T>([] { return 2.0 * (Constants::of().*M); });
+}
+template <class T, class Constants>
+AXIAL_INLINE constexpr auto twice_of_link() {
+  using C = LinkConstants<double>;
+  return DoubledMoments{twice_constant<T, Constants, &C::mass>(),
+                        Vec3{twice_constant<T, Constants, &C::hx>(), twice_constant<T, Constants, &C::hy>(),
+                             twice_constant<T, Constants, &C::hz>()},
+                        Sym3{literal<T>([] { return Constants::of().jyy + Constants::of().jzz - Constants::of().jxx; }),
+                             literal<T>([] { return Constants::of().jxx + Constants::of().jzz - Constants::of().jyy; }),
+                             literal<T>([] { return Constants::of().jxx + Constants::of().jyy - Constants::of().jzz; }),
+                             -twice_constant<T, Constants, &C::jxy>(), -twice_constant<T, Constants, &C::jxz>(),
+                             -twice_constant<T, Constants, &C::jyz>()}};
+}
+template <class Robot, class Parameters, int I>
+struct ConstantsOfLink {
+  static constexpr const auto& of() { return robot_constants<Robot, Parameters>.links[I]; }
+};
+
+}  // namespace detail
+
+/// Of a link that the compiler knows: constants, too.
+template <class Scene, int I, class T, class Parameters, class Rounder>
+AXIAL_INLINE constexpr auto doubled_moments(const StaticLink<Scene, I, T, Parameters, Rounder>&) {
+  return detail::twice_of_link<T, detail::ConstantsOfLink<typename Scene::Robot, Parameters, I>>();
+}
+/// Of any other view of a link.
+template <class Link>
+AXIAL_INLINE constexpr auto doubled_moments(const Link& link) -> decltype(doubled_moments(link.body())) {
+  return doubled_moments(link.body());
+}
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>
