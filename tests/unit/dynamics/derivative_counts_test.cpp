@@ -1,0 +1,51 @@
+// What derivatives cost: operations of robots and of models without any zero.
+#include <gtest/gtest.h>
+
+#include <axial/cost.hpp>
+#include <robots/models/models.hpp>
+#include <robots/panda.hpp>
+#include <robots/puma560.hpp>
+#include <robots/scara.hpp>
+
+namespace {
+
+using namespace axial;
+
+template <class R>
+constexpr int inverse() {
+  return cost<R>(algorithm::inverse_dynamics_derivatives).total();
+}
+template <class R>
+constexpr int forward() {
+  return cost<R>(algorithm::forward_dynamics_derivatives).total();
+}
+
+// One of the results alone.
+template <class Wanted>
+struct Alone {
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J& qd, const J& qdd, const In& in) {
+    return inverse_dynamics_derivatives<S, Wanted>(q, qd, qdd, in);
+  }
+};
+
+}  // namespace
+
+TEST(DerivativeCounts, OfInverseDynamicsWithTorqueAndMassMatrix) {
+  EXPECT_EQ(inverse<robots::Scara>(), 66);
+  EXPECT_EQ(inverse<robots::Puma560>(), 1598);
+  EXPECT_EQ(inverse<robots::Panda>(), 2611);
+  EXPECT_EQ(inverse<robots::ModelPuma560>(), 2077);
+  EXPECT_EQ(inverse<robots::ModelGeneral6r>(), 3508);
+}
+TEST(DerivativeCounts, OfForwardDynamics) {
+  EXPECT_EQ(forward<robots::Scara>(), 105);
+  EXPECT_EQ(forward<robots::Puma560>(), 2692);
+  EXPECT_EQ(forward<robots::Panda>(), 4750);
+}
+TEST(DerivativeCounts, WhatIsNotAskedForIsFree) {
+  using R = robots::Puma560;
+  EXPECT_EQ(cost<R>(Alone<with_efforts>{}).total(), cost<R>(algorithm::inverse_dynamics).total());
+  EXPECT_LE(cost<R>(Alone<with_mass_matrix>{}).total(), cost<R>(algorithm::mass_matrix).total());
+  EXPECT_LT(cost<R>(Alone<with_velocity_jacobian>{}).total(), inverse<R>() / 2);
+}
