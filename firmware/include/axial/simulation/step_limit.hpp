@@ -124,7 +124,7 @@ constexpr StiffBounds<T> stiff_bounds(const System& system, const Q& q, const In
   T springs[n] = {}, dampers[n] = {};
   for_each_link(links, [&](auto i) AXIAL_INLINE {
     springs[i] = T(spring_slope(links.link(i)) + drive.stiffness[i]);
-    dampers[i] = T(friction_slope(links.link(i), T(0)) + drive.damping[i]);
+    dampers[i] = T(friction_damping(links.link(i), T(0)) + drive.damping[i]);
   });
   return {largest_eigenvalue_bound(weighted_mobility(links, in, q, springs), links.size()),
           largest_eigenvalue_bound(weighted_mobility(links, in, q, dampers), links.size())};

@@ -1,7 +1,7 @@
 // Links whose joints are as heavy as an implicit step makes them.
 #pragma once
 
-#include <axial/dynamics/drives.hpp>
+#include <axial/dynamics/friction_slope.hpp>
 #include <axial/dynamics/passes.hpp>
 
 #include <axial/options/begin.hpp>
@@ -24,36 +24,19 @@ struct NoStiffness {
 
 namespace detail {
 
-template <class Link>
-AXIAL_INLINE constexpr auto spring_slope(const Link& link) {
-  if constexpr (Link::Scene::template has<JointSprings>)
-    return link.spring_stiffness();
-  else
-    return Zero{};
-}
-
-// Dry friction over its smooth speed v0: C x (3 - x^2)/2 of x = v/v0 has the slope 3/2 (1 - x^2) C/v0 inside +-v0, none
-// outside. C is the larger breakaway effort of both directions; the fall of Stribeck's curve is left out, for its slope
-// is negative.
+// What friction damps: viscous, and dry friction over its smooth speed, whose effort is the larger breakaway of both
+// directions; the fall of Stribeck's curve is left out, for its slope is negative.
 template <class Link, class V>
-AXIAL_INLINE constexpr auto dry_slope(const Link& link, const V& qd) {
-  if constexpr (is_zero_v<decltype(link.inverse_smooth_speed())>) {
+AXIAL_INLINE constexpr auto friction_damping(const Link& link, const V& qd) {
+  if constexpr (!Link::Scene::template has<Friction>) {
     return Zero{};
+  } else if constexpr (is_zero_v<decltype(link.inverse_smooth_speed())>) {
+    return link.viscous();
   } else {
-    const V inverse(link.inverse_smooth_speed()), x = qd * inverse, left = V(One{}) - x * x;
     const V forward(link.coulomb_forward() + link.stribeck_forward());
     const V backward(-(link.coulomb_backward() + link.stribeck_backward()));
-    const V level = select(forward > backward, forward, backward);
-    return NumberTraits<V>::constant(1.5) * select(left > V(Zero{}), left, V(Zero{})) * inverse * level;
+    return link.viscous() + sign_slope(link, qd) * select(forward > backward, forward, backward);
   }
-}
-
-template <class Link, class V>
-AXIAL_INLINE constexpr auto friction_slope(const Link& link, const V& qd) {
-  if constexpr (Link::Scene::template has<Friction>)
-    return link.viscous() + dry_slope(link, qd);
-  else
-    return Zero{};
 }
 
 }  // namespace detail
@@ -86,14 +69,14 @@ class StiffLinks : public Links {
   template <class I>
   AXIAL_INLINE constexpr auto link(I i) const {
     auto link = Links::link(i);
-    auto damping = detail::friction_slope(link, qd_[i]) + drive_.damping[i];
+    auto damping = detail::friction_damping(link, qd_[i]) + drive_.damping[i];
     auto added = h_ * (damping + h_ * stiffness(i));
     return HeavierLink<decltype(link), decltype(added)>(link, added);
   }
   /// Of springs and drive together.
   template <class I>
   AXIAL_INLINE constexpr auto stiffness(I i) const {
-    return detail::spring_slope(Links::link(i)) + drive_.stiffness[i];
+    return spring_slope(Links::link(i)) + drive_.stiffness[i];
   }
 
  private:
