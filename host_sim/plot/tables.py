@@ -98,6 +98,7 @@ def headline(data):
     image, worst = joints[0], max(joint["error_max_relative"] for joint in joints)
     kernel = lambda scalar, **wanted: size_rows(data, scalar, scene="bare", contract="off", variant="unrolled", **wanted)[0]
     count = lambda *args, **wanted: f"{grouped(kernel(*args, **wanted)['instructions'])} instructions"
+    timed = lambda *args, **wanted: f"{count(*args, **wanted)} ({kernel(*args, **wanted)['microseconds']:.0f} us)"
     puma = {"robot": "puma560", "algorithm": "inverse_dynamics"}
     on_board = kernel("float", board="stm32f405", **puma)
     rows = [["feed-forward of a Puma 560 at 1 kHz, float, STM32F405: a request over the serial port to a checked torque",
@@ -106,8 +107,8 @@ def headline(data):
                                           f"{grouped(image['stack_bytes'])} of stack"],
             ["inverse dynamics of the Puma 560, float, STM32F405",
              f"{grouped(on_board['instructions'])} instructions, {grouped(on_board['flash_bytes'])} bytes of flash, {grouped(on_board['stack_bytes'])} of stack"],
-            ["the same on a Cortex-M0 (nRF51): 32-bit integers, and float",
-             f"{count('fixed32', board='nrf51', **puma)}, {count('float', board='nrf51', **puma)}"],
+            ["the same on a Cortex-M0 at 16 MHz (nRF51): 32-bit integers, and float",
+             f"{timed('fixed32', board='nrf51', **puma)}, {timed('float', board='nrf51', **puma)}"],
             ["forward dynamics of a SCARA and of a Panda, float, STM32F405",
              ", ".join(count("float", board="stm32f405", robot=robot, algorithm="forward_dynamics") for robot in ("scara", "panda"))]]
     return markdown(["what", "cost"], rows, words=2) + f"\nMeasured at commit `{data.provenance['commit']}`, kernels at commit `{data.size_provenance['commit']}`.\n"
