@@ -100,14 +100,16 @@ class Chip {
     this.core.PC = BOOT2_ADDRESS;
   }
 
-  // One instruction, or nothing while the core sleeps. rp2040js's own sleep loses interrupts that are masked or pending before it, so it never
+  // One instruction, or nothing while the core sleeps; `executed(from, to, cycles)`, where there is one, sees it. rp2040js's own sleep loses interrupts that are masked or pending before it, so it never
   // sees one.
   step() {
     const core = this.core;
     try {
       if (core.interruptsUpdated) core.checkForInterrupts();
       this.pc = (core.PC & ~1) >>> 0; // a vector has bit 0 set
-      this.clock.tick((core.executeInstruction() * 1e9) / this.chip.clkSys);
+      const cycles = core.executeInstruction();
+      this.executed?.(this.pc, core.PC & ~1, cycles);
+      this.clock.tick((cycles * 1e9) / this.chip.clkSys);
     } catch (error) {
       if (!(error instanceof BusFault)) throw error;
       this.hardFault(error);

@@ -2,7 +2,9 @@
 'use strict';
 // Runs an image on an emulated RP2040. usage:
 //   run.js -kernel IMAGE [-serial null|unix:PATH|tcp:HOST:PORT|stdio] [-fast] [-no-semihosting] [-sys-tick CYCLES]
+//     [-steps FILE]
 // IMAGE is ELF or UF2. Ends with the image's exit code; with 3 and a sentence where the image does what is not emulated.
+// -steps: what instructions took, a line "from to cycles" (addresses in hexadecimal) for each pair that was met and each of its cycles.
 // -fast: time that the board sleeps passes at once. -check: does nothing but look whether rp2040js is installed.
 
 const fs = require('fs');
@@ -17,7 +19,7 @@ function options(words) {
   for (let i = 0; i < words.length; ++i) {
     const name = words[i].slice(1);
     if (['check', 'fast', 'no-semihosting'].includes(name)) found[name] = true;
-    else if (['kernel', 'serial', 'sys-tick'].includes(name) && i + 1 < words.length) found[name] = words[++i];
+    else if (['kernel', 'serial', 'sys-tick', 'steps'].includes(name) && i + 1 < words.length) found[name] = words[++i];
     else throw new Error(`unknown option '${words[i]}'`);
   }
   if (!found.kernel && !found.check) throw new Error('name an image: -kernel IMAGE');
@@ -68,7 +70,8 @@ class Machine {
       breakpoint: chosen['no-semihosting'] ? () => false : semihosting,
       send: line.send,
     };
-    this.powerUp = (sram, reason) => (this.chip = new Chip(part, sram, reason));
+    const executed = chosen.steps ? recorder(chosen.steps) : undefined;
+    this.powerUp = (sram, reason) => (this.chip = Object.assign(new Chip(part, sram, reason), {executed}));
     this.powerUp(unknownRam(264 * 1024), 0);
     this.idleSince = null; // on the wall, and on the board
     this.timer = null;
@@ -128,6 +131,26 @@ class Machine {
     if (reason === BY_WATCHDOG) fs.writeSync(1, `watchdog: restarted ${Math.round(this.chip.unfedNanos / 1000)} us after it was fed\n`);
     this.powerUp(this.chip.sram, reason);
   }
+}
+
+// Sees every instruction, and writes what was met as the program ends.
+function recorder(file) {
+  const met = new Map(); // from -> to -> cycles, a bit for each number of them
+  process.on('exit', () => fs.writeFileSync(file, linesOf(met).join('')));
+  return (from, to, cycles) => {
+    let of = met.get(from);
+    if (!of) met.set(from, (of = new Map()));
+    of.set(to, of.get(to) | (1 << cycles));
+  };
+}
+
+function linesOf(met) {
+  const lines = [];
+  for (const [from, of] of met)
+    for (const [to, bits] of of)
+      for (let cycles = 0; cycles < 32; ++cycles)
+        if (bits & (1 << cycles)) lines.push(`${from.toString(16)} ${(to >>> 0).toString(16)} ${cycles}\n`);
+  return lines;
 }
 
 // RAM after power-on, by xorshift32: nobody may rely on zeros.
