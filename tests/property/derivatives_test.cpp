@@ -23,17 +23,19 @@ struct Jacobians {
 // Central differences of f(q, qd): exact to some 20 digits.
 template <class F>
 Jacobians differences(const QuadVector& q, const QuadVector& qd, const F& f) {
-  const auto n = q.size();
+  const int n = static_cast<int>(q.size());
   const quad h = quad(1) / quad(1LL << 36);
   Jacobians result{oracle::Matrix<quad>(n, n), oracle::Matrix<quad>(n, n)};
-  for (std::size_t j = 0; j < n; ++j) {
+  for (int j = 0; j < n; ++j) {
     for (const bool position : {true, false}) {
       QuadVector low[] = {q, qd}, high[] = {q, qd};
       const int which = position ? 0 : 1;
-      low[which][j] -= h, high[which][j] += h;
+      const auto at = static_cast<std::size_t>(j);
+      low[which][at] -= h, high[which][at] += h;
       const QuadVector below = f(low[0], low[1]), above = f(high[0], high[1]);
-      for (std::size_t i = 0; i < n; ++i)
-        (position ? result.by_position : result.by_velocity)(i, j) = (above[i] - below[i]) / (h + h);
+      for (int i = 0; i < n; ++i)
+        (position ? result.by_position : result.by_velocity)(i, j) =
+            (above[static_cast<std::size_t>(i)] - below[static_cast<std::size_t>(i)]) / (h + h);
     }
   }
   return result;
@@ -45,7 +47,7 @@ double block_error(const Ours& ours, const oracle::Matrix<quad>& exact, int n) {
   quad difference = 0, largest = 0;
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
-      const quad e = exact(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+      const quad e = exact(i, j);
       difference = std::max(difference, oracle::abs(quad(ours(i, j)) - e));
       largest = std::max(largest, oracle::abs(e));
     }
