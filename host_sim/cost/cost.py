@@ -19,17 +19,6 @@ import stack  # noqa: E402
 
 SAFE_LOOP = "feedforward"
 ROUTE = "forward_dynamics_"
-MODEL = ("cycles are an estimate: one per instruction; loads and stores 1 and 1 per word; divisions and square roots {divide}; fused multiply-adds "
-         "{fused}; no wait states, stalls or interrupts. Never measured on silicon.")
-# What the cores' manuals say otherwise.
-KNOWN_WRONG = {
-    "cortex-m0": "A taken branch takes 3, a call 4: soft float costs more than is said here.",
-    "cortex-m3": "Long multiplications take 3 to 7 and are counted 1: fixed point costs a quarter to a half more than is said here; "
-                 "divisions take 2 to 12.",
-    "cortex-m4f": "Loads one after the other take less than is said here, taken branches more.",
-    "rv32imac": "A model of no core in particular: a three-stage core takes 5 to 19 % less.",
-}
-NO_TIMES = "No timing of this core is published: the model is the Cortex-M4F's."
 
 
 def probes(board, number):
@@ -59,27 +48,32 @@ def cpu_of(board):
 
 
 def model_of(board):
-    cpu = cpu_of(board)
-    text = MODEL.format(divide=size.measure.cycles.CYCLES_OF_DIVIDE.get(cpu, 14), fused=size.measure.cycles.CYCLES_OF_FUSED.get(cpu, 3))
-    return f"{text} {KNOWN_WRONG.get(cpu, NO_TIMES)}"
+    core = measure.timing.Model(measure.description(board)).core
+    return f"Cycles: {core.kind} ({core.says}); no interrupts. Never measured on silicon."
 
 
 def complete(row, name):
-    return {**row, "robot": name, "core": cpu_of(row["board"]), "cycles": row["cycles_estimated"], "cycles_kind": "estimate",
-            "cycles_model": model_of(row["board"]), "instructions_by": "QEMU", "flags": "ours"}
+    return {**row, "robot": name, "cycles_model": model_of(row["board"]), "instructions_by": "QEMU", "flags": "ours"}
+
+
+def span(low, high):
+    return str(high) if low == high else f"{low} to {high}"
 
 
 def shown(row):
-    low = row.get("instructions_min", row["instructions"])
-    count = f"{low} to {row['instructions']}" if low != row["instructions"] else str(low)
     algorithm = "safe loop" if row["algorithm"] == SAFE_LOOP else row["algorithm"].replace("_", " ")
-    return [algorithm, count, *(str(row[field]) for field in ("cycles_estimated", "flash_bytes", "ram_bytes", "stack_bytes"))]
+    interval = span(row["cycles_low"], row["cycles_high"]) if "cycles_low" in row else ""
+    return [algorithm, span(row.get("instructions_min", row["instructions"]), row["instructions"]),
+            str(row["cycles"]), interval, f"{row['microseconds']:.1f}",
+            *(str(row[field]) for field in ("flash_bytes", "ram_bytes", "stack_bytes"))]
 
 
 def print_table(options, rows):
+    model = measure.timing.Model(measure.description(options.board))
     print(f"{options.name} on {options.board} ({cpu_of(options.board)}), {options.number}, flags of hal/toolchains:\n")
-    size.print_columns([["kernel", "instructions", "cycles (estimate)", "flash", "RAM", "stack"], *map(shown, rows)], 1)
-    print(f"\nInstructions were executed in QEMU over 8 states and are not cycles; {model_of(options.board)}\n"
+    size.print_columns([["kernel", "instructions", f"cycles ({model.core.kind})", "from, to", f"us at {model.clock_Hz / 1e6:g} MHz", "flash", "RAM", "stack"],
+                        *map(shown, rows)], 1)
+    print(f"\nInstructions were executed in QEMU over 8 states and are not cycles. {model_of(options.board)}\n"
           "Flash and RAM in bytes, beside an image without the kernel; kernels share code, so an image with several takes less than their sum.\n"
           f"The safe loop is axial::{SAFE_LOOP}.")
 

@@ -146,7 +146,7 @@ def size_rows(data, scalar="float", **wanted):
 
 def size_of(data, board, contract="off"):
     """A row per kernel: unrolled beside compact."""
-    figures = {"instructions": "instructions", "cycles": "cycles_estimated", "flash": "flash_bytes", "stack": "stack_bytes"}
+    figures = {"instructions": "instructions", "cycles": "cycles", "flash": "flash_bytes", "stack": "stack_bytes"}
     header = [f"{board}, unrolled and compact"] + [f"{name}, {form}" for name in figures for form in ("u", "c")]
     rows = []
     for row in sorted(size_rows(data, board=board, scene="bare", contract=contract, variant="unrolled"),
@@ -162,8 +162,8 @@ def size_of(data, board, contract="off"):
 def size_fixed(data):
     """Everything in fixed point; boards beside each other."""
     rows = [row for row in data.size if row["scalar"].startswith("fixed")]
-    header = ["robot, algorithm, numbers", "board", "instructions", "cycles", "flash", "RAM", "stack"]
-    figures = ("instructions", "cycles_estimated", "flash_bytes", "ram_bytes", "stack_bytes")
+    header = ["robot, algorithm, numbers", "board", "instructions", "cycles", "us", "flash", "RAM", "stack"]
+    figures = ("instructions", "cycles", "microseconds", "flash_bytes", "ram_bytes", "stack_bytes")
     form = lambda row: "" if row["variant"] == "unrolled" else ", " + row["variant"]
     name = lambda row: f"{row['robot']}, {row['algorithm'].replace('_', ' ')}, {row['scalar'].replace('_', ' ')}{form(row)}"
     return markdown(header, [[name(row), row["board"]] + [grouped(row[figure]) for figure in figures]
@@ -210,13 +210,13 @@ def size_scenes(data):
 
 def size_contract(data):
     """Fused multiply-adds against separate ones."""
-    header = ["unrolled, bare", "instructions, off", "fast", "estimated cycles, off", "fast", "flash, off", "fast"]
+    header = ["unrolled, bare", "instructions, off", "fast", "cycles, off", "fast", "flash, off", "fast"]
     rows = []
     for fast in sorted(size_rows(data, contract="fast", variant="unrolled", scene="bare"),
                        key=lambda row: (row["board"], row["robot"])):
         off = size_rows(data, **{name: fast[name] for name in ("board", "robot", "scene", "algorithm", "variant")}, contract="off")
         rows.append([f"{fast['board']}, {fast['robot']}, {fast['algorithm'].replace('_', ' ')}"] +
-                    [grouped(row[name]) for name in ("instructions", "cycles_estimated", "flash_bytes")
+                    [grouped(row[name]) for name in ("instructions", "cycles", "flash_bytes")
                      for row in (off[0], fast)])
     return markdown(header, rows)
 
@@ -233,7 +233,7 @@ def size_flags(data):
     kernels = unique((row["robot"], row["algorithm"]) for row in data.flags)
     header = [f"sums over {len(kernels)} kernels"]
     for board in boards:
-        header += [f"{board}: instructions", "cycles, estimated", "against the first", "flash", "stack"]
+        header += [f"{board}: instructions", "cycles", "against the first", "flash", "stack"]
     rows = []
     for name, changes in unique((row["flags"], row["changes"]) for row in data.flags):
         line = [name + (f": `{changes}`" if changes else "")]

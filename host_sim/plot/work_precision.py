@@ -1,4 +1,4 @@
-"""Draws error against work: kernels in instructions and in bytes, feed-forward at two rates, simulations.
+"""Draws error against work: kernels in time (in instructions where cycles are an estimate) and in bytes, feed-forward at two rates, simulations.
 
 usage: work_precision.py WORK_PRECISION.json
 Writes WORK_PRECISION, _bytes, _two_rate and _simulation (.png) beside it, as far as there are such rows.
@@ -31,7 +31,7 @@ def unique(values):
 
 def draw_kernels(rows, unit, stem):
     """A row of panels a job, a column per board; colour: number system, marker: robot. A line joins a robot's front."""
-    rows = [row for row in rows if row.get("job") in JOBS and row["unit_of_work"] == unit and row["robot"] in DRAWN]
+    rows = [row for row in rows if row.get("job") in JOBS and row["unit_of_work"] == unit_of(row, unit) and row["robot"] in DRAWN]
     if not rows:
         return
     jobs = [job for job in JOBS if any(row["job"] == job for row in rows)]
@@ -46,12 +46,24 @@ def draw_kernels(rows, unit, stem):
         line[0].set_ylabel(f"{JOBS[job]}\nlargest error")
     for board, panel in zip(boards, grid[0]):
         panel.set_title(board)
-    for column in grid.T:
+    for board, column in zip(boards, grid.T):
         lowest = [panel for panel in column if panel.axison][-1]
-        lowest.set_xlabel("instructions (QEMU)" if unit == "instructions" else "bytes: flash, RAM, stack")
+        lowest.set_xlabel(label_of(next(row for row in rows if row["board"] == board)))
         lowest.tick_params(labelbottom=True)
     explain(figure, robots)
     style.save(figure, stem, f"Error against {unit} of each job on each board")
+
+
+def unit_of(row, unit):
+    """Time where cycles are known; elsewhere instructions stand for it."""
+    if unit != "time":
+        return unit
+    return "instructions" if row["cycles_kind"] == "estimate" else "microseconds"
+
+
+def label_of(row):
+    return {"instructions": "instructions (QEMU)", "bytes": "bytes: flash, RAM, stack",
+            "microseconds": f"us, {row['core']}, {row['cycles_kind']}"}[row["unit_of_work"]]
 
 
 def draw_panel(panel, rows, robots):
@@ -155,7 +167,7 @@ def main(file):
     style.use()
     plt.rcParams.update({"font.size": 8, "axes.titlesize": 9})
     stem = file.removesuffix(".json")
-    pictures = [(draw_kernels, rows, "instructions", stem), (draw_kernels, rows, "bytes", stem + "_bytes"), (draw_simulation, rows, stem + "_simulation"),
+    pictures = [(draw_kernels, rows, "time", stem), (draw_kernels, rows, "bytes", stem + "_bytes"), (draw_simulation, rows, stem + "_simulation"),
                 (draw_two_rate, rows, stem + "_two_rate")]
     with multiprocessing.Pool() as pool:  # the first two take ten seconds each
         pool.map(draw, pictures, chunksize=1)

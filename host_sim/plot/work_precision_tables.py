@@ -21,18 +21,18 @@ def words(name):
 
 
 def fronts(rows, board):
-    """What is on a front of its robot and job: of instructions, of bytes or of both."""
-    header = ["job, robot", "kernel, numbers, variant", "largest error", "RMS", "as torque", "instructions", "cycles (estimate)", "bytes", "front of"]
+    """What is on a front of its robot and job: of instructions, of time, of bytes."""
+    header = ["job, robot", "kernel, numbers, variant", "largest error", "RMS", "as torque", "instructions", "cycles", "us", "bytes", "front of"]
     here = [row for row in rows if "job" in row and row["board"] == board]
-    units = {unit: {identity(row): row for row in here if row["unit_of_work"] == unit} for unit in ("instructions", "bytes")}
+    units = {unit: {identity(row): row for row in here if row["unit_of_work"] == unit} for unit in ("instructions", "microseconds", "bytes")}
     lines = []
     for key, row in sorted(units["instructions"].items(), key=lambda item: (JOBS.index(item[1]["job"]), item[1]["robot"], item[1]["work"])):
-        small = units["bytes"][key]
-        front = [unit for unit, each in (("instructions", row), ("bytes", small)) if each["pareto"]]
+        quick, small = units["microseconds"][key], units["bytes"][key]
+        front = [unit for unit, each in (("instructions", row), ("time", quick), ("bytes", small)) if each["pareto"]]
         if front:
             lines.append([f"{words(row['job'])}, {row['robot']}", f"{words(row['subject'])}, {NAMES[row['scalar']]}, {row['variant']}",
                           f"{row['error']:.1e}", f"{row['error_rms']:.1e}", f"{row['error_torque']:.1e}" if "error_torque" in row else "",
-                          grouped(row["work"]), grouped(row["cycles_estimated"]), grouped(small["work"]), ", ".join(front)])
+                          grouped(row["work"]), grouped(row["cycles"]), f"{quick['work']:.1f}", grouped(small["work"]), ", ".join(front)])
     return markdown(header, lines)
 
 

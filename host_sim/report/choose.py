@@ -76,11 +76,11 @@ def describe(row):
 
 def table(rows, name):
     header = ["kernel", "numbers", "variant", "error", "RMS", "torque" if name == "error_torque" else "certified", "instructions",
-              "cycles (estimate)", "bytes"]
+              "cycles", "us", "bytes"]
     number = lambda row, field: f"{row[field]:.1e}" if field in row else ""
     cells = [header] + [[row["subject"], row["scalar"], row["variant"], number(row, "error"), number(row, "error_rms"),
                          number(row, name if name == "error_torque" else "error_certified"), str(row["instructions"]),
-                         str(row["cycles_estimated"]), str(row["flash_bytes"] + row["ram_bytes"] + row["stack_bytes"])] for row in rows]
+                         str(row["cycles"]), f"{row['microseconds']:.1f}", str(row["flash_bytes"] + row["ram_bytes"] + row["stack_bytes"])] for row in rows]
     widths = [max(len(line[i]) for line in cells) for i in range(len(header))]
     return "\n".join("  " + "  ".join(cell.ljust(width) if i < 3 else cell.rjust(width)
                                       for i, (cell, width) in enumerate(zip(line, widths))).rstrip() for line in cells)
@@ -148,7 +148,7 @@ def parse(arguments):
     parser.add_argument("--algorithm", default="inverse_dynamics")
     parser.add_argument("--error", type=positive)
     parser.add_argument("--budget", type=positive)
-    parser.add_argument("--unit", choices=("instructions", "bytes"), default="instructions")
+    parser.add_argument("--unit", choices=("instructions", "microseconds", "bytes"), default="instructions")
     parser.add_argument("--torque", action="store_true")
     parser.add_argument("--pairs", action="store_true")
     parser.add_argument("--json")

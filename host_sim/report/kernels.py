@@ -4,7 +4,8 @@ import pareto
 
 KEY = ("robot", "scene", "algorithm", "variant", "scalar")
 ERRORS = ("states", "error", "error_rms", "error_torque", "error_certified")
-COSTS = ("instructions_min", "cycles_estimated", "flash_bytes", "ram_bytes", "stack_bytes")
+CYCLES = ("cycles_estimated", "core", "cycles", "cycles_kind", "cycles_low", "cycles_high", "microseconds")
+COSTS = ("instructions_min", *CYCLES, "flash_bytes", "ram_bytes", "stack_bytes")
 FIELDS = ("subject", "robot", "scalar", "variant", "board", "error", "work", "unit_of_work", "pareto", "job", "scene", "algorithm", "form",
           *ERRORS[:1], *ERRORS[2:], "instructions", *COSTS)
 ROUTE = "forward_dynamics_"
@@ -36,7 +37,7 @@ def variant_of(row):
 
 
 def joined(errors, sizes):
-    """Two rows a kernel and board: its work in instructions and in bytes (flash, static RAM and stack). A kernel that no
+    """Three rows a kernel and board: its work in instructions, in microseconds and in bytes (flash, static RAM and stack). A kernel that no
     board was measured for has none."""
     known = {key(error): error for error in errors}
     rows = []
@@ -50,7 +51,7 @@ def joined(errors, sizes):
                  "board": size["board"], "job": job_of(size), "scene": size["scene"], "algorithm": size["algorithm"],
                  "form": size["variant"]}
         total = size["flash_bytes"] + size["ram_bytes"] + size["stack_bytes"]
-        for unit, work in (("instructions", size["instructions"]), ("bytes", total)):
+        for unit, work in (("instructions", size["instructions"]), ("microseconds", size["microseconds"]), ("bytes", total)):
             row = {**names, **both, "work": work, "unit_of_work": unit}
             rows.append({name: row[name] for name in FIELDS if name in row})
     pareto.mark(rows, lambda row: (row["job"], row["robot"], row["board"], row["unit_of_work"]))

@@ -32,7 +32,7 @@ def provenance(made):
 
 def compact(rows):
     """Rows as lists, which is a third of the bytes."""
-    fields = [*NAMES, "error", "error_rms", "error_torque", "work", "cycles_estimated", "pareto"]
+    fields = [*NAMES, "error", "error_rms", "error_torque", "work", "cycles", "cycles_kind", "pareto"]
     known = lambda row, name: None if name == "error" and row.get("diverged") else row.get(name)
     value = lambda row, name: float(f"{row[name]:.3g}") if isinstance(known(row, name), float) else known(row, name)
     return {"fields": fields, "rows": [[value(row, name) for name in fields] for row in rows]}

@@ -54,21 +54,21 @@ def write_csv(path, rows):
 
 
 def print_table(rows):
-    """Instructions and bytes beside each other; * is on the front of either."""
-    bytes_of = {page.identity(row): row for row in rows if row["unit_of_work"] == "bytes"}
-    header = ["board", "robot", "kernel", "numbers", "variant", "error", "RMS", "instructions", "cycles (estimate)", "bytes", "front"]
+    """Instructions, time and bytes beside each other, and what it is on the front of."""
+    other = {unit: {page.identity(row): row for row in rows if "job" in row and row["unit_of_work"] == unit} for unit in ("microseconds", "bytes")}
+    header = ["board", "robot", "kernel", "numbers", "variant", "error", "RMS", "instructions", "cycles", "us", "bytes", "front"]
     cells = [header]
     for row in (row for row in rows if "job" in row and row["unit_of_work"] == "instructions"):
-        small = bytes_of[page.identity(row)]
+        quick, small = (of_unit[page.identity(row)] for of_unit in other.values())
         cells.append([row["board"], row["robot"], row["subject"], row["scalar"], row["variant"], f"{row['error']:.1e}", f"{row['error_rms']:.1e}",
-                      str(row["work"]), str(row["cycles_estimated"]), str(small["work"]),
-                      ("i" if row["pareto"] else "") + ("b" if small["pareto"] else "")])
+                      str(row["work"]), str(row["cycles"]), f"{quick['work']:.1f}", str(small["work"]),
+                      "".join(mark for mark, each in (("i", row), ("t", quick), ("b", small)) if each["pareto"])])
     widths = [max(len(line[i]) for line in cells) for i in range(len(header))]
     for line in cells:
         print("  ".join(cell.ljust(width) if i < 5 else cell.rjust(width) for i, (cell, width) in enumerate(zip(line, widths))).rstrip())
-    print("errors relative to the joint's largest over seeded states; instructions counted by QEMU, cycles estimated from them;\n"
+    print("errors relative to the joint's largest over seeded states; instructions counted by QEMU, cycles by the core's model (./axial size);\n"
           "bytes: flash, static RAM and stack; front: nothing that does the same job there is as exact and takes as few\n"
-          "i: instructions, b: bytes")
+          "i: instructions, t: time, b: bytes")
 
 
 def parse():

@@ -12,7 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "host_sim/size"))
 import measure  # noqa: E402
 
-COSTS = ("instructions", "cycles_estimated", "flash_bytes", "ram_bytes", "stack_bytes")
+COSTS = ("instructions", "cycles", "flash_bytes", "ram_bytes", "stack_bytes")
 ERRORS = ("error", "error_rms", "error_torque", "error_certified")
 LAST_BITS = 1e-12  # of an error's share that another compiler may sum in another order
 

@@ -23,7 +23,6 @@ import tempfile
 import time
 from typing import NamedTuple
 
-import cycles
 import flag_sets
 import measure
 import size
@@ -122,9 +121,8 @@ def straight_line(image, entry):
     """The instructions that a call executes, calls and its return included."""
     executed, address = [], entry
     while True:
-        instruction = image.instructions[address]
-        name, operands, size_of = instruction
-        executed.append(instruction)
+        name, operands, size_of = image.instructions[address]
+        executed.append(address)
         if LEAVING.search(operands) and name.startswith(RETURNS) and not stack.CONDITIONAL.match(name):
             return executed
         address += size_of
@@ -136,14 +134,14 @@ def straight_line(image, entry):
             raise NotStraight(f"{image.function_at(address)}: {name} {operands}")
 
 
-def cost(image, cpu):
-    """Instructions and estimated cycles; none where a branch or a loop hides them. The kernel's return is left out, as
+def cost(image, board):
+    """Instructions and cycles; none where a branch or a loop hides them. The kernel's return is left out, as
     where QEMU counts."""
     try:
-        executed = straight_line(image, image.functions[measure.KERNEL])[:-1]
+        executed = straight_line(image, image.functions[measure.KERNEL])
     except NotStraight:
         return None, None
-    return len(executed), sum(cycles.cycles(each, cpu) for each in executed)
+    return len(executed) - 1, measure.timing.Model(measure.description(board)).of(executed, image.instructions).cycles
 
 
 def figures(work):
@@ -152,7 +150,7 @@ def figures(work):
     flags = chosen.apply(compilation.flags)
     with tempfile.TemporaryDirectory(prefix="axial-") as folder:
         image = compilation.compile(flags, header, pathlib.Path(folder))
-    instructions, estimate = cost(image, measure.description(board)["cpu"])
+    instructions, estimate = cost(image, board)
     return {"flags": chosen.name, "changes": " ".join(chosen.changes), "board": board, "robot": robot, "scene": "bare",
             "algorithm": algorithm, "scalar": "float", "variant": "unrolled", "contract": contract(flags),
             "instructions": instructions, "cycles_estimated": estimate, "flash_bytes": image.flash,
@@ -203,7 +201,7 @@ def print_totals(rows):
         change = "" if None in (cycles_of_set, first) else f"{cycles_of_set / first - 1:+.1%}"
         cells.append([name, board, *("loops" if value is None else str(value) for value in totals.values()), change])
     size.print_columns(cells, 2)
-    print(f"sums over {len(KERNELS)} kernels, of the stack the largest; cycles are an estimate")
+    print(f"sums over {len(KERNELS)} kernels, of the stack the largest; cycles by the core's model")
 
 
 def run_measure(options):

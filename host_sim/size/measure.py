@@ -5,15 +5,18 @@ import json
 import os
 import pathlib
 import re
+import sys
 from typing import NamedTuple
 
-import cycles
 import execution
 import riscv_stack
 import stack
 from image import RISCV, Image, memory, sections
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "host_sim/timing"))
+import timing  # noqa: E402
+
 IMAGES = pathlib.Path(os.environ.get("AXIAL_IMAGES_ROOT", ROOT / "build"))
 KERNEL = "axial_kernel"
 RETURN = re.compile(r"^(bx|pop|ldr|ldmia|ret)")
@@ -111,8 +114,8 @@ class Figures:
         varying = {} if low == high else {"instructions_min": low, "instructions_max": high}
         return {"board": self.board, "robot": self.probe.robot, "scene": self.probe.scene,
                 "algorithm": self.probe.algorithm, "scalar": self.probe.scalar, "variant": self.probe.variant,
-                "contract": self.probe.contract, "instructions": high, **varying, "cycles_estimated": self.cycles,
-                "flash_bytes": self.image.flash - self.empty[0], "ram_bytes": self.image.ram - self.empty[1],
+                "contract": self.probe.contract, "instructions": high, **varying,
+                "cycles_estimated": self.timing.cycles, **self.timing.fields(), "flash_bytes": self.image.flash - self.empty[0], "ram_bytes": self.image.ram - self.empty[1],
                 "stack_bytes": self.stack_bytes}
 
     def _check_frame(self):
@@ -126,17 +129,18 @@ class Figures:
 
     def _run(self):
         board = description(self.board)
-        cost = {address: cycles.cycles(self.image.instructions[address], board["cpu"]) for address in self.depths.reached}
         runs = execution.run(board["qemu"], self.image.path, self.entry, self.depths.reached)
         self.counts = [count for count, _ in runs]
-        self.cycles = max(self._cycles(executed, cost) for _, executed in runs)
+        executed = [addresses for _, addresses in runs]
+        for addresses in executed:
+            self._check_path(addresses)
+        self.timing = timing.Model(board).worst(executed, self.image.instructions)
 
-    def _cycles(self, executed, cost):
-        """The return is left out, as in the count."""
+    def _check_path(self, executed):
+        """Along known instructions to a return, which is left out, as in the count."""
+        unknown = set(executed).difference(self.depths.reached)
+        if unknown:
+            raise execution.Mismatch(f"{self.image.path}: executes {min(unknown):#x}, where no path leads")
         last = self.image.instructions[executed[-1]]
         if not RETURN.match(last.name):
             raise execution.Mismatch(f"{self.image.path}: the count ends at {last.name} {last.operands}, not at a return")
-        try:
-            return sum(map(cost.__getitem__, executed[:-1]))
-        except KeyError as error:
-            raise execution.Mismatch(f"{self.image.path}: executes {error.args[0]:#x}, where no path leads") from None

@@ -1,4 +1,4 @@
-"""Flash, static RAM, worst-case stack, instructions and estimated cycles of the probes that a build lists.
+"""Flash, static RAM, worst-case stack, instructions and cycles of the probes that a build lists.
 
 usage: size.py boards [choice]      prints the chosen boards
        size.py targets [choice]     prints the build's targets of the chosen probes
@@ -27,9 +27,9 @@ import stack
 ALLOWANCE, STEP = 1.02, {"stack_bytes": 8}  # of a budget over what was measured: a share, at least a step
 BUDGETED = ("instructions", "flash_bytes", "stack_bytes")
 CHOICES = ("robot", "scene", "algorithm", "scalar", "variant", "contract")
-SHOWN = ("instructions", "cycles_estimated", "flash_bytes", "ram_bytes", "stack_bytes")
+SHOWN = ("instructions", "cycles", "microseconds", "flash_bytes", "ram_bytes", "stack_bytes")
 FIELDS = ("board", "robot", "scene", "algorithm", "scalar", "variant", "contract", "instructions", "instructions_min",
-          "instructions_max", *SHOWN[1:])
+          "instructions_max", "cycles_estimated", "core", "cycles", "cycles_kind", "cycles_low", "cycles_high", *SHOWN[2:])
 
 
 def chosen(board, options):
@@ -85,6 +85,13 @@ def print_columns(cells, words):
                         for i, (cell, width) in enumerate(zip(line, widths))).rstrip())
 
 
+def print_cores(boards):
+    """What cycles and microseconds are, board by board."""
+    for board in boards:
+        model = measure.timing.Model(measure.description(board))
+        print(f"cycles on {board}: {model.core.kind} ({model.core.says}); {model.clock_Hz / 1e6:g} MHz")
+
+
 def write_json(path, value):
     pathlib.Path(path).write_text(json.dumps(value, indent=1) + "\n", encoding="utf-8")
 
@@ -92,6 +99,7 @@ def write_json(path, value):
 def run_measure(options):
     rows = measure_all(some_work_of(options))
     print_table(rows)
+    print_cores(dict.fromkeys(row["board"] for row in rows))
     if options.json:
         write_json(options.json, rows)
     folder = pathlib.Path(options.output)

@@ -44,17 +44,22 @@ def error_row(algorithm="inverse_dynamics", scalar="float", scene="bare", error=
             "error_rms": error / 2}
 
 
+def timed(board, cycles):
+    kind = "exact" if board == "nrf51" else "estimate"
+    return {"cycles_estimated": cycles, "core": "a core", "cycles": cycles, "cycles_kind": kind, "microseconds": cycles / 16}
+
+
 def size_row(row, instructions, flash=100, board="nrf51", contract="off"):
     names = {name: row[name] for name in kernels.KEY}
-    return {**names, "board": board, "contract": contract, "instructions": instructions, "cycles_estimated": 2 * instructions,
+    return {**names, "board": board, "contract": contract, "instructions": instructions, **timed(board, 2 * instructions),
             "flash_bytes": flash, "ram_bytes": 0, "stack_bytes": 8}
 
 
 class Rows(unittest.TestCase):
-    def test_join_errors_with_costs_in_two_units(self):
+    def test_join_errors_with_costs_in_three_units(self):
         error = error_row()
         rows = kernels.joined([error], [size_row(error, 50), size_row(error, 40, contract="fast"), size_row(error_row("feedforward"), 60)])
-        self.assertEqual([(row["work"], row["unit_of_work"]) for row in rows], [(50, "instructions"), (108, "bytes")])
+        self.assertEqual([(row["work"], row["unit_of_work"]) for row in rows], [(50, "instructions"), (6.25, "microseconds"), (108, "bytes")])
         for field in other_rows.FIELDS:
             self.assertIn(field, rows[0])
 

@@ -13,7 +13,6 @@ import emulator
 import harness
 
 sys.path.insert(0, str(emulator.ROOT / "host_sim/size"))
-import cycles  # noqa: E402
 import execution  # noqa: E402
 import flag_sets  # noqa: E402
 import flags  # noqa: E402
@@ -100,11 +99,10 @@ class Size(harness.BoardTest):
 
     def test_an_unrolled_kernel_executes_what_stands_there(self):
         """What ./axial size --flags relies on."""
-        cpu = measure.description(self.board)["cpu"]
         for probe, row in self.rows.items():
             program = image.Image(measure.path_of(self.board, probe.name))
             if probe.scene == "bare":
-                self.assertEqual(flags.cost(program, cpu), (row["instructions"], row["cycles_estimated"]), probe.name)
+                self.assertEqual(flags.cost(program, self.board), (row["instructions"], row["cycles_estimated"]), probe.name)
 
     def test_a_fused_multiply_add_saves_instructions_not_cycles(self):
         for probe, row in self.rows.items():
@@ -278,23 +276,6 @@ class RiscvStack(unittest.TestCase):
         }.items():
             with self.subTest(why), self.assertRaisesRegex(stack.Unbounded, why):
                 self.depth(source)
-
-
-class Cycles(unittest.TestCase):
-    def test_rule(self):
-        rule = {"vmul.f32": 1, "vadd.f32": 1, "vfma.f32": 3, "vfnms.f32": 3, "vdiv.f32": 14, "vsqrt.f32": 14, "ldr": 2,
-                "vstr": 2, "str.w": 2, "b.n": 1, "vmov.f32": 1, "it": 1}
-        for name, wanted in rule.items():
-            self.assertEqual(cycles.cycles(image.Instruction(name, "s0, s1", 4), "cortex-m4f"), wanted, name)
-
-    def test_riscv(self):
-        for name, wanted in {"lw": 2, "sh": 2, "lbu": 2, "sll": 1, "lui": 1, "mulhu": 1, "div": 37, "remu": 37}.items():
-            self.assertEqual(cycles.cycles(image.Instruction(name, "a0,a1", 4), "rv32imac"), wanted, name)
-
-    def test_several_words(self):
-        for name, operands, wanted in (("push", "{r4, r5, lr}", 4), ("vldmia", "r0, {s4-s7}", 5), ("vpop", "{d8-d9}", 5),
-                                       ("ldrd", "r0, r1, [r2]", 3), ("vldr", "d7, [r2]", 3), ("ldmia.w", "sp!, {r4, pc}", 3)):
-            self.assertEqual(cycles.cycles(image.Instruction(name, operands, 4), "cortex-m3"), wanted, name)
 
 
 class Execution(unittest.TestCase):

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# summary: what your arm costs on a board: instructions, estimated cycles, flash, RAM, stack of every kernel and of the safe loop
+# summary: what your arm costs on a board: instructions, cycles, flash, RAM, stack of every kernel and of the safe loop
 # group: use
 
 usage() {
@@ -7,7 +7,7 @@ usage() {
 usage: ./axial cost HEADER [options]
 Installs and builds what is missing: an image for each kernel of the robot of this header (of ./axial import, your own, or a name of
 robots/README.md), bare: with gravity and rotors. Tells the instructions that a call executes in QEMU (the dearest of 8 states), cycles
-estimated from those instructions by a model that is named, flash and static RAM beside an image without a kernel, and the deepest stack
+and microseconds by a model of its core that is named, flash and static RAM beside an image without a kernel, and the deepest stack
 that the machine code can reach. The safe loop is axial::feedforward: inverse dynamics, limits, status, last safe torque.
   --board ANY_BOARD   stm32f405 (default), stm32f100, nrf51, rv32_virt, mps2_an500, mps2_an505
   --number float|fixed32  default float

@@ -6,7 +6,7 @@ usage() {
   cat <<'END_OF_USAGE'
 usage: ./axial report [options]
 Installs and builds what is missing. Sets the error of every kernel that firmware/apps/size/matrix.txt lists (on the host, over
-seeded states, against 113-bit arithmetic) beside the instructions that it executes in QEMU, estimated cycles, and its bytes; marks
+seeded states, against 113-bit arithmetic) beside the instructions that it executes in QEMU, its time by a model of the core, and its bytes; marks
 what no other beats in either; adds feed-forward at two rates, simulations and stability (doc/measurements/work_precision.md). Prints a table,
 writes CSV, JSON, pictures and one self-contained HTML page.
   --robot ROBOT       only this robot

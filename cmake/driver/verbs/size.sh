@@ -7,7 +7,7 @@ usage() {
 usage: ./axial size [options]
 Installs and builds what is missing: a small image for each combination of firmware/apps/size/matrix.txt. Tells for each
 its flash and static RAM (beside an image without a kernel), its worst-case stack, the instructions that a call executes
-in QEMU, and an estimate of cycles from them (doc/measurements/size.md). Prints a table, writes CSV, JSON and a picture.
+in QEMU, and the cycles and microseconds that they take by a model of its core (doc/measurements/size.md). Prints a table, writes CSV, JSON and a picture.
   --board ANY_BOARD   only this board
   --robot ROBOT...    only these, commas between
   --scene WORD...     likewise
