@@ -1,7 +1,7 @@
 """Cycles of Hazard3 v1.0, the RISC-V core of the RP2350, for instructions that were executed.
 
 Zero-wait memory, separate ports for fetch and data, the RP2350's configuration: multiplications of one cycle, a branch predictor of one
-entry. Rules are its documentation's and, where that is silent, what its RTL does in simulation (tests/data/hazard3_sequences.json).
+entry. Rules are its documentation's and, where that is silent, what its RTL does in simulation (tests/data/timing/hazard3_sequences.json).
 Left out: flash behind XIP, contention of memory banks, interrupts.
 """
 

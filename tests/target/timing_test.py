@@ -20,7 +20,7 @@ import image  # noqa: E402
 import operands  # noqa: E402
 import timing  # noqa: E402
 
-SEQUENCES = json.loads((emulator.ROOT / "tests/data/hazard3_sequences.json").read_text(encoding="utf-8"))
+SEQUENCES = json.loads((emulator.ROOT / "tests/data/timing/hazard3_sequences.json").read_text(encoding="utf-8"))
 BEFORE = "_start: la sp, stack_top\n"
 AFTER = """.option rvc
 .balign 4
