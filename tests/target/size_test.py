@@ -166,7 +166,7 @@ class StraightLine(unittest.TestCase):
 
     def executed(self, source):
         program = compiled(source)
-        return [name for name, *_ in flags.straight_line(program, program.functions["f"])]
+        return [program.instructions[address].name for address in flags.straight_line(program, program.functions["f"])]
 
     def test_a_call_counts_as_often_as_it_is_made(self):
         g = "void APART g(void) { asm volatile(\"nop\"); }"
