@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <hal/ring.hpp>
+#include <hal/serial_port.hpp>
 
 namespace axial::hal::nrf51 {
 
@@ -51,7 +51,9 @@ constexpr UartRate uart_rate(std::uint32_t baud) {
 /// One serial port. `Port` gives `static UartRegisters& registers()` and the numbers of its pins, `transmit_pin` and
 /// `receive_pin`.
 template <class Port, std::size_t receive_capacity>
-class Uart {
+class Uart : public SerialPort<Uart<Port, receive_capacity>, receive_capacity> {
+  using Base = SerialPort<Uart, receive_capacity>;
+
  public:
   /// Starts the port; returns the baud rate that runs. Its clock is always 16 MHz.
   static std::uint32_t start(std::uint32_t, std::uint32_t baud) {
@@ -73,45 +75,25 @@ class Uart {
     auto& port = Port::registers();
     while (port.received != 0) {
       port.received = 0;
-      if (!received_.push(static_cast<std::uint8_t>(port.receive))) lose();
+      if (!Base::keep(static_cast<std::uint8_t>(port.receive))) Base::lose();
     }
     if (port.error == 0) return;
     port.error = 0;
     const std::uint32_t source = port.error_source;
     port.error_source = source;  // written ones clear
-    if ((source & uart_overrun) != 0) lose();
-  }
-
-  static bool read(std::uint8_t& byte) { return received_.pop(byte); }
-  static bool idle() { return received_.empty(); }
-
-  /// Bytes lost because the ring or the queue was full; at least one each.
-  static std::uint32_t overruns() { return overruns_; }
-
-  /// Sends `count` bytes. False when one did not leave in time: the rest is dropped.
-  static bool write(const std::uint8_t* bytes, std::size_t count) {
-    auto& port = Port::registers();
-    for (std::size_t i = 0; i < count; ++i) {
-      port.sent = 0;
-      port.transmit = bytes[i];
-      if (!wait_until_sent(port)) return false;
-    }
-    return true;
+    if ((source & uart_overrun) != 0) Base::lose();
   }
 
  private:
-  static void lose() { overruns_ = overruns_ + 1; }
+  friend Base;
 
-  static bool wait_until_sent(UartRegisters& port) {
-    constexpr unsigned polls = 20000;  // a byte takes under 1 000 looks at every supported rate
-    for (unsigned i = 0; i < polls; ++i) {
-      if (port.sent != 0) return true;
-    }
-    return false;
+  /// As SerialPort asks.
+  static bool send(std::uint8_t byte) {
+    auto& port = Port::registers();
+    port.sent = 0;
+    port.transmit = byte;
+    return Base::wait_until([&port] { return port.sent != 0; });
   }
-
-  inline static ByteRing<receive_capacity> received_{};
-  inline static volatile std::uint32_t overruns_ = 0;
 };
 
 }  // namespace axial::hal::nrf51

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <hal/ring.hpp>
+#include <hal/serial_port.hpp>
 
 namespace axial::hal::ns16550 {
 
@@ -37,7 +37,9 @@ constexpr std::uint32_t uart_baud(std::uint32_t clock_Hz, std::uint32_t baud) {
 
 /// One serial port. `Port` gives `registers()`, a reference to UartRegisters or to what plays them.
 template <class Port, std::size_t receive_capacity>
-class Uart {
+class Uart : public SerialPort<Uart<Port, receive_capacity>, receive_capacity> {
+  using Base = SerialPort<Uart, receive_capacity>;
+
  public:
   /// Starts the port; returns the baud rate that runs.
   static std::uint32_t start(std::uint32_t clock_Hz, std::uint32_t baud) {
@@ -58,42 +60,22 @@ class Uart {
     auto& port = Port::registers();
     while (true) {
       const unsigned status = port.line_status;
-      if ((status & line_status::overrun) != 0) lose();
+      if ((status & line_status::overrun) != 0) Base::lose();
       if ((status & line_status::received) == 0) return;
-      if (!received_.push(port.data)) lose();
+      if (!Base::keep(port.data)) Base::lose();
     }
-  }
-
-  static bool read(std::uint8_t& byte) { return received_.pop(byte); }
-  static bool idle() { return received_.empty(); }
-
-  /// Bytes lost because the ring or the queue was full; at least one each.
-  static std::uint32_t overruns() { return overruns_; }
-
-  /// Sends `count` bytes. False when the port did not take a byte in time: the rest is dropped.
-  static bool write(const std::uint8_t* bytes, std::size_t count) {
-    auto& port = Port::registers();
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!wait_for_room(port)) return false;
-      port.data = bytes[i];
-    }
-    return true;
   }
 
  private:
-  static void lose() { overruns_ = overruns_ + 1; }
+  friend Base;
 
-  template <class Registers>
-  static bool wait_for_room(Registers& port) {
-    constexpr unsigned polls = 20000;  // a byte takes under 1 000 looks at every supported rate
-    for (unsigned i = 0; i < polls; ++i) {
-      if ((port.line_status & line_status::room_to_send) != 0) return true;
-    }
-    return false;
+  /// As SerialPort asks.
+  static bool send(std::uint8_t byte) {
+    auto& port = Port::registers();
+    if (!Base::wait_until([&port] { return (port.line_status & line_status::room_to_send) != 0; })) return false;
+    port.data = byte;
+    return true;
   }
-
-  inline static ByteRing<receive_capacity> received_{};
-  inline static volatile std::uint32_t overruns_ = 0;
 };
 
 }  // namespace axial::hal::ns16550

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <hal/ring.hpp>
+#include <hal/serial_port.hpp>
 
 namespace axial::hal::pl011 {
 
@@ -47,7 +47,9 @@ constexpr UartRate uart_rate(std::uint32_t clock_Hz, std::uint32_t baud) {
 
 /// One serial port. `Port` gives `registers()`, a reference to UartRegisters or to what plays them.
 template <class Port, std::size_t receive_capacity>
-class Uart {
+class Uart : public SerialPort<Uart<Port, receive_capacity>, receive_capacity> {
+  using Base = SerialPort<Uart, receive_capacity>;
+
  public:
   /// Starts the port; returns the baud rate that runs. The line register comes after the dividers, which it has taken
   /// over. Out of reset the receiver interrupts when its queue is half full, or holds something and is silent for 32
@@ -68,39 +70,21 @@ class Uart {
     auto& port = Port::registers();
     while ((port.flags & flag::receive_empty) == 0) {
       const std::uint32_t data = port.data;
-      const bool full = !received_.push(static_cast<std::uint8_t>(data));
-      if (full || (data & data_overrun) != 0) overruns_ = overruns_ + 1;
+      const bool full = !Base::keep(static_cast<std::uint8_t>(data));
+      if (full || (data & data_overrun) != 0) Base::lose();
     }
-  }
-
-  static bool read(std::uint8_t& byte) { return received_.pop(byte); }
-  static bool idle() { return received_.empty(); }
-
-  /// Bytes lost because the ring or the queue was full; at least one each.
-  static std::uint32_t overruns() { return overruns_; }
-
-  /// Sends `count` bytes. False when the port did not take a byte in time: the rest is dropped.
-  static bool write(const std::uint8_t* bytes, std::size_t count) {
-    auto& port = Port::registers();
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!wait_for_room(port)) return false;
-      port.data = bytes[i];
-    }
-    return true;
   }
 
  private:
-  template <class Registers>
-  static bool wait_for_room(Registers& port) {
-    constexpr unsigned polls = 20000;  // a byte takes under 1 000 looks at every supported rate
-    for (unsigned i = 0; i < polls; ++i) {
-      if ((port.flags & flag::send_full) == 0) return true;
-    }
-    return false;
-  }
+  friend Base;
 
-  inline static ByteRing<receive_capacity> received_{};
-  inline static volatile std::uint32_t overruns_ = 0;
+  /// As SerialPort asks.
+  static bool send(std::uint8_t byte) {
+    auto& port = Port::registers();
+    if (!Base::wait_until([&port] { return (port.flags & flag::send_full) == 0; })) return false;
+    port.data = byte;
+    return true;
+  }
 };
 
 }  // namespace axial::hal::pl011

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <hal/ring.hpp>
+#include <hal/serial_port.hpp>
 
 namespace axial::hal::stm32 {
 
@@ -42,7 +42,9 @@ constexpr UsartDivider usart_divider(std::uint32_t clock_Hz, std::uint32_t baud)
 
 /// One serial port. `Port` gives `registers()`, a reference to UsartRegisters or to what plays them.
 template <class Port, std::size_t receive_capacity>
-class Usart {
+class Usart : public SerialPort<Usart<Port, receive_capacity>, receive_capacity> {
+  using Base = SerialPort<Usart, receive_capacity>;
+
  public:
   /// Starts the port; returns the baud rate that runs.
   static std::uint32_t start(std::uint32_t clock_Hz, std::uint32_t baud) {
@@ -63,39 +65,21 @@ class Usart {
       const std::uint32_t status = port.status;
       if ((status & (received | overrun)) == 0) return;
       const auto byte = static_cast<std::uint8_t>(port.data);
-      const bool full = (status & received) != 0 && !received_.push(byte);
-      if (full || (status & overrun) != 0) overruns_ = overruns_ + 1;
+      const bool full = (status & received) != 0 && !Base::keep(byte);
+      if (full || (status & overrun) != 0) Base::lose();
     }
-  }
-
-  static bool read(std::uint8_t& byte) { return received_.pop(byte); }
-  static bool idle() { return received_.empty(); }
-
-  /// Bytes lost because the ring or the data register was full; at least one each.
-  static std::uint32_t overruns() { return overruns_; }
-
-  /// Sends `count` bytes. False when the port did not take a byte in time: the rest is dropped.
-  static bool write(const std::uint8_t* bytes, std::size_t count) {
-    auto& port = Port::registers();
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!wait_for_room(port)) return false;
-      port.data = bytes[i];
-    }
-    return true;
   }
 
  private:
-  template <class Registers>
-  static bool wait_for_room(Registers& port) {
-    constexpr unsigned polls = 20000;  // a byte takes under 1 000 looks at every supported rate
-    for (unsigned i = 0; i < polls; ++i) {
-      if ((port.status & usart_status::sent) != 0) return true;
-    }
-    return false;
-  }
+  friend Base;
 
-  inline static ByteRing<receive_capacity> received_{};
-  inline static volatile std::uint32_t overruns_ = 0;
+  /// As SerialPort asks.
+  static bool send(std::uint8_t byte) {
+    auto& port = Port::registers();
+    if (!Base::wait_until([&port] { return (port.status & usart_status::sent) != 0; })) return false;
+    port.data = byte;
+    return true;
+  }
 };
 
 }  // namespace axial::hal::stm32
