@@ -22,7 +22,7 @@ KEY = ("robot", "algorithm", "scalar")
 SYSTEMS = ("fixed16", "fixed32_down", "fixed32", "fixed32_high", "float", "double")
 BOARDS = ("nrf51", "rv32_virt", "stm32f100", "stm32f405")
 ERRORS = ("error", "error_rms", "error_certified")
-COSTS = ("instructions", "instructions_min", "cycles_estimated", "core", "cycles", "cycles_kind", "cycles_low", "cycles_high", "microseconds", "flash_bytes", "ram_bytes", "stack_bytes")
+COSTS = ("instructions", "instructions_min", *size.CYCLES, "flash_bytes", "ram_bytes", "stack_bytes")
 FIELDS = (*KEY, "board", "states", *ERRORS, *COSTS)
 
 

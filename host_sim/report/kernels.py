@@ -1,10 +1,15 @@
 """The kernels' rows: what host_sim/errors says of a kernel beside what its probe costs on each board."""
 
+import pathlib
+import sys
+
 import pareto
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "size"))
+from size import CYCLES  # noqa: E402
 
 KEY = ("robot", "scene", "algorithm", "variant", "scalar")
 ERRORS = ("states", "error", "error_rms", "error_torque", "error_certified")
-CYCLES = ("cycles_estimated", "core", "cycles", "cycles_kind", "cycles_low", "cycles_high", "microseconds")
 COSTS = ("instructions_min", *CYCLES, "flash_bytes", "ram_bytes", "stack_bytes")
 FIELDS = ("subject", "robot", "scalar", "variant", "board", "error", "work", "unit_of_work", "pareto", "job", "scene", "algorithm", "form",
           *ERRORS[:1], *ERRORS[2:], "instructions", *COSTS)

@@ -11,12 +11,10 @@ from typing import NamedTuple
 import execution
 import riscv_stack
 import stack
+import timing  # in the folder that stack names
 from image import RISCV, Image, memory, sections
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "host_sim/timing"))
-import timing  # noqa: E402
-
 IMAGES = pathlib.Path(os.environ.get("AXIAL_IMAGES_ROOT", ROOT / "build"))
 KERNEL = "axial_kernel"
 RETURN = re.compile(r"^(bx|pop|ldr|ldmia|ret)")

@@ -2,9 +2,13 @@
 included. Whatever cannot be bounded (an indirect call, a recursion, a frame of run-time size) is an error with a name.
 """
 
+import pathlib
 import re
+import sys
 
-CONDITIONS = "eq|ne|cs|hs|cc|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le"
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "timing"))
+from operands import CONDITIONS, registers  # noqa: E402
+
 BRANCH = re.compile(rf"^b({CONDITIONS})?(\.[nw])?$")
 COMPARE_AND_BRANCH = re.compile(r"^cbn?z$")
 CALL = re.compile(rf"^blx?({CONDITIONS})?$")
@@ -19,14 +23,9 @@ class Unbounded(Exception):
     pass
 
 
-def registers(text):
-    """Bytes of a register list: {r4, r5, lr}, {s16-s21}, {d8}."""
-    total = 0
-    for item in text.strip("{} ").split(","):
-        first, _, last = item.strip().partition("-")
-        count = int(last[1:]) - int(first[1:]) + 1 if last else 1
-        total += count * (8 if first.startswith("d") else 4)
-    return total
+def bytes_of(text):
+    """Of a register list: {r4, r5, lr}, {s16-s21}, {d8}."""
+    return 4 * len(registers(text))
 
 
 def growth(instruction):
@@ -37,12 +36,12 @@ def growth(instruction):
     base = re.sub(rf"({CONDITIONS})?(\.[nw]|\.32|\.64)?$", "", name) if CONDITIONAL.match(name) else name.split(".")[0]
     listed = operands[operands.find("{"):]
     if base in ("push", "vpush"):
-        return registers(listed)
+        return bytes_of(listed)
     if base in ("pop", "vpop"):
-        return -registers(listed)
+        return -bytes_of(listed)
     if operands.startswith("sp!"):
         grows = base in ("stmdb", "vstmdb")
-        return registers(listed) if grows else -registers(listed) if base in ("ldmia", "ldm", "vldmia") else None
+        return bytes_of(listed) if grows else -bytes_of(listed) if base in ("ldmia", "ldm", "vldmia") else None
     constant = re.match(r"^sp(?:, sp)?, #(\d+)$", operands)
     if base in ("sub", "subw", "add", "addw") and operands.startswith("sp,"):
         return None if not constant else int(constant[1]) * (1 if base.startswith("sub") else -1)

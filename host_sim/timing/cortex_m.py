@@ -8,18 +8,19 @@ those are scoreboards, the M7's with the latencies of LLVM's ARMScheduleM7.td (3
 import re
 from typing import NamedTuple
 
-from operands import access, words
+from operands import CONDITIONS, access, words
 
 SINGLE_LOAD = re.compile(r"^(ldr(?!d)|vldr)")
 SINGLE_STORE = re.compile(r"^(str(?!d)|vstr)")
 SEVERAL = re.compile(r"^(v?ldm|v?stm|v?push|v?pop|ldrd|strd)")
-BRANCH = re.compile(r"^(b|bl|bx|blx|cbn?z|tb[bh]|b(eq|ne|cs|cc|hs|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le))(\.[nw])?$")
+BRANCH = re.compile(rf"^(b|bl|bx|blx|cbn?z|tb[bh]|b({CONDITIONS}))(\.[nw])?$")
 LONG_PRODUCT = re.compile(r"^[us]m(ul|la)l$")
 LONG_SUM = re.compile(r"^[us]mlal$")
 FUSED = re.compile(r"^v(fn?m|n?ml)[as]")
 ARITHMETIC = re.compile(r"^v(add|sub|n?mul|fn?m[as]|n?ml[as]|div|sqrt|cvt)")
 ROOT = re.compile(r"^v(div|sqrt)")
 DIVISION = re.compile(r"^[us]div$")
+PRODUCT = re.compile(r"^(mul|ml[as]|[us]m)")
 
 
 class Cycles(NamedTuple):
@@ -116,7 +117,7 @@ def latency(rule, instruction):
         return rule.fused
     if ARITHMETIC.match(name):
         return rule.arithmetic
-    return rule.product if re.match(r"^(mul|ml[as]|[us]m)", name) else 1
+    return rule.product if PRODUCT.match(name) else 1
 
 
 def unit(instruction):
@@ -124,7 +125,7 @@ def unit(instruction):
     name = plain(instruction)
     if SINGLE_LOAD.match(name) or SINGLE_STORE.match(name) or SEVERAL.match(name):
         return "memory"
-    return "float" if name.startswith("v") else "product" if re.match(r"^(mul|ml[as]|[us]m)", name) else None
+    return "float" if name.startswith("v") else "product" if PRODUCT.match(name) else None
 
 
 class Slot(NamedTuple):

@@ -4,7 +4,7 @@ multiplier of one cycle and memory without wait states. The M0+'s single-cycle p
 import re
 from typing import NamedTuple
 
-from operands import words
+from operands import CONDITIONS, words
 
 
 class Table(NamedTuple):
@@ -18,7 +18,7 @@ class Table(NamedTuple):
 TABLES = {"cortex-m0": Table(3, 4, 3, 4, 4), "cortex-m0plus": Table(2, 3, 2, 3, 3)}
 MEMORY = re.compile(r"^(ldr|str|ldm|stm|push|pop)")
 SYSTEM = re.compile(r"^(mrs|msr|[di]sb|dmb)")
-BRANCH = re.compile(r"^b(eq|ne|cs|cc|hs|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le|al)?(\.[nw])?$")
+BRANCH = re.compile(rf"^b({CONDITIONS}|al)?(\.[nw])?$")
 
 
 def cost(table, instruction, taken):

@@ -29,6 +29,9 @@ CORES = {core.name: core for core in (
 )}
 
 
+FIELDS = ("core", "cycles", "cycles_kind", "cycles_low", "cycles_high", "microseconds")  # of rows; low and high where they differ
+
+
 class Timing(NamedTuple):
     core: Core
     clock_Hz: int
@@ -37,7 +40,7 @@ class Timing(NamedTuple):
     high: int
 
     def fields(self):
-        """As ./axial's rows have them; low and high where they differ."""
+        """As FIELDS names them."""
         interval = {} if self.low == self.high else {"cycles_low": self.low, "cycles_high": self.high}
         return {"core": self.core.name, "cycles": self.cycles, "cycles_kind": self.core.kind, **interval,
                 "microseconds": round(self.cycles * 1e6 / self.clock_Hz, 2)}

@@ -264,7 +264,8 @@ class CortexM(unittest.TestCase):
     def test_registers_of_an_instruction(self):
         for line, reads, writes in (("vfma.f32|s0, s1, s2", "s0 s1 s2", "s0"), ("str|r0, [r1, #4]", "r0 r1", ""),
                                     ("umull|r0, r1, r2, r3", "r2 r3", "r0 r1"), ("vldr|d1, [r2]", "r2", "s2 s3"),
-                                    ("ldmia.w|r0!, {r4-r6}", "r0", "r4 r5 r6"), ("adds|r0, #1", "r0", "r0"), ("vmov|r0, r1, d3", "s6 s7", "r0 r1"),
+                                    ("ldmia.w|r0!, {r4-r6}", "r0", "r4 r5 r6"), ("adds|r0, #1", "r0", "r0"), ("subs|r0, #1", "r0", "r0"),
+                                    ("mla|r0, r1, r2, r3", "r1 r2 r3", "r0"), ("smlal|r0, r1, r2, r3", "r0 r1 r2 r3", "r0 r1"), ("uxtb|r0, r1", "r1", "r0"), ("vmov|r0, r1, d3", "s6 s7", "r0 r1"),
                                     ("push|{r4, lr}", "sp r4 lr", ""), ("cmp|r0, ip", "r0 r12", "")):
             with self.subTest(line):
                 found = operands.access(image.Instruction(*line.split("|"), 4))
