@@ -80,6 +80,17 @@ class Certificates(unittest.TestCase):
         self.assertEqual(self.asked(script), (False, [script]))
 
 
+class Expected(unittest.TestCase):
+    """What the page calls unproved excuses nothing beside it."""
+
+    def unexpected(self, result):
+        return runner().unexpected({"subject": "puma560_joint3_step", "result": result, "accepted": False, "words": 1, "words_accepted": 1, "coq": None})
+
+    def test_a_result_without_a_proof_is_excused_alone(self):
+        self.assertEqual(self.unexpected("moment across"), [])
+        self.assertEqual(self.unexpected("velocity across"), ["errors"])
+
+
 class Step(unittest.TestCase):
     """The angular acceleration of the Puma's third link across its axis."""
 
