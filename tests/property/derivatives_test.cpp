@@ -198,6 +198,7 @@ TEST(Derivatives, OfRandomChainsAndTreesAreThoseOfTheOracle) {
   using M = Model<12, Gravity, RotorInertia>;
   for (const bool tree : {false, true}) {
     oracle::RandomChains random(tree ? 41 : 40);
+    int exact = 0;
     for (int k = 0; k < 24; ++k) {
       const int n = 1 + random.below(8);
       SCOPED_TRACE(testing::Message() << (tree ? "tree " : "chain ") << k << " of " << n);
@@ -211,8 +212,10 @@ TEST(Derivatives, OfRandomChainsAndTreesAreThoseOfTheOracle) {
                    1e-13);
       const auto forward = forward_dynamics_derivatives(model, q, qd, x);
       EXPECT_TRUE(forward.qdd.status.ok() || forward.qdd.status.code == Status::Code::inaccurate);
+      exact += forward.qdd.status.ok() ? 1 : 0;
       if (forward.qdd.status.ok()) expect_below(forward_errors(forward, forward_reference(chain, s), n), 1e-10);
     }
+    EXPECT_GE(exact, 16) << "of 24 answers that are called ok";
   }
 }
 

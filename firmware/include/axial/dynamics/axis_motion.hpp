@@ -142,7 +142,7 @@ AXIAL_INLINE constexpr auto passages(const Links& links, const Input& in, const 
     });
   } else {
     using Dense = typename Links::Dense;
-    const Passage root{axis_frame(links.link(0).x(), base, ZeroVec3{}), ZeroVec3{}};
+    const Passage root{axis_frame(links.link(0).x(), base, ZeroVec3{}), ZeroVec3{}};  // of which the origin is read
     return outward(links, root, [&](auto i, const auto& parent) AXIAL_INLINE {
       const int of = links.parent_index(i);
       return next(i, of < 0 ? base.template dense<Dense>() : motions[of], parent.origin);

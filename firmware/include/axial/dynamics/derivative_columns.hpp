@@ -34,13 +34,10 @@ AXIAL_INLINE constexpr auto operator+(const Subtree<A, B, C>& a, const Subtree<D
 template <class Axis, class C, class S, class L, class Turn, class B, class W, class F>
 AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Subtree<B, W, F>& t) {
   using axial::to_parent;
-  const auto h = Axis::in(to_parent(x, t.body.first_moment));
-  const auto j = detail::turned_tensor(x, Axis::in(t.body.inertia));
-  const auto hz = h.z + x.shift * t.body.mass;
-  const auto growth = detail::moment_growth(x.shift, h.z, hz);
-  const Sym3 inertia{j.xx + growth, j.yy + growth, j.zz, j.xy, j.xz - x.shift * h.x, j.yz - x.shift * h.y};
-  const RigidInertia body{t.body.mass, Axis::out(Vec3{h.x, h.y, hz}), Axis::out(inertia)};
-  return Subtree{body, to_parent(x, t.flow), to_parent(x, t.force)};
+  const RigidInertia turned{t.body.mass, to_parent(x, t.body.first_moment),
+                            Axis::out(detail::turned_tensor(x, Axis::in(t.body.inertia)))};
+  const AxialScrew<Axis, One, Zero, L> shift{One{}, Zero{}, x.shift};
+  return Subtree{to_parent(shift, turned), to_parent(x, t.flow), to_parent(x, t.force)};
 }
 
 /// Force that gives a rigid body the motion m about its frame, without products of speeds: I m.

@@ -22,6 +22,14 @@ struct JointMatrix {
 template <class S, class T>
 using JointMatrixOf = JointMatrix<subject_of<S, T>, T>;
 
+/// Results that are wanted: a member for each.
+template <class S, class T, class... Wanted>
+struct WantedResults : Wanted::template Result<S, T>... {
+  /// Whether it was asked for.
+  template <class What>
+  static constexpr bool has = (std::is_same_v<What, Wanted> || ...);
+};
+
 /// What inverse_dynamics_derivatives() may be asked for.
 ///@{
 struct with_efforts {
@@ -56,16 +64,11 @@ struct with_velocity_jacobian {
 
 /// Efforts and their derivatives: a member for each that is wanted, of all four unless some are named.
 template <class S, class T, class... Wanted>
-struct InverseDynamicsDerivatives : Wanted::template Result<S, T>... {
-  /// Whether it was asked for.
-  template <class What>
-  static constexpr bool has = (std::is_same_v<What, Wanted> || ...);
-};
+struct InverseDynamicsDerivatives : WantedResults<S, T, Wanted...> {};
 /// All of them.
 template <class S, class T>
 struct InverseDynamicsDerivatives<S, T>
-    : InverseDynamicsDerivatives<S, T, with_efforts, with_mass_matrix, with_position_jacobian, with_velocity_jacobian> {
-};
+    : WantedResults<S, T, with_efforts, with_mass_matrix, with_position_jacobian, with_velocity_jacobian> {};
 
 namespace derivatives {
 
@@ -108,8 +111,7 @@ namespace detail {
 // Scenes and numbers that derivatives are offered for.
 template <class Scene, class T>
 constexpr void check_derivable() {
-  static_assert(std::is_floating_point_v<T> || is_number_v<T>,
-                "axial: derivatives have no formats in fixed point; compute them in float");
+  static_assert(is_number_v<T>, "axial: derivatives have no formats in fixed point; compute them in float");
   static_assert(!Scene::template has<BaseMotion> && !Scene::template has<FloatingBase>,
                 "axial: derivatives are those of a base at rest; take BaseMotion and FloatingBase out of the scene");
   static_assert(!Scene::template has<Underwater>, "axial: derivatives have no water; take Underwater out of the scene");

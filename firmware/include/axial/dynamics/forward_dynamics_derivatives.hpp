@@ -36,11 +36,8 @@ struct with_acceleration_by_velocity {
 
 /// Accelerations, their derivatives that are wanted, and a status: all of them unless some are named.
 template <class S, class T, class... Wanted>
-struct ForwardDynamicsDerivatives : Wanted::template Result<S, T>... {
+struct ForwardDynamicsDerivatives : WantedResults<S, T, Wanted...> {
   ForwardDynamicsOf<S, T> qdd{};  ///< rad/s^2 or m/s^2; its status is that of all
-  /// Whether it was asked for.
-  template <class What>
-  static constexpr bool has = (std::is_same_v<What, Wanted> || ...);
 };
 /// All of them.
 template <class S, class T>

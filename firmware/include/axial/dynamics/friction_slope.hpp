@@ -30,8 +30,8 @@ AXIAL_INLINE constexpr auto dry_slope(const Link& link, const V& qd, const SF& s
 
 }  // namespace detail
 
-/// d friction_effort() / d qd, N m s/rad or N s/m. Without a smooth speed dry friction jumps at rest; its slope there
-/// is taken as that beside the jump.
+/// d friction_effort() / d qd, N m s/rad or N s/m, at speed qd (rad/s or m/s). Without a smooth speed dry friction
+/// jumps at rest: what viscous friction has there is the answer.
 template <class Link, class V>
 AXIAL_INLINE constexpr auto friction_slope(const Link& link, const V& qd) {
   if constexpr (!Link::Scene::template has<Friction> || is_zero_v<V>) {

@@ -17,14 +17,11 @@ AXIAL_INLINE constexpr auto own_part(const Links& links, const Input& in, const 
   const TipLoads<typename Links::Scene, Input> loads(in);
   auto link = links.link(i);
   auto body = loads.body(link);
-  auto moments = [&]() AXIAL_INLINE {
-    if constexpr (Links::Scene::template has<Payload>)
-      return doubled_moments(body);
-    else
-      return doubled_moments(link);
-  };
-  auto flow = mass_flow(moments(), motions[i].w, passages[i].origin);
-  return link.shape(Subtree{body, flow, rnea::own_force(links, in, motions, water, i)});
+  auto force = rnea::own_force(links, in, motions, water, i);
+  if constexpr (Links::Scene::template has<Payload>)
+    return link.shape(Subtree{body, mass_flow(doubled_moments(body), motions[i].w, passages[i].origin), force});
+  else
+    return link.shape(Subtree{body, mass_flow(doubled_moments(link), motions[i].w, passages[i].origin), force});
 }
 
 /// The algorithm over any form of links; hands every entry to `out`.
@@ -60,9 +57,10 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
 /// d q_j and dtau_dqd(i, j) = d tau_i / d qd_j at given q, qd, qdd; d tau / d qdd is M. `Wanted` are with_efforts,
 /// with_mass_matrix, with_position_jacobian, with_velocity_jacobian; all of them unless some are named: what is not
 /// asked for has no member and no code.
-/// Friction adds its slope to the diagonal, where it has one: dry friction without a smooth speed jumps at rest, and
-/// its slope there is 0, as everywhere else. A payload moves with the last link; wrenches are constant in the axes of
-/// the link that they act on. In floating point; for a base at rest, tilted or not.
+/// Friction adds friction_slope() to the diagonal: no slope describes the jump of dry friction at rest. A payload moves
+/// with the last link; wrenches are constant in the axes of the link that they act on. In floating point; for a base at
+/// rest, tilted or not. Errors: tests/property/derivatives_test.cpp holds them below 1e-6 of a block's largest entry in
+/// float for three arms, below 1e-13 in double for all that it knows.
 /// Source: Singh, Russell and Wensing 2022, "Efficient Analytical Derivatives of Rigid-Body Dynamics Using Spatial
 /// Vector Algebra" (arXiv 2105.05102), in link frames with successive axial screws. NaN and infinities propagate.
 template <class S, class... Wanted, class T>

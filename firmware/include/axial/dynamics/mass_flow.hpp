@@ -52,7 +52,8 @@ AXIAL_INLINE constexpr auto mass_flow(const DoubledMoments<M, H, S>& body, const
 
 namespace detail {
 
-// R S R^T about z without the products of step A: 8M 8A; a quarter turn exchanges elements and costs nothing.
+// R S R^T about z by one difference of products: 8M 8A, and none of step A; a quarter turn exchanges elements and costs
+// nothing. Where congruence.hpp turns by the double angle, fixed point rounds once; here it would round in between.
 template <class Axis, class C, class S, class L, class Turn, class XX, class YY, class ZZ, class XY, class XZ, class YZ>
 AXIAL_INLINE constexpr auto turned_tensor(const AxialScrew<Axis, C, S, L, Turn>& x,
                                           const Sym3<XX, YY, ZZ, XY, XZ, YZ>& s) {
