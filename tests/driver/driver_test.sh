@@ -108,20 +108,21 @@ ValuesAreChecked() {
   expect_refused "--stride is '-1'; give a whole number" exhaustive --stride -1
 }
 
-# With a dpkg-query that knows what is installed. A name that stands twice among those wanted was once asked for each time.
-# A registry of the test's own, which has something else under that name.
+# With an npm that brings something else under that name.
 AnotherEmulatorIsRefused() {
   local folder
   folder=$(mktemp -d)
-  mkdir -p "$folder/rp2040js/-"
-  echo other >"$folder/rp2040js/-/rp2040js-1.4.1.tgz"
-  expect 1 env "npm_config_registry=file://$folder" bash -c "source '$(dirname "$AXIAL")/cmake/driver/progress.sh'
+  # shellcheck disable=SC2016
+  printf '#!/bin/bash\n[[ $1 == pack ]] && echo other >"${@: -2:1}/rp2040js-1.4.1.tgz"\n' >"$folder/npm"
+  chmod +x "$folder/npm"
+  expect 1 env "PATH=$folder:$PATH" bash -c "source '$(dirname "$AXIAL")/cmake/driver/progress.sh'
     source '$(dirname "$AXIAL")/cmake/driver/runner.sh'; fetch_rp2040js '$folder/emulator'"
   [[ $err == *'another checksum'* ]] || fail "says: $err"
   [[ ! -e $folder/emulator/package ]] || fail "unpacked it all the same"
   rm -r "$folder"
 }
 
+# With a dpkg-query that knows what is installed. A name that stands twice among those wanted was once asked for each time.
 MissingPackagesAreNamedOnce() {
   local folder root said
   folder=$(mktemp -d) root=$(dirname "$AXIAL")
