@@ -161,6 +161,14 @@ class FlagSets(unittest.TestCase):
         self.assertEqual(found, (("/usr/bin/ccache", "/usr/bin/g++"), ("-DA=1", '-DB=""', "-I/x", "-std=c++17", "-DAXIAL_USER_OPTIONS"), ()))
 
 
+class Boards(unittest.TestCase):
+    def test_all_that_qemu_runs_and_no_other(self):
+        self.assertIn("nrf51", measure.boards())
+        self.assertNotIn("rp2040", measure.boards())
+        for board in measure.boards():
+            self.assertIn("program", measure.description(board)["qemu"])
+
+
 class StraightLine(unittest.TestCase):
     """What is executed, without executing it; Size compares it with QEMU."""
 
