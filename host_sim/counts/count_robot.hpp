@@ -26,6 +26,8 @@ class RobotRows {
     }
     for_each_form<R>([&](auto form) { forward_dynamics(form); });
     chosen_forward_dynamics();
+    both_parameters(axial::algorithm::inverse_dynamics_derivatives);
+    both_parameters(axial::algorithm::forward_dynamics_derivatives);
     return rows_;
   }
 

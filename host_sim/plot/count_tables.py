@@ -14,6 +14,8 @@ PLAIN = [("inverse_dynamics", "inverse dynamics"), ("bias", "bias"), ("gravity",
 FORMS = [("articulated_body", "full"), ("articulated_body", "base"), ("split_articulated_body", "full"),
          ("split_articulated_body", "base"), ("composite_body", "full"), ("composite_body", "base")]
 
+DERIVATIVES = ("inverse_dynamics_derivatives", "forward_dynamics_derivatives")
+
 
 class Data:
     def __init__(self, folder):
@@ -35,9 +37,14 @@ def ours(row):
     return pair((row["mul"], row["add"])) + (f" {row['div']}D" if row.get("div") else "")
 
 
+def total(row):
+    """M + A."""
+    return row["mul"] + row["add"]
+
+
 def against(row, bar):
     """Difference of M + A."""
-    return f"{row['mul'] + row['add'] - sum(bar):+d}"
+    return f"{total(row) - sum(bar):+d}"
 
 
 def counts_bars(data):
@@ -73,9 +80,25 @@ def counts_forms(data):
         for algorithm, parameters in FORMS:
             row = data.counts[robot, algorithm, parameters]
             taken = (chosen["route"], chosen["parameters"]) == (algorithm, parameters)
-            rows.append([f"{robot}, {algorithm.replace('_', ' ')}, {parameters}", ours(row), str(row["mul"] + row["add"]),
+            rows.append([f"{robot}, {algorithm.replace('_', ' ')}, {parameters}", ours(row), str(total(row)),
                          f"{row['error_float']:.1e}", f"{row['error_double']:.1e}", "chosen" if taken else ""])
     return markdown(["robot, form, parameters", "M/A", "M + A", "error, float", "error, double", "forward_dynamics"], rows)
+
+
+def counts_derivatives(data):
+    """Both derivatives on base parameters, with how many times the inverse dynamics that is."""
+    rows = []
+    for robot in data.robots:
+        of_robot = {name: data.counts.get((robot, name, "base")) for name in ("inverse_dynamics", *DERIVATIVES)}
+        if None in of_robot.values():
+            continue
+        plain, *derived = (total(row) for row in of_robot.values())
+        rows.append([robot, str(plain)] + [text for name, count in zip(DERIVATIVES, derived)
+                                           for text in (ours(of_robot[name]), str(count), f"{count / plain:.1f}")])
+    header = ["robot", "inverse dynamics"]
+    for name in DERIVATIVES:
+        header += [name.replace("_", " "), "M + A", "times inverse dynamics"]
+    return markdown(header, rows)
 
 
 def counts_congruences(data):
@@ -85,7 +108,7 @@ def counts_congruences(data):
     for name in unique(row["congruence"] for row in data.congruences):
         of_name = {row["links"]: row for row in data.congruences if row["congruence"] == name}
         first = of_name[links[0]]
-        rows.append([name, ours(first), str(first["mul"] + first["add"])] + [f"{of_name[n]['error_float']:.1e}" for n in links])
+        rows.append([name, ours(first), str(total(first))] + [f"{of_name[n]['error_float']:.1e}" for n in links])
     return markdown(["congruence", "M/A a link", "M + A"] + [f"error, float, N = {n}" for n in links], rows)
 
 
@@ -94,7 +117,7 @@ def counts_provenance(data):
     return f"Counted at commit `{p['commit']}`; errors with {p['compiler']}, `{p['flags']}`.\n"
 
 
-TABLES = {table.__name__: table for table in (counts_bars, counts_plain, counts_forms, counts_congruences, counts_provenance)}
+TABLES = {table.__name__: table for table in (counts_bars, counts_plain, counts_forms, counts_derivatives, counts_congruences, counts_provenance)}
 
 
 if __name__ == "__main__":

@@ -122,6 +122,23 @@ using forward_dynamics_articulated_body = forward_dynamics_by<ArticulatedBody>;
 using forward_dynamics_split_articulated_body = forward_dynamics_by<SplitArticulatedBody>;
 using forward_dynamics_composite_body = forward_dynamics_by<CompositeBody>;
 
+/// The torque, the mass matrix and both Jacobians.
+struct inverse_dynamics_derivatives {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return axial::inverse_dynamics_derivatives<S>(a.q, a.qd, a.qdd, inputs_of<S>(a));
+  }
+};
+
+/// The accelerations, the inverse mass matrix and both Jacobians.
+struct forward_dynamics_derivatives {
+  template <class S, class A>
+  static auto run(const A& a) {
+    using Number = typename A::Number;
+    return axial::forward_dynamics_derivatives<S>(a.q, a.qd, same_words<EffortsOf<S, Number>>(a.tau), inputs_of<S>(a));
+  }
+};
+
 struct forward_kinematics {
   template <class S, class A>
   static auto run(const A& a) {

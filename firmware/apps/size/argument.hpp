@@ -9,15 +9,15 @@
 
 namespace axial::apps::size {
 
-/// Room for a mass matrix: of eight joints, so that robots have the same harness, or of more.
+/// Room for derivatives, the largest of results: values of joints with a status and three matrices.
 template <class Robot>
-inline constexpr std::size_t matrix_entries = joint_count<Robot> > 8 ? joint_count<Robot>* joint_count<Robot> : 64;
+inline constexpr std::size_t result_entries = joint_count<Robot> * (3 * joint_count<Robot> + 1) + 2;
 
-/// In numbers T: the values of joints, and room for the mass matrix.
+/// In numbers T: the values of joints, and room for the result.
 template <class Robot, class T>
 struct Argument {
   using Number = T;
-  static constexpr std::size_t largest_result = matrix_entries<Robot> * sizeof(T);
+  static constexpr std::size_t largest_result = result_entries<Robot> * sizeof(T);
 
   Positions<Robot, T> q;
   Velocities<Robot, T> qd;
@@ -32,7 +32,7 @@ struct Argument<Robot, float> {
   using Number = float;
   static constexpr bool roomy = hal::Board::ram_bytes >= 16 * 1024;
   static constexpr std::size_t terms_bytes = roomy ? sizeof(Separated<Robot, float>) : 4;
-  static constexpr std::size_t largest_result = roomy ? terms_bytes : matrix_entries<Robot> * sizeof(float);
+  static constexpr std::size_t largest_result = max(terms_bytes, result_entries<Robot> * sizeof(float));
 
   Joints<Robot, float> q, qd, qdd, tau;
   PayloadBody<float> payload;
