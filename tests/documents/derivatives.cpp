@@ -11,7 +11,8 @@ namespace {
 
 using Robot = robots::Puma560;
 constexpr axial::Joints<Robot, float> q{0.1F, -0.4F, 0.3F, 0.2F, 0.5F, -0.6F}, qd{0.5F, 0.2F, -0.3F, 0.1F, 0.4F, 0.2F},
-    qdd{1.0F, -1.0F, 2.0F, 1.0F, 0.5F, 0.1F}, tau{1.0F, 2.0F, 3.0F, 0.5F, 0.25F, 0.125F};
+    qdd{1.0F, -1.0F, 2.0F, 1.0F, 0.5F, 0.1F}, tau{1.0F, 2.0F, 3.0F, 0.5F, 0.25F, 0.125F}, dq{0.0F, 0.0F, 1.0F}, dqd{},
+    dqdd{}, dtau{};
 
 TEST(DerivativesGuide, ItsLinesCompileAndAgree) {
   const int i = 1, j = 2;
@@ -26,8 +27,15 @@ TEST(DerivativesGuide, ItsLinesCompileAndAgree) {
   EXPECT_EQ(slopes.dtau_dqd(i, j), d.dtau_dqd(i, j));
 }
 
-TEST(DerivativesGuide, CostsAreAsItSays) {
+TEST(DerivativesGuide, AlongADirectionIsTheJacobiansColumn) {
+  const int i = 1, j = 2;
 #include "derivatives-3.inc"
+  EXPECT_NEAR(change, (axial::inverse_dynamics_derivatives<Robot>(q, qd, qdd).dtau_dq(i, j)), 1e-5F);
+  EXPECT_NEAR(reaction, (axial::forward_dynamics_derivatives<Robot>(q, qd, tau).dqdd_dq(i, j)), 1e-4F);
+}
+
+TEST(DerivativesGuide, CostsAreAsItSays) {
+#include "derivatives-4.inc"
   SUCCEED() << "the compiler has checked it";
 }
 

@@ -5,7 +5,9 @@
 #include <axial/closed_form/scara.hpp>
 #include <axial/dynamics/base_wrench.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
+#include <axial/dynamics/forward_dynamics_along.hpp>
 #include <axial/dynamics/forward_dynamics_derivatives.hpp>
+#include <axial/dynamics/inverse_dynamics_along.hpp>
 #include <axial/dynamics/inverse_dynamics_derivatives.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/separated_torque.hpp>
@@ -35,6 +37,16 @@ struct InverseDynamicsDerivatives {
   template <class S, class J, class In>
   static constexpr auto run(const J& q, const J& qd, const J& qdd, const In& in) {
     return axial::inverse_dynamics_derivatives<S>(q, qd, qdd, in);
+  }
+};
+
+/// axial::inverse_dynamics_along(): a direction besides.
+struct InverseDynamicsAlong {
+  static constexpr const char* name = "inverse_dynamics_along";  ///< in files, tables and JSON
+  /// Runs it for the scene S.
+  template <class S, class J, class D, class In>
+  static constexpr auto run(const J& q, const J& qd, const J& qdd, const D& direction, const In& in) {
+    return axial::inverse_dynamics_along<S>(q, qd, qdd, direction, in);
   }
 };
 
@@ -85,6 +97,16 @@ struct ForwardDynamicsDerivatives {
   template <class S, class J, class In>
   static constexpr auto run(const J& q, const J& qd, const J& tau, const In& in) {
     return axial::forward_dynamics_derivatives<S>(q, qd, tau, in);
+  }
+};
+
+/// axial::forward_dynamics_along(): a direction besides.
+struct ForwardDynamicsAlong {
+  static constexpr const char* name = "forward_dynamics_along";  ///< in files, tables and JSON
+  /// Runs it for the scene S.
+  template <class S, class J, class D, class In>
+  static constexpr auto run(const J& q, const J& qd, const J& tau, const D& direction, const In& in) {
+    return axial::forward_dynamics_along<S>(q, qd, tau, direction, in);
   }
 };
 
@@ -159,11 +181,13 @@ struct ClosedForm {
 ///@{
 inline constexpr InverseDynamics inverse_dynamics;
 inline constexpr InverseDynamicsDerivatives inverse_dynamics_derivatives;
+inline constexpr InverseDynamicsAlong inverse_dynamics_along;
 inline constexpr Bias bias;
 inline constexpr Gravity gravity;
 inline constexpr MassMatrix mass_matrix;
 inline constexpr ForwardDynamics forward_dynamics;
 inline constexpr ForwardDynamicsDerivatives forward_dynamics_derivatives;
+inline constexpr ForwardDynamicsAlong forward_dynamics_along;
 inline constexpr BaseWrench base_wrench;
 inline constexpr ForwardKinematics forward_kinematics;
 inline constexpr Jacobian jacobian;

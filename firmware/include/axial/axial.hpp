@@ -18,8 +18,10 @@
 #include <axial/dynamics/base_wrench.hpp>
 #include <axial/dynamics/check_finite.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
+#include <axial/dynamics/forward_dynamics_along.hpp>
 #include <axial/dynamics/forward_dynamics_derivatives.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
+#include <axial/dynamics/inverse_dynamics_along.hpp>
 #include <axial/dynamics/joint_torque.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>

@@ -74,6 +74,15 @@ constexpr void need_all(const ForwardDynamicsDerivatives<S, Counting, Wanted...>
   if constexpr (R::template has<with_acceleration_by_velocity>) need_all(result.dqdd_dqd);
 }
 
+template <class S>
+constexpr void need_all(const EffortsAlong<S, Counting>& result) {
+  need_all(result.tau), need_all(result.dtau);
+}
+template <class S>
+constexpr void need_all(const AccelerationsAlong<S, Counting>& result) {
+  need_all(result.qdd), need_all(result.dqdd);
+}
+
 // Run-time inputs count as such.
 constexpr void traced(Trace& trace, Counting& value) { value = Counting(trace); }
 template <class... Parts>
@@ -94,6 +103,14 @@ template <class S, class V>
 constexpr void traced(Trace& trace, Joints<S, V>& joints) {
   for (auto& value : joints.values)
     traced(trace, value);
+}
+template <class S>
+constexpr void traced(Trace& trace, MotionDirection<S, Counting>& by) {
+  traced_all(trace, by.dq, by.dqd, by.dqdd);
+}
+template <class S>
+constexpr void traced(Trace& trace, StateDirection<S, Counting>& by) {
+  traced_all(trace, by.dq, by.dqd, by.dtau);
 }
 template <class S>
 constexpr void traced(Trace& trace, Separated<S, Counting>& s) {
@@ -124,6 +141,17 @@ constexpr void trace_inputs(Inputs<S, Counting>& in, Trace& trace) {
   if constexpr (Scene::template has<axial::SineCosines>) traced(trace, in.turns);
 }
 
+template <class S, class Algorithm, class... Direction>
+constexpr Operations counted(Algorithm, Direction... direction) {
+  Trace trace;
+  Joints<robot_of<S>, Counting> q{}, qd{}, x{};
+  traced_all(trace, q, qd, x, direction...);
+  Inputs<S, Counting> in{};
+  trace_inputs<S>(in, trace);
+  need_all(Algorithm::template run<S>(q, qd, x, direction..., in));
+  return trace.operations();
+}
+
 }  // namespace detail
 
 /// Multiplications, additions, divisions and sine-cosine pairs of an algorithm (`algorithm::inverse_dynamics`, ...) for
@@ -131,17 +159,20 @@ constexpr void trace_inputs(Inputs<S, Counting>& in, Trace& trace) {
 /// numbers, whatever their values; 0 and +-1 cost nothing. Constant expression; clang's default limit of steps
 /// (-fconstexpr-steps) suits about ten joints.
 template <class S, class Algorithm>
-[[nodiscard]] constexpr Operations cost(Algorithm) {
-  Trace trace;
-  Joints<robot_of<S>, Counting> q{}, qd{}, x{};
-  for (auto* joints : {&q, &qd, &x})
-    for (auto& value : joints->values)
-      value = Counting(trace);
-  Inputs<S, Counting> in{};
-  detail::trace_inputs<S>(in, trace);
-  detail::need_all(Algorithm::template run<S>(q, qd, x, in));
-  return trace.operations();
+[[nodiscard]] constexpr Operations cost(Algorithm algorithm) {
+  return detail::counted<S>(algorithm);
 }
+/// The same along a direction.
+///@{
+template <class S>
+[[nodiscard]] constexpr Operations cost(algorithm::InverseDynamicsAlong algorithm) {
+  return detail::counted<S>(algorithm, MotionDirection<robot_of<S>, Counting>{});
+}
+template <class S>
+[[nodiscard]] constexpr Operations cost(algorithm::ForwardDynamicsAlong algorithm) {
+  return detail::counted<S>(algorithm, StateDirection<robot_of<S>, Counting>{});
+}
+///@}
 /// The same where the terms come from a separate() that was paid for before.
 template <class S>
 [[nodiscard]] constexpr Operations cost(algorithm::SeparatedTorque) {

@@ -43,6 +43,16 @@ TEST(DerivativeCounts, OfForwardDynamics) {
   EXPECT_EQ(forward<robots::Puma560>(), 2692);
   EXPECT_EQ(forward<robots::Panda>(), 4750);
 }
+TEST(DerivativeCounts, AlongADirectionWithWhatIsDifferentiated) {
+  EXPECT_EQ(cost<robots::Scara>(algorithm::inverse_dynamics_along).total(), 57);
+  EXPECT_EQ(cost<robots::Puma560>(algorithm::inverse_dynamics_along).total(), 811);
+  EXPECT_EQ(cost<robots::Panda>(algorithm::inverse_dynamics_along).total(), 1316);
+  EXPECT_EQ(cost<robots::ModelPuma560>(algorithm::inverse_dynamics_along).total(), 1098);
+  EXPECT_EQ(cost<robots::ModelGeneral6r>(algorithm::inverse_dynamics_along).total(), 1606);
+  EXPECT_EQ(cost<robots::Scara>(algorithm::forward_dynamics_along).total(), 76);
+  EXPECT_EQ(cost<robots::Puma560>(algorithm::forward_dynamics_along).total(), 1312);
+  EXPECT_EQ(cost<robots::Panda>(algorithm::forward_dynamics_along).total(), 2348);
+}
 TEST(DerivativeCounts, WhatIsNotAskedForIsFree) {
   using R = robots::Puma560;
   EXPECT_EQ(cost<R>(Alone<with_efforts>{}).total(), cost<R>(algorithm::inverse_dynamics).total());

@@ -1,0 +1,95 @@
+// Joint values along a direction, and links over which Newton and Euler's recursion differentiates itself.
+#pragma once
+
+#include <axial/dynamics/friction_slope.hpp>
+#include <axial/dynamics/inverse_dynamics.hpp>
+#include <axial/spatial/dual_screw.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+namespace derivatives {
+
+/// Joint values with their direction, as kernels index them.
+template <class Values, class Slopes>
+struct DualValues {
+  const Values& values;  ///< referred to
+  const Slopes& slopes;  ///< referred to, in the values' units
+  /// Of joint i.
+  template <class I>
+  AXIAL_INLINE constexpr auto operator[](I i) const {
+    return with_slope(values[i], slopes[i]);
+  }
+};
+template <class Values, class Slopes>
+DualValues(const Values&, const Slopes&) -> DualValues<Values, Slopes>;
+
+/// A link of a table that keeps dual numbers; its constants are plain ones.
+template <class Link>
+struct DualLink : Link {
+  /// The form in which this view keeps a result.
+  template <class V>
+  AXIAL_INLINE static constexpr auto shape(const V& v) {
+    using T = typename Link::Scalar;
+    return v.template dense<Dual<T, T>>();
+  }
+};
+/// Links of a table that keep dual numbers.
+template <class Links>
+struct DualTable : Links {
+  using Dense = Dual<typename Links::Scalar, typename Links::Scalar>;  ///< what kernels keep
+  AXIAL_INLINE constexpr auto link(int i) const {
+    return DualLink<decltype(Links::link(i))>{Links::link(i)};
+  }  ///< link i as algorithms see it
+};
+/// Links that may keep dual numbers: those that the compiler knows keep whatever type comes.
+template <class Links>
+AXIAL_INLINE constexpr auto dual_links(const Links& links) {
+  if constexpr (Links::unrolled)
+    return links;
+  else
+    return DualTable<Links>{links};
+}
+
+/// z-screw of a joint that moves along a direction.
+template <class Screw, class D>
+AXIAL_INLINE constexpr auto dual_screw(Revolute, const Screw& screw, const D& slope) {
+  return axial::dual_screw(screw, screw.shift, slope);
+}
+/// Prismatic overload: the shift changes.
+template <class Screw, class D>
+AXIAL_INLINE constexpr auto dual_screw(Prismatic, const Screw& screw, const D& slope) {
+  return axial::dual_screw(screw, with_slope(screw.shift, slope), Zero{});
+}
+/// Those of all joints, by the sines and cosines of `plain` links.
+template <class Plain, class Links, class Input, class Q>
+AXIAL_INLINE constexpr auto dual_screws(const Plain& plain, const Links& links, const Input& in, const Q& q) {
+  auto screws = joint_screws(plain, in, q.values);
+  return map_links(links, [&](auto i) AXIAL_INLINE {
+    auto link = links.link(i);
+    return link.on_joint([&](auto joint)
+                             AXIAL_INLINE { return link.shape(dual_screw(joint, screws[i], q.slopes[i])); });
+  });
+}
+
+/// Calls each(i, effort) for every joint, from the tips on, with a dual number: its effort and how that changes along
+/// the direction. RNEA itself, over dual numbers.
+template <class Links, class Input, class Q, class V, class A, class Each>
+AXIAL_INLINE constexpr void run_along(const Links& plain, const Input& in, const Q& q, const V& qd, const A& qdd,
+                                      const Each& each) {
+  auto links = dual_links(plain);
+  rnea::bear(links, in, q, dual_screws(plain, links, in, q), qd, qdd,
+             [&](auto i, const auto&, const auto& effort) AXIAL_INLINE { each(i, effort); });
+}
+
+}  // namespace derivatives
+
+/// Friction at a speed that changes: dry friction jumps at rest, where no slope describes it.
+template <class Link, class V, class D>
+AXIAL_INLINE constexpr auto friction_effort(const Link& link, const Dual<V, D>& qd) {
+  return with_slope(friction_effort(link, qd.value), friction_slope(link, qd.value) * qd.slope);
+}
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>

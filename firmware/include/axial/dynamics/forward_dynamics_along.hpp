@@ -1,0 +1,84 @@
+// Forward dynamics along a direction: accelerations, and their Jacobians times a vector, without those matrices.
+#pragma once
+
+#include <axial/dynamics/forward_dynamics_derivatives.hpp>
+#include <axial/dynamics/inverse_dynamics_along.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+
+/// A direction in which a state and its efforts change: one number per joint and unit of the direction's parameter.
+template <class S, class T>
+struct StateDirection {
+  Positions<S, T> dq{};    ///< rad or m
+  Velocities<S, T> dqd{};  ///< rad/s or m/s
+  Efforts<S, T> dtau{};    ///< N m or N
+};
+/// Accelerations of a state, and how they change in a direction of it.
+template <class S, class T>
+struct AccelerationsAlong {
+  ForwardDynamicsOf<S, T> qdd{};         ///< rad/s^2 or m/s^2; its status is that of both
+  Accelerations<robot_of<S>, T> dqdd{};  ///< rad/s^2 or m/s^2
+};
+
+namespace derivatives {
+
+/// Accelerations along a direction, written into `result`: `links` as derivatives of matrices walk over them,
+/// `recursion` as inverse dynamics does.
+template <class Links, class Recursion, class Input, class Q, class V, class Tau, class Direction, class Result>
+AXIAL_INLINE constexpr void accelerations_along(const Links& links, const Recursion& recursion, const Input& in,
+                                                const Q& q, const V& qd, const Tau& tau, const Direction& by,
+                                                Result& result) {
+  using T = typename Links::Scalar;
+  Factors<MassMatrix<typename Links::Scene::Robot, T>, T, Links::capacity> factors;
+  solve_and_factor(links, in, q, qd, tau, result.qdd, factors);
+  auto& x = result.dqdd;
+  run_along(recursion, in, DualValues{q, by.dq}, DualValues{qd, by.dqd}, DualValues{result.qdd, NoMotion{}},
+            [&](auto i, const auto& effort) AXIAL_INLINE { x[i] = by.dtau[i] - slope_of(effort); });
+  for_each_link_inwards(links, [&](auto k) AXIAL_INLINE { take_inwards(links, factors, x, k); });
+  for_each_link(links, [&](auto k) AXIAL_INLINE { take_outwards(links, factors, x, k); });
+}
+
+}  // namespace derivatives
+
+/// Accelerations qdd of forward dynamics, with a status, and their change in a direction of the state, dqdd = d qdd /
+/// d q dq + d qdd / d qd dqd + M^-1 dtau: by the factors of M that the accelerations took, and one pass of
+/// inverse_dynamics_along(). By composite bodies and L^T D L, whatever route forward_dynamics() takes; `qdd.status` as
+/// of forward_dynamics_derivatives(): a joint that is held has no change either. Scenes as there, inputs as of
+/// inverse_dynamics_along(). In floating point; for a base at rest.
+template <class S, class T>
+[[nodiscard]] constexpr AccelerationsAlong<S, T> forward_dynamics_along(const Positions<robot_of<S>, T>& q,
+                                                                        const Velocities<robot_of<S>, T>& qd,
+                                                                        const EffortsOf<S, T>& tau,
+                                                                        const StateDirection<robot_of<S>, T>& direction,
+                                                                        const Inputs<S, T>& in = {}) {
+  detail::check_derivable<scene_of<S>, T>();
+  static_assert(
+      every_joint_is_resisted<S>(),
+      "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "
+      "each joint a mass, an inertia about the joint axis, or rotor_inertia()");
+  AccelerationsAlong<S, T> result{};
+  const detail::StateCheck<S, T> check(in, q, qd);
+  derivatives::accelerations_along(links_of<S, T, BaseParameters, recursion::Derivatives>(),
+                                   links_of<S, T, BaseParameters>(), in, q, qd, tau, direction, result);
+  check.judge(result.qdd);
+  return result;
+}
+/// The same for a run-time model.
+template <int N, class... F, class T, class M = Model<N, F...>>
+[[nodiscard]] constexpr AccelerationsAlong<M, T> forward_dynamics_along(
+    const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd, const Efforts<M, T>& tau,
+    const StateDirection<M, T>& direction, const Inputs<M, T>& in = {}) {
+  detail::check_derivable<scene_of<M>, T>();
+  AccelerationsAlong<M, T> result{};
+  const auto links = model.template links<T>();
+  const auto asked = detail::collected_request(links, in, q, qd);
+  derivatives::accelerations_along(links, links, in, q, qd, tau, direction, result);
+  result.qdd.status = detail::sound_status(links, asked, result.qdd, result.qdd.status);
+  return result;
+}
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>
