@@ -65,7 +65,9 @@ class Plant {
         model_(simulation::model_of(situation.robot, links_)),
         bits_(situation.encoder_bits),
         waiting_(static_cast<std::size_t>(situation.delay)) {
-    x_.q = values_of(start.q);
+    x_.q = values_of(start.q), x_.qd = values_of(start.qd);
+    for (std::size_t i = 0; i < situation.push.size(); ++i)
+      x_.q[static_cast<int>(i)] += situation.push[i];
     // Until the first torque arrives the robot is held against gravity.
     const auto weight = axial::gravity_torque(model_, x_.q);
     for (Values& tau : waiting_)
@@ -149,12 +151,13 @@ class Statistics {
 
 Tracking follow(const Case& situation, Controller& controller, const Watch& watch) {
   const Trajectory cycle = cycle_of(situation.robot);
-  Plant plant(situation, cycle.front());
+  const auto first = static_cast<std::size_t>(std::lround(situation.start / tick));
+  Plant plant(situation, cycle[first % cycle.size()]);
   Statistics statistics(plant.joints());
   long refused = 0;
   const auto ticks = static_cast<std::size_t>(std::lround(situation.seconds / tick));
   for (std::size_t k = 0; k < ticks; ++k) {
-    const SetPoint& wanted = cycle[k % cycle.size()];
+    const SetPoint& wanted = cycle[(first + k) % cycle.size()];
     statistics.add(wanted.q, plant.position(), plant.tool(values_of(wanted.q)) - plant.tool(plant.position()));
     auto measurement = plant.read();
     measurement.feeds_forward = situation.feeds_forward ? 1 : 0;

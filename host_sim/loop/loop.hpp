@@ -22,6 +22,8 @@ struct Case {
   int encoder_bits = 32;         ///< a turn; on slides the nearest step of 0.1 um to a metre over 2^bits
   int delay = 0;                 ///< ticks between a measurement and the torque that answers it
   double seconds = 10.0;
+  double start = 0.0;        ///< s into the cycle, in motion as it is wanted
+  std::vector<double> push;  ///< rad or m, by which each joint is off then; none where it is not pushed
 };
 
 /// Tracking errors over a motion.

@@ -11,28 +11,42 @@ tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a p
   --robot scara|puma560  default scara
   --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt, rp2040
   --number float|fixed32  what the firmware computes in; default float
+  --controller pd|lqr  default pd. lqr: a linear-quadratic regulator whose gains the board computes from the arm's derivatives, on the stm32f405 in
+                      float, brings the arm back from a push of 0.1 rad on every joint; beside pd (doc/measurements/linearisation.md)
   --seconds NUMBER    of motion; default 10 (a few hundred ticks a second run in QEMU: 60 s take some minutes)
   --sweep             besides, the same sources on the host: wrong parameters, friction, coarse encoders, late torques
   --check             only: image and host, told the same, give the same torques (fixed32: bits; float: within 4 last places)
   --output FOLDER     where the files go; default output/loop
   --json FILE         the rows once more, as an array of objects
-Exits non-zero when feed-forward cuts the error less than 20-fold with exact parameters, or an answer is refused.
+Exits non-zero when feed-forward cuts the error less than 20-fold with exact parameters, or an answer is refused; with lqr when the arm is
+not back within half a second, a torque is beyond its limit, or pd follows the motion better.
 maintainers:
   --documents         alone: 60 s of each robot with sweeps, on the nrf51 in fixed32, to doc/data, doc/pictures and the tables of
                       doc/measurements/simulation.md
+  --linearisation-documents  alone: 10 s of the Puma 560 by lqr with sweeps, to doc/data, doc/pictures and doc/measurements/linearisation.md
 END_OF_USAGE
 }
 
 run() {
   ensure_packages
-  build "$HOST_PRESET" loop
-  if [[ ${1:-} == --documents ]]; then
-    write_loop_documents
-  else
-    build_board_of_loop "$@"
-    loop_program "$@"
-  fi
+  case "${1:-} $(option_of --controller pd "$@")" in
+    --documents*) build "$HOST_PRESET" loop && write_loop_documents ;;
+    --linearisation-documents*) build "$HOST_PRESET" pushes && write_linearisation_documents ;;
+    *lqr) regulate "$@" ;;
+    *) build "$HOST_PRESET" loop && build_board_of_loop "$@" && drop_options --controller "$@" && loop_program "${ARGUMENTS[@]}" ;;
+  esac
 }
+
+regulate() {
+  build "$HOST_PRESET" pushes
+  build_regulators
+  drop_options --controller "$@"
+  pushes_program "${ARGUMENTS[@]}"
+}
+
+pushes_program() { "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/pushes" "$@"; }
+
+build_regulators() { build stm32f405 lqr-scara lqr-puma560 tracking-scara tracking-puma560; }
 
 loop_program() { "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/loop" "$@"; }
 
@@ -52,4 +66,13 @@ write_loop_documents() {
     cp "$AXIAL_ROOT/output/loop/loop-$robot-$number.png" "$doc/pictures/loop-$robot.png"
   done
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/simulation_tables.py" "$doc/data" "$doc/measurements/simulation.md"
+}
+
+write_linearisation_documents() {
+  local doc=$AXIAL_ROOT/doc
+  build_regulators
+  pushes_program --robot puma560 --seconds 10 --sweep --output "$AXIAL_ROOT/output/lqr" --json "$doc/data/lqr-puma560.json" \
+    --provenance "$doc/data/linearisation_provenance.json"
+  cp "$AXIAL_ROOT/output/lqr/lqr-puma560.png" "$doc/pictures/lqr-puma560.png"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/linearisation_tables.py" "$doc/data" "$doc/measurements/linearisation.md"
 }

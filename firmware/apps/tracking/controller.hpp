@@ -80,6 +80,29 @@ class TrackingController : public Controller<Scene, Number> {
     measured_ = ever_measured_ = started_ = false;
   }
 
+ protected:
+  // --- wanted less measured: rad or m, or units of the position's format
+
+  template <int I>
+  Error tracking_error() const {
+    const std::int32_t counts = position_[static_cast<std::size_t>(I)];
+    if constexpr (!is_stored_v<Number>) {
+      if constexpr (slides(I)) return this->request_.q[I] - static_cast<float>(counts) * (1.0F / slide_counts);
+      const float e = this->request_.q[I] - static_cast<float>(counts) * (turn / 4294967296.0F);
+      return e > 0.5F * turn ? e - turn : e < -0.5F * turn ? e + turn : e;
+    } else if constexpr (slides(I)) {
+      using Encoder = LinearEncoder<slide_counts>;
+      return difference(this->request_.q[I].raw,
+                        Encoder::template position<Positions<Robot, Number>, I>(counts).value.raw);
+    } else {
+      return difference(this->request_.q[I].raw, counts);
+    }
+  }
+
+  Error last_[n] = {};
+  Tau sum_{};
+  bool feeds_forward_ = true, started_ = false;
+
  private:
   /// Holds at the request's position, else at what the encoders said last.
   void refuse(const hal::link::SetPoint& request) {
@@ -141,28 +164,8 @@ class TrackingController : public Controller<Scene, Number> {
     return detail::nearest_word<std::int32_t>(tau);
   }
 
-  // --- wanted less measured: rad or m, or units of the position's format
-
-  template <int I>
-  Error tracking_error() const {
-    const std::int32_t counts = position_[static_cast<std::size_t>(I)];
-    if constexpr (!is_stored_v<Number>) {
-      if constexpr (slides(I)) return this->request_.q[I] - static_cast<float>(counts) * (1.0F / slide_counts);
-      const float e = this->request_.q[I] - static_cast<float>(counts) * (turn / 4294967296.0F);
-      return e > 0.5F * turn ? e - turn : e < -0.5F * turn ? e + turn : e;
-    } else if constexpr (slides(I)) {
-      using Encoder = LinearEncoder<slide_counts>;
-      return difference(this->request_.q[I].raw,
-                        Encoder::template position<Positions<Robot, Number>, I>(counts).value.raw);
-    } else {
-      return difference(this->request_.q[I].raw, counts);
-    }
-  }
-
   std::array<std::int32_t, hal::link::max_joints> position_{};
-  Error last_[n] = {};
-  Tau sum_{};
-  bool feeds_forward_ = true, started_ = false, measured_ = false, ever_measured_ = false;
+  bool measured_ = false, ever_measured_ = false;
 };
 
 }  // namespace axial::apps

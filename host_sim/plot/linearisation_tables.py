@@ -1,0 +1,40 @@
+"""Writes the tables of doc/measurements/linearisation.md, as tables.py does with the others.
+
+usage: linearisation_tables.py DATA_FOLDER DOCUMENT.md
+"""
+
+from tables import command, grouped, load, markdown
+
+
+def pushes(folder):
+    rows = [[row["name"], by(row), row["controller"], f"{row['recovery_seconds']:.3f}", f"{row['effort_over_limit']:.2f}",
+             f"{1e3 * row['overshoot']:.2g}"] for row in regulated(folder) if any(row["push"])]
+    return markdown(["situation", "torques by", "loop", "back within 1 mrad, s", "largest torque over its limit", "beyond, mrad"], rows)
+
+
+def motions(folder):
+    rows = [[row["name"], by(row), row["controller"], f"{row['seconds']:g}", f"{1e3 * row['tool_error_rms']:.3g}",
+             f"{1e3 * row['tool_error_max']:.3g}", "" if row["board"] == "host" else grouped(row["count_most"])]
+            for row in regulated(folder) if not any(row["push"])]
+    return markdown(["situation", "torques by", "loop", "motion, s", "tool error, RMS, mm", "largest, mm", "instructions per tick"], rows)
+
+
+def regulated(folder):
+    return load(folder / "lqr-puma560.json")
+
+
+def by(row):
+    return "host" if row["board"] == "host" else f"{row['board']} in QEMU"
+
+
+def provenance(folder):
+    made = load(folder / "linearisation_provenance.json")
+    board = made["boards"]["stm32f405"]
+    return f"Measured at commit `{made['commit']}`; `stm32f405`: {board['compiler']}; `{board['flags']}`.\n"
+
+
+TABLES = {"pushes": pushes, "regulated_motions": motions, "linearisation_provenance": provenance}
+
+
+if __name__ == "__main__":
+    command(__doc__, TABLES)
