@@ -1,6 +1,7 @@
 // What the errors of a kernel's numbers are relative to.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -8,9 +9,18 @@ namespace host_sim {
 
 using Values = std::vector<double>;
 
+/// A vector or a matrix among the numbers of derivatives, by the name of the library's member.
+struct DerivativeBlock {
+  std::string name;
+  std::size_t count;  ///< numbers: of a symmetric matrix those of its lower triangle
+};
+
+/// In the order of the numbers; none for other kernels.
+std::vector<DerivativeBlock> derivative_blocks(const std::string& kernel, std::size_t joints);
+
 /// What the error of each number is divided by, given the exact results of all states: for torques and accelerations
 /// joint_scales() of the largest; for M(i, j) sqrt(M(i, i) M(j, j)), each at its largest; for directions 1; for
-/// positions and linear Jacobian columns the largest of all.
+/// positions and linear Jacobian columns the largest of all; for derivatives the largest of the vector or matrix.
 Values error_scales(const std::string& kernel, const std::vector<Values>& exact);
 
 }  // namespace host_sim

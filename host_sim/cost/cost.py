@@ -14,17 +14,17 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "size"))
 import execution  # noqa: E402
 import measure  # noqa: E402
+import routes  # noqa: E402
 import size  # noqa: E402
 import stack  # noqa: E402
 
 SAFE_LOOP = "feedforward"
-ROUTE = "forward_dynamics_"
 
 
 def probes(board, number):
     """Bare and unrolled, by the default route; the safe loop is the last."""
     found = [probe for probe in measure.own_probes(board)
-             if (probe.scalar, probe.variant) == (number, "unrolled") and not probe.algorithm.startswith(ROUTE)]
+             if (probe.scalar, probe.variant) == (number, "unrolled") and not routes.route_of(probe.algorithm)]
     return sorted(found, key=lambda probe: probe.algorithm == SAFE_LOOP)
 
 

@@ -12,6 +12,13 @@ struct Kernel {
   std::string robot, scene, algorithm, variant, scalar;
 };
 
+/// A vector or a matrix among the results of derivatives.
+struct Block {
+  std::string name;       ///< as the library's member
+  double error;           ///< relative to its largest entry over all states
+  double error_in_state;  ///< relative to its largest entry in the same state: large where all of it cancels
+};
+
 /// Errors over seeded states inside the declared limits, relative as host_sim::error_scales() says.
 struct Row {
   Kernel kernel;
@@ -20,6 +27,7 @@ struct Row {
   std::optional<double>
       error_torque;  ///< of accelerations: M(q) times their error, relative to the joint's largest torque
   std::optional<double> certified;  ///< what the analysis proves of any state, of a torque in fixed point
+  std::vector<Block> blocks;        ///< of derivatives
 };
 
 /// Empty: all.

@@ -5,14 +5,30 @@
 
 namespace errors {
 
-enum class Job { torque, gravity, bias, mass_matrix, acceleration, pose, jacobian };
+enum class Job {
+  torque,
+  gravity,
+  bias,
+  mass_matrix,
+  acceleration,
+  pose,
+  jacobian,
+  torque_derivatives,
+  acceleration_derivatives
+};
+
+constexpr bool is_derivatives(Job job) {
+  return job == Job::torque_derivatives || job == Job::acceleration_derivatives;
+}
 
 /// The name by which errors are scaled (host_sim::error_scales).
 constexpr const char* scaled_as(Job job) {
-  return job == Job::mass_matrix ? "mass_matrix"
-         : job == Job::pose      ? "forward_kinematics"
-         : job == Job::jacobian  ? "jacobian"
-                                 : "joints";
+  return job == Job::mass_matrix                ? "mass_matrix"
+         : job == Job::pose                     ? "forward_kinematics"
+         : job == Job::jacobian                 ? "jacobian"
+         : job == Job::torque_derivatives       ? "inverse_dynamics_derivatives"
+         : job == Job::acceleration_derivatives ? "forward_dynamics_derivatives"
+                                                : "joints";
 }
 
 namespace algorithms = axial::apps::size::algorithms;
@@ -33,6 +49,10 @@ template <>
 inline constexpr Job job_of<algorithms::forward_kinematics> = Job::pose;
 template <>
 inline constexpr Job job_of<algorithms::jacobian> = Job::jacobian;
+template <>
+inline constexpr Job job_of<algorithms::inverse_dynamics_derivatives> = Job::torque_derivatives;
+template <>
+inline constexpr Job job_of<algorithms::forward_dynamics_derivatives> = Job::acceleration_derivatives;
 
 /// The scene that a kernel runs: some algorithms name a route.
 template <class Algorithm, class S>

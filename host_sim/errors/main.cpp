@@ -18,6 +18,8 @@ nlohmann::ordered_json to_json(const std::vector<errors::Row>& rows) {
         {"error", row.error},        {"error_rms", row.error_rms}};
     if (row.error_torque) object["error_torque"] = *row.error_torque;
     if (row.certified) object["error_certified"] = *row.certified;
+    for (const errors::Block& block : row.blocks)
+      object["blocks"][block.name] = {{"error", block.error}, {"error_in_state", block.error_in_state}};
     all.push_back(object);
   }
   return all;

@@ -1,6 +1,8 @@
 #include <host_sim/errors/reference.hpp>
 
 #include <host_sim/analysis/error_scales.hpp>
+#include <oracle/compare.hpp>
+#include <oracle/differences.hpp>
 #include <oracle/lagrange.hpp>
 #include <oracle/recursive.hpp>
 
@@ -29,23 +31,64 @@ Vector jacobian(const oracle::Chain<quad>& chain, const Vector& q) {
   return values;
 }
 
-}  // namespace
-
-/// Lower triangle: a column is the torque of a unit acceleration, without gravity and at rest.
-Vector Reference::mass_matrix(const Vector& q) const {
-  oracle::Chain<quad> weightless = chain_;
-  weightless.gravity = {};
-  const std::size_t n = q.size();
-  const Vector rest(n, quad(0));
+/// Of a symmetric matrix, whose column j is `column` of a unit vector.
+template <class Column>
+Vector lower_triangle(std::size_t n, const Column& column) {
   Vector lower(n * (n + 1) / 2);
   for (std::size_t j = 0; j < n; ++j) {
-    Vector unit = rest;
+    Vector unit(n, quad(0));
     unit[j] = quad(1);
-    const Vector column = oracle::recursive_inverse_dynamics(weightless, q, rest, unit);
+    const Vector values = column(unit);
     for (std::size_t i = j; i < n; ++i)
-      lower[i * (i + 1) / 2 + j] = column[i];
+      lower[i * (i + 1) / 2 + j] = values[i];
   }
   return lower;
+}
+
+oracle::Chain<quad> without_gravity(oracle::Chain<quad> chain) {
+  chain.gravity = {};
+  return chain;
+}
+
+void append(Vector& values, const Vector& more) { values.insert(values.end(), more.begin(), more.end()); }
+Vector joined(const Vector& symmetric, const oracle::Jacobians& slopes) {
+  Vector values = symmetric;
+  append(values, oracle::elements(slopes.by_position));
+  append(values, oracle::elements(slopes.by_velocity));
+  return values;
+}
+
+}  // namespace
+
+/// A column is the torque of a unit acceleration, without gravity and at rest.
+Vector Reference::mass_matrix(const Vector& q) const {
+  const auto weightless = without_gravity(chain_);
+  const Vector rest(q.size(), quad(0));
+  return lower_triangle(
+      q.size(), [&](const Vector& unit) { return oracle::recursive_inverse_dynamics(weightless, q, rest, unit); });
+}
+Vector Reference::inverse_mass_matrix(const Vector& q) const {
+  const auto weightless = without_gravity(chain_);
+  const Vector rest(q.size(), quad(0));
+  return lower_triangle(
+      q.size(), [&](const Vector& unit) { return oracle::recursive_forward_dynamics(weightless, q, rest, unit); });
+}
+
+Vector Reference::torque_derivatives(const Inputs& in) const {
+  const auto torque = [&](const Vector& q, const Vector& qd) {
+    return oracle::recursive_inverse_dynamics(chain_, q, qd, in.qdd);
+  };
+  Vector values = torque(in.q, in.qd);
+  append(values, joined(mass_matrix(in.q), oracle::differences(in.q, in.qd, torque)));
+  return values;
+}
+Vector Reference::acceleration_derivatives(const Inputs& in) const {
+  const auto acceleration = [&](const Vector& q, const Vector& qd) {
+    return oracle::recursive_forward_dynamics(chain_, q, qd, in.tau);
+  };
+  Vector values = joined(inverse_mass_matrix(in.q), oracle::differences(in.q, in.qd, acceleration));
+  append(values, acceleration(in.q, in.qd));
+  return values;
 }
 
 Vector Reference::result(Job job, const Inputs& in) const {
@@ -65,6 +108,10 @@ Vector Reference::result(Job job, const Inputs& in) const {
       return pose(chain_, in.q);
     case Job::jacobian:
       return jacobian(chain_, in.q);
+    case Job::torque_derivatives:
+      return torque_derivatives(in);
+    case Job::acceleration_derivatives:
+      return acceleration_derivatives(in);
   }
   return {};
 }

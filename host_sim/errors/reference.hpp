@@ -35,6 +35,9 @@ class Reference {
  private:
   Vector result(Job job, const Inputs& in) const;
   Vector mass_matrix(const Vector& q) const;
+  Vector inverse_mass_matrix(const Vector& q) const;
+  Vector torque_derivatives(const Inputs& in) const;
+  Vector acceleration_derivatives(const Inputs& in) const;
 
   oracle::Chain<quad> chain_;
   std::vector<Inputs> states_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/fixed.hpp>
+#include <host_sim/analysis/error_scales.hpp>
 #include <host_sim/analysis/error_statistics.hpp>
 #include <host_sim/errors/errors.hpp>
 #include <host_sim/errors/given.hpp>
@@ -12,37 +13,80 @@
 namespace errors {
 
 /// Every number of a result, exactly, in the order of the reference.
-template <Job job, class S, class T, class Result>
-Vector numbers_of(const Result& result) {
-  constexpr int n = axial::joint_count<S>;
-  Vector all;
-  if constexpr (job == Job::mass_matrix) {
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j <= i; ++j)
-        if constexpr (axial::is_stored_v<T>)
-          all.push_back(exact(result(i, j), result.exponent(i, j)));
-        else
-          all.push_back(exact(result(i, j), 0));
-  } else if constexpr (job == Job::pose || job == Job::jacobian) {
-    int direction = 0, length = 0;
-    if constexpr (axial::is_stored_v<T>)
-      direction = axial::direction_exponent<T>, length = axial::length_exponent<S, T>;
-    const auto append = [&](const auto& v, int exponent) {
-      all.insert(all.end(), {exact(v.x, exponent), exact(v.y, exponent), exact(v.z, exponent)});
-    };
-    if constexpr (job == Job::pose) {
-      append(result.rotation.x, direction), append(result.rotation.y, direction), append(result.rotation.z, direction);
-      append(result.position, length);
-    } else {
-      for (int j = 0; j < n; ++j)
-        append(result[j].angular, direction), append(result[j].linear, length);
-    }
-  } else {
-    for (int i = 0; i < n; ++i)
-      all.push_back(exact_of(result, i));
+template <class S, class T>
+class Numbers {
+ public:
+  template <Job job, class Result>
+  static Vector of(const Result& result) {
+    Numbers numbers;
+    if constexpr (job == Job::mass_matrix)
+      numbers.add_triangle(result);
+    else if constexpr (job == Job::pose)
+      numbers.add_pose(result);
+    else if constexpr (job == Job::jacobian)
+      numbers.add_columns(result);
+    else if constexpr (job == Job::torque_derivatives)
+      numbers.add_joints(result.tau), numbers.add_matrices(result.M, result.dtau_dq, result.dtau_dqd);
+    else if constexpr (job == Job::acceleration_derivatives)
+      numbers.add_matrices(result.M_inverse, result.dqdd_dq, result.dqdd_dqd), numbers.add_joints(result.qdd);
+    else
+      numbers.add_joints(result);
+    return numbers.all_;
   }
-  return all;
-}
+
+ private:
+  static constexpr int n = axial::joint_count<S>;
+
+  template <class Values>
+  void add_joints(const Values& values) {
+    for (int i = 0; i < n; ++i)
+      all_.push_back(exact_of(values, i));
+  }
+  template <class Matrix>
+  void add_row(const Matrix& matrix, int i, int columns) {
+    for (int j = 0; j < columns; ++j)
+      if constexpr (axial::is_stored_v<T>)
+        all_.push_back(exact(matrix(i, j), matrix.exponent(i, j)));
+      else
+        all_.push_back(exact(matrix(i, j), 0));
+  }
+  template <class Matrix>
+  void add_triangle(const Matrix& matrix) {
+    for (int i = 0; i < n; ++i)
+      add_row(matrix, i, i + 1);
+  }
+  template <class Symmetric, class Matrix>
+  void add_matrices(const Symmetric& symmetric, const Matrix& by_position, const Matrix& by_velocity) {
+    add_triangle(symmetric);
+    for (const Matrix* matrix : {&by_position, &by_velocity})
+      for (int i = 0; i < n; ++i)
+        add_row(*matrix, i, n);
+  }
+  template <class Vec>
+  void add_vector(const Vec& v, int exponent) {
+    all_.insert(all_.end(), {exact(v.x, exponent), exact(v.y, exponent), exact(v.z, exponent)});
+  }
+  template <class Pose>
+  void add_pose(const Pose& pose) {
+    add_vector(pose.rotation.x, direction()), add_vector(pose.rotation.y, direction());
+    add_vector(pose.rotation.z, direction()), add_vector(pose.position, length());
+  }
+  template <class Columns>
+  void add_columns(const Columns& columns) {
+    for (int j = 0; j < n; ++j)
+      add_vector(columns[j].angular, direction()), add_vector(columns[j].linear, length());
+  }
+  static constexpr int direction() {
+    if constexpr (axial::is_stored_v<T>) return axial::direction_exponent<T>;
+    return 0;
+  }
+  static constexpr int length() {
+    if constexpr (axial::is_stored_v<T>) return axial::length_exponent<S, T>;
+    return 0;
+  }
+
+  Vector all_;
+};
 
 /// Of all numbers of all states, relative to their scales.
 class Relative {
@@ -58,6 +102,40 @@ class Relative {
  private:
   const std::vector<double>& scales_;
   host_sim::ErrorStatistics errors_;
+};
+
+/// The blocks of derivatives apart.
+class Blocks {
+ public:
+  Blocks(Job job, std::size_t joints, const std::vector<double>& scales) : scales_(scales) {
+    for (const auto& block : host_sim::derivative_blocks(scaled_as(job), joints)) {
+      ends_.push_back((ends_.empty() ? 0 : ends_.back()) + block.count);
+      blocks_.push_back({block.name, 0.0, 0.0});
+    }
+  }
+  void add(const Vector& difference, const Vector& exact) {
+    std::size_t begin = 0;
+    for (std::size_t b = 0; b < blocks_.size(); begin = ends_[b++]) {
+      const double off = largest(difference, begin, ends_[b]), here = largest(exact, begin, ends_[b]);
+      blocks_[b].error = std::max(blocks_[b].error, off / scales_[begin]);
+      if (here > 0.0) blocks_[b].error_in_state = std::max(blocks_[b].error_in_state, off / here);
+    }
+  }
+  const std::vector<Block>& all() const { return blocks_; }
+
+ private:
+  static double largest(const Vector& values, std::size_t begin, std::size_t end) {
+    double most = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto magnitude = static_cast<double>(oracle::abs(values[i]));
+      most = magnitude <= most ? most : magnitude;  // NaN stays
+    }
+    return most;
+  }
+
+  const std::vector<double>& scales_;
+  std::vector<std::size_t> ends_;
+  std::vector<Block> blocks_;
 };
 
 inline Vector difference(Vector left, const Vector& right) {
@@ -86,11 +164,10 @@ std::optional<double> certified(const std::vector<double>& scales) {
   }
 }
 
-template <class Result>
-void refuse_bad_status(const Result& result, const Kernel& kernel) {
-  if (result.status.ok()) return;
+inline void refuse_bad(const axial::Status& status, const Kernel& kernel) {
+  if (status.ok()) return;
   throw std::runtime_error(kernel.robot + ", " + kernel.algorithm + " in " + kernel.scalar + ": status " +
-                           std::to_string(static_cast<int>(result.status.code)));
+                           std::to_string(static_cast<int>(status.code)));
 }
 
 /// Algorithm on scene S in numbers T.
@@ -103,17 +180,22 @@ Row row_of(const Kernel& kernel) {
   Reference& reference = all.reference();
   const auto& wanted = reference.results(job);
   Relative errors(reference.scales(job)), torques(reference.scales(Job::torque));
+  Blocks blocks(job, R::chain.size, reference.scales(job));
   int judged = 0;
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     if (job == Job::acceleration && !all.declared(k)) continue;
     const auto result = Algorithm::template run<S>(in_numbers<R, T>(all.drawn()[k]));
-    if constexpr (job == Job::acceleration) refuse_bad_status(result, kernel);
-    const Vector off = difference(numbers_of<job, Run, T>(result), wanted[k]);
+    if constexpr (job == Job::acceleration) refuse_bad(result.status, kernel);
+    if constexpr (job == Job::acceleration_derivatives) refuse_bad(result.qdd.status, kernel);
+    const Vector off = difference(Numbers<Run, T>::template of<job>(result), wanted[k]);
     errors.add(off), ++judged;
     if constexpr (job == Job::acceleration) torques.add(reference.torque_of(k, off));
+    if constexpr (is_derivatives(job)) blocks.add(off, wanted[k]);
   }
-  Row row{kernel, judged, errors.largest(), errors.rms(), {}, certified<job, Algorithm, Run, T>(reference.scales(job))};
+  const auto proved = certified<job, Algorithm, Run, T>(reference.scales(job));
+  Row row{kernel, judged, errors.largest(), errors.rms(), {}, proved, {}};
   if (job == Job::acceleration) row.error_torque = torques.largest();
+  if (is_derivatives(job)) row.blocks = blocks.all();
   return row;
 }
 

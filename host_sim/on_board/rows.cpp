@@ -31,7 +31,7 @@ const Values& torque_of(const std::map<Key, Group>& groups, const Evaluation& e)
 
 /// Forward dynamics multiplies rounding by the mass matrix's condition, so it is allowed more.
 double bound_of(const Key& key) {
-  const bool inverts = key.first == "forward_dynamics";
+  const bool inverts = key.first == "forward_dynamics" || key.first == "forward_dynamics_derivatives";
   if (key.second == "double") return inverts ? 1e-11 : 1e-12;
   return inverts ? 1e-4 : 2e-6;
 }

@@ -4,6 +4,7 @@ usage: size.py SIZE.json   (writes SIZE.png beside it)
 """
 
 import json
+import pathlib
 import sys
 
 import matplotlib.pyplot as plt
@@ -12,9 +13,13 @@ from matplotlib.ticker import StrMethodFormatter
 
 import style
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "size"))
+import routes  # noqa: E402
+
 # Gravity and bias torque are parts of inverse dynamics: not drawn.
 MARKERS = {"inverse_dynamics": "o", "closed_form": "*", "mass_matrix": "s",
-           "forward_dynamics": "D", "forward_kinematics": "P", "jacobian": "X", "feedforward": "h"}
+           "forward_dynamics": "D", "inverse_dynamics_derivatives": "v", "forward_dynamics_derivatives": "^",
+           "forward_kinematics": "P", "jacobian": "X", "feedforward": "h"}
 SCENES = ["bare", "without_gravity", "without_rotors", "friction", "payload", "tip_wrench"]
 
 
@@ -63,7 +68,7 @@ def draw_kernels(panel, rows, robots):
 
 def marker_of(row):
     """Routes of an algorithm share its marker."""
-    return next((marker for name, marker in MARKERS.items() if row["algorithm"].startswith(name)), None)
+    return MARKERS.get(routes.job_of(row["algorithm"]))
 
 
 def draw_scenes(panel, rows, robots):
@@ -83,7 +88,7 @@ def draw_scenes(panel, rows, robots):
 
 
 def explain(figure, rows, robots):
-    algorithms = [name for name in MARKERS if any(row["algorithm"].startswith(name) for row in rows)]
+    algorithms = [name for name in MARKERS if any(routes.job_of(row["algorithm"]) == name for row in rows)]
     entries = [Line2D([], [], color=style.COLOURS[i], marker="s", linestyle="", label=robot)
                for i, robot in enumerate(robots)]
     entries += [Line2D([], [], color=style.INK, marker=MARKERS[name], linestyle="", label=name.replace("_", " "))

@@ -3,7 +3,7 @@
 usage: tables.py DATA_FOLDER DOCUMENT.md...
 
 DATA_FOLDER holds on_board.json, provenance.json, demo-<robot>-<board>.json, size.json, size_provenance.json, flags.csv,
-flags_provenance.json, fixed_overflows.json and prove.json. In each document whatever stands between <!-- table NAME --> and <!-- end --> is replaced by the
+flags_provenance.json, fixed_overflows.json, prove.json and derivatives.json. In each document whatever stands between <!-- table NAME --> and <!-- end --> is replaced by the
 table of that name (a key of TABLES).
 """
 
@@ -14,7 +14,7 @@ import re
 import sys
 
 KERNELS = ["inverse_dynamics", "separation", "closed_form", "gravity", "bias", "mass_matrix", "forward_dynamics",
-           "forward_kinematics", "jacobian"]
+           "forward_kinematics", "jacobian", "inverse_dynamics_derivatives", "forward_dynamics_derivatives"]
 MARKED = re.compile(r"(<!-- table (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
@@ -27,6 +27,7 @@ class Data:
         self.overflows = load(folder / "fixed_overflows.json")
         self.proved = load(folder / "prove.json")
         self.proved_at = load(folder / "prove_provenance.json")["commit"]
+        self.derivatives = load(folder / "derivatives.json")
         self.demos = [load(file) for file in sorted(folder.glob("demo-*.json"))]
 
 
@@ -191,6 +192,19 @@ def fixed_overflows(data):
             f"\nCounted at commit `{made['commit']}` with {made['compiler']}, `{made['flags']}`.\n")
 
 
+def derivatives(data):
+    """Every block of derivatives in float and double: of its largest entry over the states, and of the state's own."""
+    unrolled = [row for row in data.derivatives if row["variant"] == "unrolled"]
+    scalars = unique(row["scalar"] for row in unrolled)
+    header = ["robot, derivatives of, block"] + [f"{scalar}{of}" for scalar in scalars for of in ("", ", of the state's own")]
+    rows = []
+    for robot, algorithm, block in unique((row["robot"], row["algorithm"], row["block"]) for row in unrolled):
+        found = {row["scalar"]: row for row in unrolled if (row["robot"], row["algorithm"], row["block"]) == (robot, algorithm, block)}
+        cells = [f"{found[scalar][name]:.1e}" if scalar in found else "" for scalar in scalars for name in ("error", "error_in_state")]
+        rows.append([f"{robot}, {algorithm.removesuffix('_derivatives').replace('_', ' ')}, `{block}`"] + cells)
+    return markdown(header, rows)
+
+
 def size_scenes(data):
     """What a feature adds to the bare scene."""
     header = ["board, robot, algorithm", "figure"]
@@ -268,7 +282,7 @@ TABLES = {"prove_provenance": lambda data: f"Proved at commit `{data.proved_at}`
           "size_mps2_an500": lambda data: size_of(data, "mps2_an500", "fast"),
           "size_stm32f100": lambda data: size_of(data, "stm32f100"),
           "headline": headline, "provenance": provenance, "demo": demo, "instructions": instructions, "errors": errors,
-          "everything": everything}
+          "everything": everything, "derivatives": derivatives}
 
 
 def main(folder, documents):

@@ -6,6 +6,7 @@ import sys
 import pareto
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "size"))
+import routes  # noqa: E402
 from size import CYCLES  # noqa: E402
 
 KEY = ("robot", "scene", "algorithm", "variant", "scalar")
@@ -13,7 +14,6 @@ ERRORS = ("states", "error", "error_rms", "error_torque", "error_certified")
 COSTS = ("instructions_min", *CYCLES, "flash_bytes", "ram_bytes", "stack_bytes")
 FIELDS = ("subject", "robot", "scalar", "variant", "board", "error", "work", "unit_of_work", "pareto", "job", "scene", "algorithm", "form",
           *ERRORS[:1], *ERRORS[2:], "instructions", *COSTS)
-ROUTE = "forward_dynamics_"
 SCENES = {"sine_cosines": "given sine-cosine pairs", "full_parameters": "full parameters", "base_parameters": "base parameters"}
 SUBJECTS = {"torque_by_separation": "separation"}
 
@@ -24,7 +24,7 @@ def key(row):
 
 def subject_of(algorithm):
     """The kernel, whatever its route."""
-    return "forward_dynamics" if algorithm.startswith(ROUTE) else SUBJECTS.get(algorithm, algorithm)
+    return SUBJECTS.get(algorithm, routes.job_of(algorithm))
 
 
 def job_of(row):
@@ -36,9 +36,17 @@ def job_of(row):
 
 
 def variant_of(row):
-    parts = [row["algorithm"].removeprefix(ROUTE).replace("_", " ")] if row["algorithm"].startswith(ROUTE) else []
+    route = routes.route_of(row["algorithm"])
+    parts = [route.replace("_", " ")] if route else []
     parts += [SCENES[row["scene"]]] if row["scene"] != "bare" else []
     return ", ".join(parts + [row["variant"]])
+
+
+def derivatives(errors):
+    """The errors of derivatives, a row per block."""
+    names = ("robot", "algorithm", "variant", "scalar", "states")
+    return [{**{name: row[name] for name in names}, "block": block, **figures}
+            for row in errors for block, figures in row.get("blocks", {}).items()]
 
 
 def joined(errors, sizes):

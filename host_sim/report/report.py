@@ -1,4 +1,4 @@
-"""Error against work: joins what was measured, writes work_precision.json, .csv, pictures and one HTML page.
+"""Error against work: joins what was measured, writes work_precision.json, .csv, derivatives.json, pictures and one HTML page.
 
 usage: report.py --errors FOLDER --sizes FILE [--separation FILE] [--more FOLDER] [--robot NAME] [--board NAME]
                  [--output FOLDER] [--json FILE] [--provenance FILE]
@@ -28,7 +28,7 @@ def load(path):
 
 def all_rows(options):
     chosen = lambda row: all(getattr(options, name) in (None, row[name]) for name in ("robot", "board"))
-    rows = kernels.joined([row for file in sorted(pathlib.Path(options.errors).glob("*.json")) for row in load(file)], load(options.sizes))
+    rows = kernels.joined(errors_in(options.errors), load(options.sizes))
     if options.separation:
         rows += other_rows.two_rate(load(options.separation))
     rows = [row for row in rows if chosen(row)]
@@ -37,6 +37,10 @@ def all_rows(options):
     if not rows:
         raise ValueError("nothing was measured of this robot and board; firmware/apps/size/matrix.txt lists what there is")
     return rows
+
+
+def errors_in(folder):
+    return [row for file in sorted(pathlib.Path(folder).glob("*.json")) for row in load(file)]
 
 
 def write_json(path, rows):
@@ -89,6 +93,7 @@ def main():
     stem = options.output / "work_precision"
     write_json(f"{stem}.json", rows)
     write_csv(f"{stem}.csv", rows)
+    write_json(options.output / "derivatives.json", kernels.derivatives(errors_in(options.errors)))
     if options.json:
         write_json(options.json, rows)
     subprocess.run([sys.executable, "-E", PLOTS / "work_precision.py", f"{stem}.json"], check=True)

@@ -1,10 +1,15 @@
 """The lines of code that select a kernel. Its scene is the very type that the probe of the same names measures."""
 
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "size"))
+import routes  # noqa: E402
+
 NUMBERS = {"float": ("float", ()), "double": ("double", ()), "fixed32": ("axial::Fixed32", ()),
            "fixed32_down": ("axial::Fixed32", ("RoundDown",)), "fixed32_high": ("axial::Fixed32", ("HighWord",)),
            "fixed16": ("axial::Fixed16", ())}
 SCENES = {"bare": (), "sine_cosines": ("SineCosines",), "full_parameters": ("FullParameters",), "base_parameters": ("BaseParameters",)}
-ROUTES = {"articulated_body": "ArticulatedBody", "split_articulated_body": "SplitArticulatedBody", "composite_body": "CompositeBody"}
 CALLS = {"inverse_dynamics": "auto tau = axial::inverse_dynamics<Scene>(q, qd, qdd{in})",
          "closed_form": "auto tau = axial::closed_form::scara_torque<Scene>(q, qd, qdd)",
          "torque_by_separation": "auto tau = axial::torque(axial::separate<Scene>(q{in}), qd, qdd)",
@@ -12,6 +17,8 @@ CALLS = {"inverse_dynamics": "auto tau = axial::inverse_dynamics<Scene>(q, qd, q
          "bias": "auto tau = axial::bias_torque<Scene>(q, qd{in})",
          "mass_matrix": "auto M = axial::mass_matrix<Scene>(q{in})",
          "forward_dynamics": "auto qdd = axial::forward_dynamics<Scene>(q, qd, tau{in})",
+         "inverse_dynamics_derivatives": "auto d = axial::inverse_dynamics_derivatives<Scene>(q, qd, qdd{in})",
+         "forward_dynamics_derivatives": "auto f = axial::forward_dynamics_derivatives<Scene>(q, qd, tau{in})",
          "forward_kinematics": "auto poses = axial::forward_kinematics<Scene>(q)",
          "jacobian": "auto J = axial::jacobian<Scene>(q)"}
 
@@ -28,21 +35,21 @@ def included(row):
     return f'"{row["header"]}"' if row.get("header") else f"<robots/{row['robot']}.hpp>"
 
 
-def route_of(algorithm):
-    return ROUTES.get(algorithm.removeprefix("forward_dynamics_"))
+def tag_of(algorithm):
+    """The route's type."""
+    return routes.TAGS.get(routes.route_of(algorithm))
 
 
 def scene(row):
     """`row`: robot, scene, algorithm, form, scalar, as matrix.txt names them."""
     tags = ["Gravity", "RotorInertia", *SCENES[row["scene"]], *NUMBERS[row["scalar"]][1]]
     tags += ["Looped"] if row["form"] == "compact" else []
-    tags += [route_of(row["algorithm"])] if route_of(row["algorithm"]) else []
+    tags += [tag_of(row["algorithm"])] if tag_of(row["algorithm"]) else []
     return f"axial::Scene<{type_of(row)}, {', '.join('axial::' + tag for tag in tags)}>"
 
 
 def call(row):
-    name = "forward_dynamics" if row["algorithm"].startswith("forward_dynamics") else row["algorithm"]
-    return "const " + CALLS[name].format(**{"in": ", in" if row["scene"] == "sine_cosines" else ""}) + ";"
+    return "const " + CALLS[routes.job_of(row["algorithm"])].format(**{"in": ", in" if row["scene"] == "sine_cosines" else ""}) + ";"
 
 
 def lines(row):
@@ -56,8 +63,8 @@ def check(row):
     using, calling = lines(row)
     tags = ", axial::Looped" if row["form"] == "compact" else ""
     measured = f"Numbers::scene<axial::apps::size::scenes::{row['scene']}, {type_of(row)}{tags}>"
-    if route_of(row["algorithm"]):
-        measured = f"axial::apps::size::Tagged<{measured}, axial::{route_of(row['algorithm'])}>::type"
+    if tag_of(row["algorithm"]):
+        measured = f"axial::apps::size::Tagged<{measured}, axial::{tag_of(row['algorithm'])}>::type"
     return f"""{using}
 
 void chosen() {{
@@ -65,7 +72,7 @@ void chosen() {{
   using Robot = axial::robot_of<Scene>;
   [[maybe_unused]] axial::Positions<Robot, T> q{{}};
   [[maybe_unused]] axial::Velocities<Robot, T> qd{{}};
-  [[maybe_unused]] {"axial::EffortsOf<Scene, T> tau" if calling.startswith("const auto qdd") else "axial::Accelerations<Robot, T> qdd"}{{}};
+  [[maybe_unused]] {"axial::EffortsOf<Scene, T> tau" if "tau" in calling.partition("(")[2] else "axial::Accelerations<Robot, T> qdd"}{{}};
   [[maybe_unused]] axial::Inputs<Scene, T> in{{}};
   {calling}
   static_cast<void>({calling.split()[2]});

@@ -69,6 +69,18 @@ class Rows(unittest.TestCase):
         front = {row["subject"]: row["pareto"] for row in rows if row["unit_of_work"] == "instructions"}
         self.assertEqual(front, {"closed_form": True, "inverse_dynamics": False})
 
+    def test_derivatives_are_jobs_of_their_own_and_no_route(self):
+        both = [error_row("forward_dynamics_derivatives"), error_row("forward_dynamics_composite_body", error=1e-8)]
+        rows = kernels.joined(both, [size_row(both[0], 50), size_row(both[1], 40)])
+        self.assertEqual({(row["job"], row["variant"]) for row in rows},
+                         {("forward_dynamics_derivatives", "unrolled"), ("forward_dynamics", "composite body, unrolled")})
+        self.assertTrue(all(row["pareto"] for row in rows))
+
+    def test_derivatives_have_a_row_for_each_block(self):
+        figures = {"error": 1e-7, "error_in_state": 2e-7}
+        rows = kernels.derivatives([error_row(), {**error_row("inverse_dynamics_derivatives"), "blocks": {"M": figures}}])
+        self.assertEqual([(row["block"], row["error_in_state"]) for row in rows], [("M", 2e-7)])
+
     def test_given_pairs_are_a_job_of_their_own(self):
         plain, given = error_row(), error_row(scene="sine_cosines")
         rows = kernels.joined([plain, given], [size_row(plain, 50), size_row(given, 40)])
@@ -179,6 +191,11 @@ class Choose(unittest.TestCase):
         rows = {snippet.check(row): row for row in kinds.values()}
         self.assertGreaterEqual(len(rows), 8)
         verify.compile_lines(list(rows.values()))
+
+    def test_lines_of_derivatives_compile(self):
+        rows = [dict(error_row(f"{of}_dynamics_derivatives", scalar), form=form)
+                for of in ("inverse", "forward") for scalar, form in (("float", "unrolled"), ("double", "compact"))]
+        verify.compile_lines(rows)
 
     def test_lines_of_another_scene_do_not_pass(self):
         row = next(row for row in COMMITTED if row.get("scalar") == "fixed32_high" and row["robot"] == "scara")

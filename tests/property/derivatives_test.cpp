@@ -1,5 +1,6 @@
 // Derivatives of inverse and forward dynamics against differences of the oracle in 113-bit arithmetic.
 #include <cases/to_axial.hpp>
+#include <oracle/differences.hpp>
 #include <robots/panda.hpp>
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>
@@ -10,36 +11,12 @@
 namespace {
 
 using namespace axial;
+using oracle::Jacobians, oracle::differences;
 using oracle::quad;
 using property::Everything;
 using property::Fill;
 using property::joints;
 using QuadVector = oracle::Vector<quad>;
-
-struct Jacobians {
-  oracle::Matrix<quad> by_position, by_velocity;
-};
-
-// Central differences of f(q, qd): exact to some 20 digits.
-template <class F>
-Jacobians differences(const QuadVector& q, const QuadVector& qd, const F& f) {
-  const int n = static_cast<int>(q.size());
-  const quad h = quad(1) / quad(1LL << 36);
-  Jacobians result{oracle::Matrix<quad>(n, n), oracle::Matrix<quad>(n, n)};
-  for (int j = 0; j < n; ++j) {
-    for (const bool position : {true, false}) {
-      QuadVector low[] = {q, qd}, high[] = {q, qd};
-      const int which = position ? 0 : 1;
-      const auto at = static_cast<std::size_t>(j);
-      low[which][at] -= h, high[which][at] += h;
-      const QuadVector below = f(low[0], low[1]), above = f(high[0], high[1]);
-      for (int i = 0; i < n; ++i)
-        (position ? result.by_position : result.by_velocity)(i, j) =
-            (above[static_cast<std::size_t>(i)] - below[static_cast<std::size_t>(i)]) / (h + h);
-    }
-  }
-  return result;
-}
 
 // The largest difference over the largest entry of the exact block.
 template <class Ours>

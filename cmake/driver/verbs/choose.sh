@@ -13,7 +13,8 @@ Pareto front.
   --type NAME         of a header: the robot's struct; default: the one that holds its last chain
   --board ANY_BOARD   of the report; of a header any
   --algorithm NAME    inverse_dynamics (default; closed form and separation are among its ways), forward_dynamics, mass_matrix,
-                      gravity, bias, forward_kinematics or jacobian
+                      gravity, bias, forward_kinematics, jacobian, inverse_dynamics_derivatives or
+                      forward_dynamics_derivatives
   --error NUMBER      largest error relative to the joint's largest value, for example 1e-4
   --budget NUMBER     at most so many instructions, or bytes
   --unit instructions|bytes  default instructions; bytes are flash, static RAM and stack

@@ -36,6 +36,8 @@ AXIAL_KERNEL(forward_dynamics)
 AXIAL_KERNEL(forward_kinematics)
 AXIAL_KERNEL(jacobian)
 AXIAL_KERNEL(closed_form)
+AXIAL_KERNEL(inverse_dynamics_derivatives)
+AXIAL_KERNEL(forward_dynamics_derivatives)
 AXIAL_KERNEL(forward_dynamics_articulated_body)
 AXIAL_KERNEL(forward_dynamics_split_articulated_body)
 AXIAL_KERNEL(forward_dynamics_composite_body)
@@ -67,6 +69,10 @@ class Kernels {
     visit(Kernel{"forward_kinematics", code::forward_kinematics<T>(), 12});
     visit(Kernel{"jacobian", code::jacobian<T>(), 6 * n});
     if constexpr (has_closed_form) visit(Kernel{"closed_form", code::closed_form<T>(), n});
+#ifdef AXIAL_DERIVATIVES
+    visit(Kernel{"inverse_dynamics_derivatives", code::inverse_dynamics_derivatives<T>(), n * (5 * n + 3) / 2});
+    visit(Kernel{"forward_dynamics_derivatives", code::forward_dynamics_derivatives<T>(), n * (5 * n + 3) / 2});
+#endif
   }
 
   /// The routes of forward dynamics that it does not take by itself, in float: it has its row.

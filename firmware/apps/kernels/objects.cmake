@@ -2,6 +2,7 @@
 
 set(kernels inverse_dynamics torque_by_separation bias gravity mass_matrix forward_dynamics forward_kinematics jacobian)
 set(kernels_of_scara closed_form)
+set(derivatives inverse_dynamics_derivatives forward_dynamics_derivatives)
 set(routes forward_dynamics_articulated_body forward_dynamics_split_articulated_body forward_dynamics_composite_body)
 
 # add_to_image(<robot> <numbers> <algorithm>...): the units of bare, unrolled kernels
@@ -22,12 +23,17 @@ function(add_to_image robot numbers)
   target_sources(kernels-${robot} PRIVATE ${objects})
 endfunction()
 
-# In soft double all kernels take up to 33 KiB a joint (a Cortex-M0).
+# In soft double all kernels but derivatives take up to 33 KiB a joint (a Cortex-M0); derivatives have a board with a megabyte.
 string(JSON flash_bytes GET "${description}" flash_bytes)
 foreach(robot joints IN ZIP_LISTS AXIAL_MATRIX_ROBOTS AXIAL_MATRIX_JOINTS)
   if(TARGET kernels-${robot})
     target_compile_definitions(kernels-${robot} PRIVATE AXIAL_JOINTS=${joints})
     add_to_image(${robot} float ${kernels} ${kernels_of_${robot}} ${routes})
+    if(flash_bytes GREATER_EQUAL 1048576)
+      list(APPEND kernels_of_${robot} ${derivatives})
+      add_to_image(${robot} float ${derivatives})
+      target_compile_definitions(kernels-${robot} PRIVATE AXIAL_DERIVATIVES=1)
+    endif()
     math(EXPR bytes_in_double "40 * 1024 * ${joints}")
     if(flash_bytes GREATER_EQUAL 262144 AND flash_bytes GREATER_EQUAL bytes_in_double)
       add_to_image(${robot} double ${kernels} ${kernels_of_${robot}})

@@ -9,15 +9,22 @@
 
 namespace axial::apps::size {
 
-/// Room for derivatives, the largest of results: values of joints with a status and three matrices.
+inline constexpr bool roomy = hal::Board::ram_bytes >= 16 * 1024;
+
+/// Room for derivatives, the largest of results: values of joints with a status, three matrices. Where RAM is short,
+/// for a mass matrix, of eight joints or more: a SCARA's derivatives fit in.
 template <class Robot>
-inline constexpr std::size_t result_entries = joint_count<Robot> * (3 * joint_count<Robot> + 1) + 2;
+constexpr std::size_t result_entries() {
+  constexpr auto n = static_cast<std::size_t>(joint_count<Robot>);
+  if (roomy) return n * (3 * n + 1) + 2;
+  return n > 8 ? n * n : 64;
+}
 
 /// In numbers T: the values of joints, and room for the result.
 template <class Robot, class T>
 struct Argument {
   using Number = T;
-  static constexpr std::size_t largest_result = result_entries<Robot> * sizeof(T);
+  static constexpr std::size_t largest_result = result_entries<Robot>() * sizeof(T);
 
   Positions<Robot, T> q;
   Velocities<Robot, T> qd;
@@ -30,9 +37,9 @@ struct Argument {
 template <class Robot>
 struct Argument<Robot, float> {
   using Number = float;
-  static constexpr bool roomy = hal::Board::ram_bytes >= 16 * 1024;
   static constexpr std::size_t terms_bytes = roomy ? sizeof(Separated<Robot, float>) : 4;
-  static constexpr std::size_t largest_result = max(terms_bytes, result_entries<Robot> * sizeof(float));
+  static constexpr std::size_t result_bytes = result_entries<Robot>() * sizeof(float);
+  static constexpr std::size_t largest_result = terms_bytes > result_bytes ? terms_bytes : result_bytes;
 
   Joints<Robot, float> q, qd, qdd, tau;
   PayloadBody<float> payload;
