@@ -39,17 +39,4 @@ axial::LinkParameters with_parameters(axial::LinkParameters link, const Paramete
 
 axial::LinkParameters without_parameters(const axial::LinkParameters& link) { return with_parameters(link, {}); }
 
-axial::LinkParameters unit_link(const axial::LinkParameters& link, int parameter) {
-  Parameters p{};
-  p[static_cast<std::size_t>(parameter)] = 1.0;
-  axial::LinkParameters unit = with_parameters(link, p);
-  if (parameter >= mx && parameter <= mz) {
-    unit.mass = 1.0;
-    unit.com[parameter - mx] = 1.0;
-    for (double& entry : unit.inertia_com)
-      entry = 0.0;
-  }
-  return unit;
-}
-
 }  // namespace host_sim::identification

@@ -27,8 +27,4 @@ axial::LinkParameters with_parameters(axial::LinkParameters link, const Paramete
 /// The link without what is identified: geometry, limits, springs and static friction stay.
 axial::LinkParameters without_parameters(const axial::LinkParameters& link);
 
-/// A link whose torque beyond without_parameters() is that of one parameter alone; of a first moment only together with
-/// the mass and moments of inertia that a point mass of 1 kg at 1 m has.
-axial::LinkParameters unit_link(const axial::LinkParameters& link, int parameter);
-
 }  // namespace host_sim::identification

@@ -17,16 +17,8 @@ description::Description known_part(description::Description robot) {
 
 }  // namespace
 
-Regressor::Regressor(const description::Description& robot) : joints_(robot.size()) {
-  const description::Description known = known_part(robot);
-  known_ = description::to_model<Model>(known);
-  for (std::size_t i = 0; i < robot.links.size(); ++i)
-    for (int p = 0; p < parameters_per_link; ++p) {
-      description::Description one = known;
-      one.links[i].parameters = unit_link(robot.links[i].parameters, p);
-      units_.push_back(description::to_model<Model>(one));
-    }
-}
+Regressor::Regressor(const description::Description& robot)
+    : joints_(robot.size()), known_(description::to_model<Model>(known_part(robot))) {}
 
 Regressor::Values Regressor::values(const double* numbers) const {
   Values values{};
@@ -38,26 +30,15 @@ Regressor::Values Regressor::values(const double* numbers) const {
 void Regressor::evaluate(const double* q, const double* qd, const double* qdd, double* out) const {
   const Values position = values(q), speed = values(qd), acceleration = values(qdd);
   const Values known = axial::inverse_dynamics(known_, position, speed, acceleration);
-  const int width = columns() + 1;
-  for (int column = 0; column < columns(); ++column) {
-    const Values torque =
-        axial::inverse_dynamics(units_[static_cast<std::size_t>(column)], position, speed, acceleration);
-    for (int i = 0; i < joints_; ++i)
-      out[i * width + column] = torque[i] - known[i];
-  }
+  const auto y = axial::torque_regressor(known_, position, speed, acceleration);
   for (int i = 0; i < joints_; ++i) {
-    separate_first_moments(out + i * width);
-    out[i * width + columns()] = known[i];
-  }
-}
-
-// A point mass at 1 m on x has the moments of inertia yy and zz besides: unit_link() says so.
-void Regressor::separate_first_moments(double* row) const {
-  for (int link = 0; link < joints_; ++link) {
-    double* const p = row + link * parameters_per_link;
-    p[1] -= p[0] + p[5] + p[6];
-    p[2] -= p[0] + p[4] + p[6];
-    p[3] -= p[0] + p[4] + p[5];
+    for (int k = 0; k < joints_; ++k) {
+      for (int p = 0; p < inertial_parameters; ++p)
+        *out++ = y(i, inertial_parameters * k + p);
+      for (const double of_drive : {y.rotor[k], y.viscous[k], y.coulomb_forward[k], y.coulomb_backward[k]})
+        *out++ = k == i ? of_drive : 0.0;
+    }
+    *out++ = known[i];
   }
 }
 

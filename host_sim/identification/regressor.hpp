@@ -5,15 +5,13 @@
 #include <host_sim/identification/parameters.hpp>
 
 #include <axial/dynamics/inverse_dynamics.hpp>
+#include <axial/dynamics/torque_regressor.hpp>
 #include <axial/links/model.hpp>
-
-#include <vector>
 
 namespace host_sim::identification {
 
-/// tau = Y(q, qd, qdd) theta + known(q, qd): Y has parameters_per_link columns a link, each the library's own inverse
-/// dynamics of an arm of which one parameter is 1 and all others are 0; `known` is what springs and static friction
-/// of the description add. Exact to rounding: torque is linear in theta.
+/// tau = Y(q, qd, qdd) theta + known(q, qd): Y has parameters_per_link columns a link, those of the library's
+/// torque_regressor(); `known` is what springs and static friction of the description add.
 class Regressor {
  public:
   static constexpr int most_joints = 16;
@@ -31,11 +29,9 @@ class Regressor {
   using Values = axial::Joints<Model, double>;
 
   Values values(const double* numbers) const;
-  void separate_first_moments(double* row) const;
 
   int joints_;
-  Model known_;
-  std::vector<Model> units_;
+  Model known_;  // without what is identified
 };
 
 }  // namespace host_sim::identification

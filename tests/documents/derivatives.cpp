@@ -34,8 +34,16 @@ TEST(DerivativesGuide, AlongADirectionIsTheJacobiansColumn) {
   EXPECT_NEAR(reaction, (axial::forward_dynamics_derivatives<Robot>(q, qd, tau).dqdd_dq(i, j)), 1e-4F);
 }
 
-TEST(DerivativesGuide, CostsAreAsItSays) {
+TEST(DerivativesGuide, TheRegressorHasWhatALinkWeighs) {
+  const int i = 1, j = 2;
 #include "derivatives-4.inc"
+  EXPECT_EQ(by_mass, y(i, 10 * j));
+  EXPECT_EQ(by_any, y(i, j, axial::InertialParameter::xx));
+  EXPECT_EQ(by_rotor, qdd[i]);
+}
+
+TEST(DerivativesGuide, CostsAreAsItSays) {
+#include "derivatives-5.inc"
   SUCCEED() << "the compiler has checked it";
 }
 

@@ -11,6 +11,7 @@
 #include <axial/dynamics/inverse_dynamics_derivatives.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/separated_torque.hpp>
+#include <axial/dynamics/torque_regressor.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -47,6 +48,16 @@ struct InverseDynamicsAlong {
   template <class S, class J, class D, class In>
   static constexpr auto run(const J& q, const J& qd, const J& qdd, const D& direction, const In& in) {
     return axial::inverse_dynamics_along<S>(q, qd, qdd, direction, in);
+  }
+};
+
+/// axial::torque_regressor().
+struct TorqueRegressor {
+  static constexpr const char* name = "torque_regressor";  ///< in files, tables and JSON
+  /// Runs it for the scene S.
+  template <class S, class J, class In>
+  static constexpr auto run(const J& q, const J& qd, const J& qdd, const In& in) {
+    return axial::torque_regressor<S>(q, qd, qdd, in);
   }
 };
 
@@ -182,6 +193,7 @@ struct ClosedForm {
 inline constexpr InverseDynamics inverse_dynamics;
 inline constexpr InverseDynamicsDerivatives inverse_dynamics_derivatives;
 inline constexpr InverseDynamicsAlong inverse_dynamics_along;
+inline constexpr TorqueRegressor torque_regressor;
 inline constexpr Bias bias;
 inline constexpr Gravity gravity;
 inline constexpr MassMatrix mass_matrix;

@@ -29,6 +29,7 @@
 #include <axial/dynamics/separation.hpp>
 #include <axial/dynamics/task_space_inertia.hpp>
 #include <axial/dynamics/tool_motion.hpp>
+#include <axial/dynamics/torque_regressor.hpp>
 #include <axial/links/model.hpp>
 #include <axial/scene/consistency.hpp>
 #include <axial/scene/mounted_payload.hpp>

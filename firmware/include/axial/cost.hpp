@@ -75,6 +75,10 @@ constexpr void need_all(const ForwardDynamicsDerivatives<S, Counting, Wanted...>
 }
 
 template <class S>
+constexpr void need_all(const TorqueRegressor<S, Counting>& result) {
+  need(result.values);
+}
+template <class S>
 constexpr void need_all(const EffortsAlong<S, Counting>& result) {
   need_all(result.tau), need_all(result.dtau);
 }

@@ -53,6 +53,11 @@ TEST(DerivativeCounts, AlongADirectionWithWhatIsDifferentiated) {
   EXPECT_EQ(cost<robots::Puma560>(algorithm::forward_dynamics_along).total(), 1312);
   EXPECT_EQ(cost<robots::Panda>(algorithm::forward_dynamics_along).total(), 2348);
 }
+TEST(DerivativeCounts, OfTheTorqueRegressor) {
+  EXPECT_EQ(cost<robots::Scara>(algorithm::torque_regressor).total(), 48);
+  EXPECT_EQ(cost<robots::Puma560>(algorithm::torque_regressor).total(), 878);
+  EXPECT_EQ(cost<robots::Panda>(algorithm::torque_regressor).total(), 1461);
+}
 TEST(DerivativeCounts, WhatIsNotAskedForIsFree) {
   using R = robots::Puma560;
   EXPECT_EQ(cost<R>(Alone<with_efforts>{}).total(), cost<R>(algorithm::inverse_dynamics).total());
