@@ -1,8 +1,8 @@
+#include <host_sim/loop/cycle.hpp>
 #include <host_sim/loop/loop.hpp>
 
 #include <host_sim/link/firmware.hpp>
 #include <host_sim/simulation/integrate.hpp>
-#include <host_sim/trajectory/files.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -18,7 +18,7 @@ namespace {
 namespace simulation = host_sim::simulation;
 using Values = simulation::Values<double>;
 
-constexpr double tick = 1e-3;
+constexpr double tick = control_tick;
 constexpr int steps_a_tick = 4;
 constexpr double slide_count = 1e-7;
 
@@ -42,13 +42,6 @@ std::vector<axial::LinkParameters> plant_links(const Case& situation) {
     link.viscous = link.coulomb_forward = link.coulomb_backward = link.static_friction = 0.0;
   }
   return links;
-}
-
-Trajectory cycle_of(const std::string& robot) {
-  std::vector<JointLimits> limits;
-  for (const auto& p : simulation::robot_links(robot))
-    limits.push_back({p.position_min, p.position_max, p.speed_limit, p.acceleration_limit});
-  return load_trajectory(AXIAL_ROOT "/host_sim/trajectories/" + robot + ".json", robot, limits);
 }
 
 Values values_of(const std::vector<double>& from) {

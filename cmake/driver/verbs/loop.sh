@@ -8,7 +8,7 @@ usage: ./axial loop [options]
 Installs and builds what is missing, starts the tracking firmware of a board in its emulator and lets it drive a plant in double, in lock-step
 at 1 kHz over the serial line: feed-forward and a proportional-derivative torque, then the feedback alone (at most 10 s of it). Prints
 tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a picture (doc/measurements/simulation.md).
-  --robot scara|puma560  default scara
+  --robot ROBOT       scara (default) or puma560; puma560 is the default of --controller lqr and --export
   --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt, rp2040
   --number float|fixed32  what the firmware computes in; default float
   --controller pd|lqr  default pd. lqr: a linear-quadratic regulator whose gains the board computes from the arm's derivatives, on the stm32f405 in
@@ -16,7 +16,10 @@ tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a p
   --seconds NUMBER    of motion; default 10 (a few hundred ticks a second run in QEMU: 60 s take some minutes)
   --sweep             besides, the same sources on the host: wrong parameters, friction, coarse encoders, late torques
   --check             only: image and host, told the same, give the same torques (fixed32: bits; float: within 4 last places)
-  --output FOLDER     where the files go; default output/loop
+  --export tinympc|json  instead: the arm linearised at a point of its motion, discretised, with weights and bounds, for solvers of other people:
+                      a header in the layout of TinyMPC's examples, or JSON; any robot that has a cycle in host_sim/trajectories
+  --at NUMBER, --tick NUMBER, --horizon N, --rho NUMBER  of an export: s into the cycle (1), s of a step (0.01), stages (10), TinyMPC's penalty (1e-3)
+  --output FOLDER     where the files go; default output/loop, output/lqr
   --json FILE         the rows once more, as an array of objects
 Exits non-zero when feed-forward cuts the error less than 20-fold with exact parameters, or an answer is refused; with lqr when the arm is
 not back within half a second, a torque is beyond its limit, or pd follows the motion better.
@@ -29,10 +32,11 @@ END_OF_USAGE
 
 run() {
   ensure_packages
-  case "${1:-} $(option_of --controller pd "$@")" in
+  case "${1:-} $(option_of --controller "$(option_of --export pd "$@")" "$@")" in
     --documents*) build "$HOST_PRESET" loop && write_loop_documents ;;
     --linearisation-documents*) build "$HOST_PRESET" pushes && write_linearisation_documents ;;
     *lqr) regulate "$@" ;;
+    *tinympc | *json) build "$HOST_PRESET" linearise && "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/linearise" "$@" ;;
     *) build "$HOST_PRESET" loop && build_board_of_loop "$@" && drop_options --controller "$@" && loop_program "${ARGUMENTS[@]}" ;;
   esac
 }

@@ -5,11 +5,9 @@
 
 #include "linear_step.hpp"
 #include "riccati.hpp"
+#include "weights.hpp"
 
 namespace axial::apps {
-
-/// What the regulator weighs: on each joint so large an error is worth the declared effort limit.
-constexpr double worth_effort_rad = 0.03, worth_effort_m = 0.01;
 
 /// tau = tau_ff(wanted) - K(t) (x - x_wanted), x = (q, qd), cut to the declared efforts. Each tick linearises the arm
 /// at the wanted motion and takes one step of the Riccati equation, from where the last one ended: P follows the
@@ -48,9 +46,8 @@ class LqrController : public TrackingController<Scene, float> {
     Weights w{};
     for (int i = 0; i < n; ++i) {
       const auto& link = Robot::chain.links[i];
-      const double error = link.type == JointType::prismatic ? worth_effort_m : worth_effort_rad;
-      w.state[i] = static_cast<float>(1.0 / (error * error));
-      w.effort[i] = static_cast<float>(1.0 / (link.effort_limit * link.effort_limit));
+      w.state[i] = static_cast<float>(position_weight(link.type == JointType::prismatic));
+      w.effort[i] = static_cast<float>(effort_weight(link.effort_limit));
     }
     return w;
   }

@@ -1,0 +1,17 @@
+// The motion that a robot follows.
+#pragma once
+
+#include <host_sim/trajectory/set_point.hpp>
+
+#include <string>
+
+namespace host_sim::loop {
+
+/// s, from set-point to set-point.
+constexpr double control_tick = 1e-3;
+
+/// The robot's cycle in host_sim/trajectories, planned within its limits. Throws std::runtime_error that says what is
+/// wrong.
+Trajectory cycle_of(const std::string& robot);
+
+}  // namespace host_sim::loop

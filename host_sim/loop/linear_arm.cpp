@@ -1,0 +1,124 @@
+#include <host_sim/loop/cycle.hpp>
+#include <host_sim/loop/linear_arm.hpp>
+#include <host_sim/simulation/models.hpp>
+
+#include <firmware/apps/lqr/weights.hpp>
+
+#include <Eigen/Dense>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace host_sim::loop {
+
+namespace {
+
+using Dense = Eigen::MatrixXd;
+using Values = simulation::Values<double>;
+
+Values values_of(const std::vector<double>& from) {
+  Values to{};
+  std::copy(from.begin(), from.end(), to.values);
+  return to;
+}
+
+SetPoint point_of(const std::string& robot, double time) {
+  const Trajectory cycle = cycle_of(robot);
+  if (!(time >= 0.0)) throw std::runtime_error("the cycle begins at 0 s");
+  return cycle[static_cast<std::size_t>(std::lround(time / control_tick)) % cycle.size()];
+}
+
+template <class Matrix>
+void fill(Dense& into, int row, int column, int n, const Matrix& from) {
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      into(row + i, column + j) = from(i, j);
+}
+
+/// d/dt (q, qd, tau) = rates (q, qd, tau), tau held.
+Dense rates(const simulation::Model& model, const SetPoint& at, const Values& tau) {
+  const int n = model.size();
+  const auto d = axial::forward_dynamics_derivatives(model, values_of(at.q), values_of(at.qd), tau);
+  if (!d.qdd.status.met()) throw std::runtime_error("the arm has no accelerations there");
+  Dense F = Dense::Zero(3 * n, 3 * n);
+  F.block(0, n, n, n).setIdentity();
+  fill(F, n, 0, n, d.dqdd_dq), fill(F, n, n, n, d.dqdd_dqd), fill(F, n, 2 * n, n, d.M_inverse);
+  return F;
+}
+
+Table2 table(const Dense& from) {
+  Table2 to{static_cast<int>(from.rows()), static_cast<int>(from.cols()), {}};
+  for (int i = 0; i < to.rows; ++i)
+    for (int j = 0; j < to.columns; ++j)
+      to.values.push_back(from(i, j));
+  return to;
+}
+
+void add_limits(LinearArm& arm, const std::vector<axial::LinkParameters>& links) {
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    arm.low_x.push_back(links[i].position_min - arm.at.q[i]), arm.high_x.push_back(links[i].position_max - arm.at.q[i]);
+    arm.low_u.push_back(-links[i].effort_limit - arm.tau[i]), arm.high_u.push_back(links[i].effort_limit - arm.tau[i]);
+    const bool slides = links[i].type == axial::JointType::prismatic;
+    arm.Q.push_back(axial::apps::position_weight(slides)),
+        arm.R.push_back(axial::apps::effort_weight(links[i].effort_limit));
+  }
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    arm.low_x.push_back(-links[i].speed_limit - arm.at.qd[i]),
+        arm.high_x.push_back(links[i].speed_limit - arm.at.qd[i]);
+    arm.Q.push_back(0.0);
+  }
+}
+
+}  // namespace
+
+LinearArm linear_arm(const std::string& robot, double time, double tick) {
+  auto links = simulation::robot_links(robot);
+  for (auto& link : links)
+    link.viscous = link.coulomb_forward = link.coulomb_backward = link.static_friction = 0.0;
+  const auto model = simulation::model_of(robot, links);
+  LinearArm arm;
+  arm.robot = robot, arm.at = point_of(robot, time), arm.tick = tick;
+  const auto tau = axial::inverse_dynamics(model, values_of(arm.at.q), values_of(arm.at.qd), values_of(arm.at.qdd));
+  const int n = model.size();
+  arm.tau.assign(tau.values, tau.values + n);
+  const Dense after = (tick * rates(model, arm.at, tau)).exp();
+  arm.A = table(after.topLeftCorner(2 * n, 2 * n)), arm.B = table(after.topRightCorner(2 * n, n));
+  add_limits(arm, links);
+  return arm;
+}
+
+namespace {
+
+void write(std::ostream& out, const std::string& name, const std::string& size, const std::vector<double>& values,
+           std::size_t per_line) {
+  out << "tinytype " << name << "[" << size << "] = {";
+  for (std::size_t k = 0; k < values.size(); ++k)
+    out << (k == 0 ? "\n    " : k % per_line == 0 ? ",\n    " : ", ") << values[k];
+  out << "};\n\n";
+}
+
+}  // namespace
+
+std::string tinympc_header(const LinearArm& arm, int stages, double rho) {
+  const auto n = arm.tau.size();
+  std::ostringstream out;
+  out.precision(17);
+  out << "// " << arm.robot << " at " << arm.at.time
+      << " s of its cycle: x = (q, qd) and u = tau, both less the motion's; a step is " << arm.tick
+      << " s.\n// Adyn and Bdyn row by row: Map<Matrix<tinytype, NSTATES, NSTATES, RowMajor>>(Adyn_data). Bounds are "
+         "those of one stage.\n"
+      << "#pragma once\n\n#include <tinympc/types.hpp>\n\n"
+      << "#define NSTATES " << 2 * n << "\n#define NINPUTS " << n << "\n#define NHORIZON " << stages << "\n\n"
+      << "tinytype rho_value = " << rho << ";\n\n";
+  write(out, "Adyn_data", "NSTATES * NSTATES", arm.A.values, 2 * n),
+      write(out, "Bdyn_data", "NSTATES * NINPUTS", arm.B.values, n);
+  write(out, "Q_data", "NSTATES", arm.Q, 2 * n), write(out, "R_data", "NINPUTS", arm.R, n);
+  write(out, "x_min_data", "NSTATES", arm.low_x, 2 * n), write(out, "x_max_data", "NSTATES", arm.high_x, 2 * n);
+  write(out, "u_min_data", "NINPUTS", arm.low_u, n), write(out, "u_max_data", "NINPUTS", arm.high_u, n);
+  return out.str();
+}
+
+}  // namespace host_sim::loop
