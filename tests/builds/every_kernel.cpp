@@ -39,6 +39,18 @@ bool separated(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>,
 }
 
 template <class S, class T>
+bool differentiated(const Inputs<S, T>& in = {}) {
+  const Joints<robot_of<S>, T> x{};
+  const auto inverse = inverse_dynamics_derivatives<S>(x, x, x, in);
+  const auto forward = forward_dynamics_derivatives<S>(x, x, x, in);
+  const auto along = inverse_dynamics_along<S>(x, x, x, {x, x, x}, in);
+  const auto driven = forward_dynamics_along<S>(x, x, x, {x, x, x}, in);
+  const auto y = torque_regressor<S>(x, x, x, in);
+  return check_finite(inverse.tau, along.tau).ok() && forward.qdd.status.ok() && driven.qdd.status.ok() &&
+         y(0, 0, InertialParameter::xx) == along.dtau[0];
+}
+
+template <class S, class T>
 bool control(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
              const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in) {
   FeedforwardState<S, T> state{};
@@ -136,6 +148,8 @@ using Loaded = Scene<Robot, Gravity, RotorInertia, Friction, Payload, Tags...>;
 
 AXIAL_C_DECLARE(arm, 3, float);
 AXIAL_C_EXPORT(arm, robots::Scara, float)
+AXIAL_C_DECLARE_DERIVATIVES(arm);
+AXIAL_C_EXPORT_DERIVATIVES(arm, robots::Scara, float)
 AXIAL_C_DECLARE(fixed_arm, 3, fixed32);
 AXIAL_C_EXPORT(fixed_arm, robots::Scara, fixed32)
 
@@ -145,7 +159,8 @@ bool in_floating_point() {
   return all_of<Planar2r, float>() && all_of<Planar2r, double>() && all_of<TwoArm, float>() &&
          all_of<Loaded<Scara>, float>() && all_of<Loaded<Scara, Looped>, double>() &&
          separated<Scara, float>({}, {}, {}) && simulated<Planar2r, float>() && simulated<Planar2r, double>() &&
-         modelled<float>() && modelled<double>() && counted<Scara>() && in_batches<Planar2r, float>() &&
+         differentiated<Planar2r, float>() && differentiated<Loaded<Scara, Looped>, double>() && modelled<float>() &&
+         modelled<double>() && counted<Scara>() && in_batches<Planar2r, float>() &&
          in_batches<Loaded<Scara, Looped>, double>() &&
          check_finite(
              closed_form::scara_torque<Scara>(Joints<Scara, float>{}, Joints<Scara, float>{}, Joints<Scara, float>{}))

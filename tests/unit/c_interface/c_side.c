@@ -16,4 +16,15 @@
 ASK(arm)
 ASK(fixed_arm)
 
+#define ASK_DERIVATIVES(arm)                                                                                        \
+  arm##_derivatives ask_##arm##_derivatives(const arm##_joints* q, const arm##_joints* qd, const arm##_joints* x) { \
+    arm##_derivatives answers;                                                                                      \
+    answers.inverse_status = arm##_inverse_dynamics_derivatives(q, qd, x, &answers.inverse);                        \
+    answers.forward_status = arm##_forward_dynamics_derivatives(q, qd, x, &answers.forward);                        \
+    return answers;                                                                                                 \
+  }
+
+ASK_DERIVATIVES(arm)
+ASK_DERIVATIVES(double_arm)
+
 const char* c_text(int code) { return axial_code_text(code); }

@@ -16,6 +16,23 @@
 ANSWERS_OF(arm);
 ANSWERS_OF(fixed_arm);
 
+AXIAL_C_DECLARE_DERIVATIVES(arm);
+AXIAL_C_DECLARE(double_arm, 3, double);
+AXIAL_C_DECLARE_DERIVATIVES(double_arm);
+
+#define DERIVATIVES_OF(arm)                                                                                 \
+  typedef struct {                                                                                          \
+    arm##_inverse_derivatives inverse;                                                                      \
+    arm##_forward_derivatives forward;                                                                      \
+    axial_status inverse_status, forward_status;                                                            \
+  } arm##_derivatives;                                                                                      \
+  AXIAL_C_FUNCTION arm##_derivatives ask_##arm##_derivatives(const arm##_joints* q, const arm##_joints* qd, \
+                                                             const arm##_joints* x)
+
+/** x: accelerations to the one, efforts to the other. */
+DERIVATIVES_OF(arm);
+DERIVATIVES_OF(double_arm);
+
 /** The text of each code from 0 on, as C's own copy of the function gives it. */
 AXIAL_C_FUNCTION const char* c_text(int code);
 

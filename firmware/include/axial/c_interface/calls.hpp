@@ -48,6 +48,13 @@ constexpr void write_c(const Values& values, CValues& result) {
   for (int i = 0; i < Values::size; ++i)
     result.of[i] = to_c(values[i]);
 }
+/// A matrix with a row and a column per joint into a C array.
+template <class Matrix, class CMatrix>
+constexpr void write_matrix_c(const Matrix& m, int size, CMatrix& result) {
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j)
+      result.of[i][j] = to_c(m(i, j));
+}
 
 /// with the codes of axial_code
 constexpr axial_status to_c(const Status& status) { return {static_cast<int>(status.code), status.joint}; }
@@ -133,10 +140,7 @@ struct Calls {
     const auto q = from_c<Q>(c_q);
     const Status status = check(q);
     if (!status.ok()) return to_c(status);
-    const auto m = axial::mass_matrix<S>(q);
-    for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j)
-        matrix.of[i][j] = to_c(m(i, j));
+    write_matrix_c(axial::mass_matrix<S>(q), size, matrix);
     return to_c(status);
   }
 
