@@ -96,6 +96,26 @@ def fixed(data):
     return markdown(["scenario", "cond(M)", "32-bit fixed point", "gate", "float, split ABA"], table)
 
 
+BLOCKS = ["M", "dtau_dq", "dtau_dqd", "dqdd_dq", "dqdd_dqd"]
+
+
+def derivatives(data):
+    """A row a scenario: the error of each block in each type."""
+    rows = data.kind("derivatives")
+    header = ["scenario", "N", "cond(M)"]
+    for scalar in SCALARS:
+        header += [f"{scalar}: {block}" for block in BLOCKS] + ["accelerations' status"]
+    table = []
+    for name in unique(row["scenario"] for row in sorted(rows, key=stability.family)):
+        own = of(rows, scenario=name)
+        line = [name, str(own[0]["joints"]), number(own[0]["condition"])]
+        for scalar in SCALARS:
+            by_block = {row["route"]: row for row in of(own, scalar=scalar)}
+            line += [cell(by_block[block]) for block in BLOCKS] + [by_block[BLOCKS[-1]]["status"].replace("_", " ")]
+        table.append(line)
+    return markdown(header, table)
+
+
 def ablation(data):
     rows = data.kind("ablation")
     scenarios = unique((row["scenario"], row["scalar"]) for row in rows)
@@ -157,7 +177,7 @@ def motions(data):
 
 TABLES = {"stability_motions": motions, "stability_provenance": provenance, "stability_verdict": verdict, "stability_gates": gates, "stability_backward": backward,
           "stability_fixed": fixed, "stability_ablation": ablation, "stability_engines": engines, "stability_nominal": nominal,
-          "stability_singular": singular}
+          "stability_singular": singular, "stability_derivatives": derivatives}
 
 
 if __name__ == "__main__":

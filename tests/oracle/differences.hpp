@@ -14,8 +14,7 @@ namespace detail {
 
 /// Column j of a Jacobian; `at` is the function with joint j moved by so much.
 template <class F>
-void put_slopes(Matrix<quad>& slopes, int j, const F& at) {
-  const quad h = quad(1) / quad(1LL << 20);  // what is left out, h^4, and rounding over h: both below 1e-24
+void put_slopes(Matrix<quad>& slopes, int j, const quad& h, const F& at) {
   const Vector<quad> near_above = at(h), near_below = at(-h), far_above = at(h + h), far_below = at(-h - h);
   for (std::size_t i = 0; i < near_above.size(); ++i)
     slopes(static_cast<int>(i), j) =
@@ -29,14 +28,17 @@ inline Vector<quad> moved(Vector<quad> values, int j, const quad& by) {
 
 }  // namespace detail
 
+/// What is left out, h^4, and rounding over h are both below 1e-24.
+inline quad usual_step() { return quad(1) / quad(1LL << 20); }
+
 /// Of f(q, qd), a vector with a value for each joint.
 template <class F>
-Jacobians differences(const Vector<quad>& q, const Vector<quad>& qd, const F& f) {
+Jacobians differences(const Vector<quad>& q, const Vector<quad>& qd, const F& f, const quad& step = usual_step()) {
   const int n = static_cast<int>(q.size());
   Jacobians result{Matrix<quad>(n, n), Matrix<quad>(n, n)};
   for (int j = 0; j < n; ++j) {
-    detail::put_slopes(result.by_position, j, [&](const quad& by) { return f(detail::moved(q, j, by), qd); });
-    detail::put_slopes(result.by_velocity, j, [&](const quad& by) { return f(q, detail::moved(qd, j, by)); });
+    detail::put_slopes(result.by_position, j, step, [&](const quad& by) { return f(detail::moved(q, j, by), qd); });
+    detail::put_slopes(result.by_velocity, j, step, [&](const quad& by) { return f(q, detail::moved(qd, j, by)); });
   }
   return result;
 }

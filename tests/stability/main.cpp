@@ -3,6 +3,7 @@
 #include <host_sim/output/command_line.hpp>
 #include <stability/ablation.hpp>
 #include <stability/compiled/rows.hpp>
+#include <stability/derivatives.hpp>
 #include <stability/fixed/rows.hpp>
 #include <stability/json.hpp>
 #include <stability/rows.hpp>
@@ -30,6 +31,21 @@ Json json_of(const stability::Row& row) {
           {"status", row.status}};
 }
 
+Json json_of(const stability::DerivativeRow& row) {
+  return {{"kind", "derivatives"},
+          {"scenario", row.scenario},
+          {"family", row.family},
+          {"scalar", row.scalar},
+          {"route", row.block},
+          {"joints", row.joints},
+          {"condition", number(row.condition)},
+          {"forward_error", number(row.error)},
+          {"backward_error", nullptr},
+          {"gate", number(row.gate)},
+          {"pass", row.pass},
+          {"status", row.status}};
+}
+
 Json json_of(const stability::AblationRow& row) {
   return {{"kind", "ablation"},
           {"scenario", row.scenario},
@@ -40,6 +56,12 @@ Json json_of(const stability::AblationRow& row) {
           {"gate", nullptr},
           {"pass", true},
           {"status", "ok"}};
+}
+
+void print(const stability::DerivativeRow& row) {
+  std::printf("%-34s %-6s %-22s %8s %8s %8s %8s  %-4s %s\n", row.scenario.c_str(), row.scalar.c_str(),
+              row.block.c_str(), cell(row.condition).c_str(), cell(row.error).c_str(), "", cell(row.gate).c_str(),
+              row.pass ? "ok" : "FAIL", row.status.c_str());
 }
 
 void print(const stability::Row& row) {
@@ -65,22 +87,31 @@ struct Options {
   bool ablation = false;
 };
 
+/// Rows in a table and in JSON; how many missed their gates.
+template <class Row>
+std::ptrdiff_t take(const std::vector<Row>& rows, Json& all) {
+  std::ptrdiff_t failed = 0;
+  for (const Row& row : rows) {
+    print(row);
+    all.push_back(json_of(row));
+    failed += !row.pass;
+  }
+  return failed;
+}
+
+void tell(const std::string& name) { std::fprintf(stderr, "stability: %s\n", name.c_str()); }
+
 int run(const Options& options) {
-  auto rows = stability::all_rows(
-      options.scenario, [](const std::string& name) { std::fprintf(stderr, "stability: %s\n", name.c_str()); });
+  auto rows = stability::all_rows(options.scenario, tell);
   for (const auto& more : {stability::default_rows(options.scenario), stability::fixed_rows(options.scenario)})
     rows.insert(rows.end(), more.begin(), more.end());
   if (rows.empty()) throw std::runtime_error("no scenario's name holds '" + options.scenario + "'");
   std::printf("%-34s %-6s %-22s %8s %8s %8s %8s  %-4s %s\n", "scenario", "scalar", "route", "cond(M)", "forward",
               "backward", "gate", "", "status");
   Json all = Json::array();
-  std::ptrdiff_t failed = 0;
-  for (const auto& row : rows) {
-    print(row);
-    all.push_back(json_of(row));
-    failed += !row.pass;
-  }
-  std::printf("%zu answers, %td outside their gates\n", rows.size(), failed);
+  const auto derived = stability::derivative_rows(options.scenario, tell);
+  const std::ptrdiff_t failed = take(rows, all) + take(derived, all);
+  std::printf("%zu answers, %td outside their gates\n", rows.size() + derived.size(), failed);
   if (options.ablation) {
     const auto ablation = stability::ablation();
     print(ablation);

@@ -8,7 +8,7 @@ readonly PEER_PACKAGES=(libdart-dev libsimbody-dev libbullet-dev)
 usage() {
   cat <<'END_OF_USAGE'
 usage: ./axial stability [options]
-Installs and builds what is missing. Solves the scenarios ST1 to ST17 (long chains, size and mass ratios, massless links near
+Installs and builds what is missing. Solves and derives the scenarios ST1 to ST17 (long chains, size and mass ratios, massless links near
 gimbal lock, rotors, speeds, scales, ...) by every route in double, float and, where they fit declared limits, fixed point: forward
 and backward error against quadruple precision beside the gates (doc/measurements/stability.md). Then the motions of ST18 to ST22, by every
 integrator. Prints tables, writes JSON and pictures.
