@@ -57,6 +57,9 @@ class Plant {
       : links_(plant_links(situation)),
         model_(simulation::model_of(situation.robot, links_)),
         bits_(situation.encoder_bits),
+        noisy_(situation.encoder_noise > 0.0),
+        noise_(0.0, noisy_ ? situation.encoder_noise : 1.0),
+        draws_(situation.seed),
         waiting_(static_cast<std::size_t>(situation.delay)) {
     x_.q = values_of(start.q), x_.qd = values_of(start.qd);
     for (std::size_t i = 0; i < situation.push.size(); ++i)
@@ -67,7 +70,7 @@ class Plant {
       tau = weight;
   }
 
-  link::Measurement read() const {
+  link::Measurement read() {
     link::Measurement m{};
     m.joints = links_.size();
     for (int i = 0; i < model_.size(); ++i)
@@ -88,26 +91,34 @@ class Plant {
   }
 
   const Values& position() const { return x_.q; }
+  JointState state() const {
+    const int n = joints();
+    return {{x_.q.values, x_.q.values + n}, {x_.qd.values, x_.qd.values + n}};
+  }
   axial::Vec3<double> tool(const Values& q) const { return axial::forward_kinematics(model_, q).tool.position; }
   int joints() const { return model_.size(); }
 
  private:
   bool slides(int i) const { return links_[static_cast<std::size_t>(i)].type == axial::JointType::prismatic; }
+  double noise() { return noisy_ ? noise_(draws_) : 0.0; }
   // Whole counts of the encoder, as binary angles.
-  std::int32_t angle(double q) const {
+  std::int32_t angle(double q) {
     const double turns = q / (2.0 * 3.14159265358979323846);
-    const auto counts = static_cast<std::int64_t>(std::llround(std::ldexp(turns, bits_)));
+    const auto counts = static_cast<std::int64_t>(std::llround(std::ldexp(turns, bits_) + noise()));
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(counts << (32 - bits_)));
   }
-  std::int32_t slide(double q) const {
+  std::int32_t slide(double q) {
     const double step = std::max(1.0, std::round(std::ldexp(1.0 / slide_count, -bits_)));
-    return static_cast<std::int32_t>(std::llround(std::round(q / slide_count / step) * step));
+    return static_cast<std::int32_t>(std::llround(std::round(q / slide_count / step + noise()) * step));
   }
 
   std::vector<axial::LinkParameters> links_;
   simulation::Model model_;
   simulation::Motion<double> x_;
   int bits_;
+  bool noisy_;
+  std::normal_distribution<double> noise_;
+  std::mt19937 draws_;
   std::deque<Values> waiting_;
 };
 
@@ -157,7 +168,7 @@ Tracking follow(const Case& situation, Controller& controller, const Watch& watc
     const link::Torque answer = controller.answer(measurement, to_message(wanted));
     const auto status = static_cast<link::TorqueStatus>(answer.status);
     refused += status != link::TorqueStatus::ok && status != link::TorqueStatus::effort_limited ? 1 : 0;
-    if (watch) watch(wanted, {plant.position().values, plant.position().values + plant.joints()}, answer);
+    if (watch) watch(wanted, plant.state(), measurement, answer);
     plant.run(answer);
   }
   return statistics.result(refused);

@@ -20,6 +20,7 @@ struct Case {
   unsigned seed = 0;             ///< of the signs
   bool friction = false;         ///< the plant has the robot's declared friction, of which the model knows nothing
   int encoder_bits = 32;         ///< a turn; on slides the nearest step of 0.1 um to a metre over 2^bits
+  double encoder_noise = 0.0;    ///< counts of that encoder, standard deviation, before it counts
   int delay = 0;                 ///< ticks between a measurement and the torque that answers it
   double seconds = 10.0;
   double start = 0.0;        ///< s into the cycle, in motion as it is wanted
@@ -34,8 +35,13 @@ struct Tracking {
   long refused = 0;  ///< answers without a fresh torque
 };
 
-/// Told after every tick: wanted motion, joint positions, the answer.
-using Watch = std::function<void(const SetPoint&, const std::vector<double>&, const link::Torque&)>;
+/// The plant's joints as they are: rad or m, and per second.
+struct JointState {
+  std::vector<double> q, qd;
+};
+
+/// Told after every tick: wanted motion, the joints when they were measured, what was measured, the answer.
+using Watch = std::function<void(const SetPoint&, const JointState&, const link::Measurement&, const link::Torque&)>;
 
 /// The cycle of host_sim/trajectories, again and again. The plant is in double, by four Runge-Kutta steps a tick under
 /// a torque that is held.

@@ -92,19 +92,20 @@ Row in_loop(const Options& options, bool feeds_forward, host_sim::CsvFile& file)
   std::size_t done = 0;
   host_sim::Progress progress(feeds_forward ? "with feed-forward" : "feedback alone",
                               static_cast<std::size_t>(std::lround(1000.0 * situation.seconds)));
-  row.tracking =
-      follow(situation, *controller,
-             [&](const host_sim::SetPoint& wanted, const std::vector<double>& q, const link::Torque& answer) {
-               progress.at(++done);
-               if (done > drawn_ticks) return;
-               file.cell(feeds_forward ? "feed-forward" : "feedback alone");
-               file.cell(static_cast<double>(done - 1) * 1e-3);
-               for (std::size_t i = 0; i < q.size(); ++i)
-                 file.cell(wanted.q[i]), file.cell(wanted.q[i] - q[i], 5);
-               for (std::size_t i = 0; i < q.size(); ++i)
-                 file.cell(static_cast<double>(answer.tau[i]));
-               file.end_row();
-             });
+  row.tracking = follow(situation, *controller,
+                        [&](const host_sim::SetPoint& wanted, const JointState& joints, const link::Measurement&,
+                            const link::Torque& answer) {
+                          const std::vector<double>& q = joints.q;
+                          progress.at(++done);
+                          if (done > drawn_ticks) return;
+                          file.cell(feeds_forward ? "feed-forward" : "feedback alone");
+                          file.cell(static_cast<double>(done - 1) * 1e-3);
+                          for (std::size_t i = 0; i < q.size(); ++i)
+                            file.cell(wanted.q[i]), file.cell(wanted.q[i] - q[i], 5);
+                          for (std::size_t i = 0; i < q.size(); ++i)
+                            file.cell(static_cast<double>(answer.tau[i]));
+                          file.end_row();
+                        });
   return row;
 }
 

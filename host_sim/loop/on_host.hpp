@@ -17,6 +17,7 @@ class OnHost : public Controller {
     app_.store(torque);
     return torque;
   }
+  const App& app() const { return app_; }
 
  private:
   App app_;

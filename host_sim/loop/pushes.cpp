@@ -36,7 +36,9 @@ Recovery recover(const Case& situation, Controller& controller, const Watch& wat
   Recovery r;
   r.least = std::numeric_limits<std::uint32_t>::max();
   int ticks = 0;
-  const Watch look = [&](const SetPoint& wanted, const std::vector<double>& q, const link::Torque& answer) {
+  const Watch look = [&](const SetPoint& wanted, const JointState& joints, const link::Measurement& seen,
+                         const link::Torque& answer) {
+    const std::vector<double>& q = joints.q;
     ++ticks;
     for (std::size_t i = 0; i < q.size(); ++i) {
       const double off = q[i] - wanted.q[i], push = situation.push.empty() ? 0.0 : situation.push[i];
@@ -45,7 +47,7 @@ Recovery recover(const Case& situation, Controller& controller, const Watch& wat
       r.effort = std::max(r.effort, std::fabs(static_cast<double>(answer.tau[i])) / limits[i]);
     }
     r.least = std::min(r.least, answer.count), r.most = std::max(r.most, answer.count);
-    if (watch) watch(wanted, q, answer);
+    if (watch) watch(wanted, joints, seen, answer);
   };
   r.tracking = follow(situation, controller, look);
   return r;

@@ -65,10 +65,10 @@ std::vector<PushRow> in_loop(const Options& options, const std::string& csv) {
   for (const char* controller : {"lqr", "pd"}) {
     rows.push_back(row_of(controller, options.board, "the motion", following(options, options.seconds)));
     int ticks = 0;
-    const auto draw = [&](const auto& wanted, const std::vector<double>& q, const link::Torque& answer) {
+    const auto draw = [&](const auto& wanted, const JointState& state, const auto&, const link::Torque& answer) {
       file.cell(controller), file.cell(ticks++ / ticks_a_second);
       for (std::size_t i = 0; i < joints; ++i)
-        file.cell(q[i] - wanted.q[i], 5);
+        file.cell(state.q[i] - wanted.q[i], 5);
       for (std::size_t i = 0; i < joints; ++i)
         file.cell(static_cast<double>(answer.tau[i]) / limits[i], 5);
       file.end_row();

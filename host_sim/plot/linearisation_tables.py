@@ -19,6 +19,18 @@ def motions(folder):
     return markdown(["situation", "torques by", "loop", "motion, s", "tool error, RMS, mm", "largest, mm", "instructions per tick"], rows)
 
 
+def velocities(folder):
+    rows = [[row["name"], by(row), row["controller"], largest(row["velocity_error_filter"]), largest(row["velocity_error_difference"]),
+             largest(row["velocity_error_ten_ticks"]), f"{row['torque_change_over_limit']:.2g}", f"{1e3 * row['tool_error_rms']:.3g}",
+             grouped(row["count_most"]) if row["count_most"] else ""] for row in load(folder / "ekf-puma560.json")]
+    return markdown(["encoders", "torques by", "loop", "velocity error, mrad/s: filter", "difference of a tick", "of ten ticks",
+                     "torque change per tick over its limit", "tool error, RMS, mm", "instructions per tick"], rows)
+
+
+def largest(errors):
+    return f"{1e3 * max(errors):.3g}" if errors else ""
+
+
 def regulated(folder):
     return load(folder / "lqr-puma560.json")
 
@@ -33,7 +45,7 @@ def provenance(folder):
     return f"Measured at commit `{made['commit']}`; `stm32f405`: {board['compiler']}; `{board['flags']}`.\n"
 
 
-TABLES = {"pushes": pushes, "regulated_motions": motions, "linearisation_provenance": provenance}
+TABLES = {"pushes": pushes, "regulated_motions": motions, "velocities": velocities, "linearisation_provenance": provenance}
 
 
 if __name__ == "__main__":

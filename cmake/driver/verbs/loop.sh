@@ -11,22 +11,24 @@ tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a p
   --robot ROBOT       scara (default) or puma560; puma560 is the default of --controller lqr and --export
   --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt, rp2040
   --number float|fixed32  what the firmware computes in; default float
-  --controller pd|lqr  default pd. lqr: a linear-quadratic regulator whose gains the board computes from the arm's derivatives, on the stm32f405 in
-                      float, brings the arm back from a push of 0.1 rad on every joint; beside pd (doc/measurements/linearisation.md)
+  --controller pd|lqr|ekf  default pd. lqr: a linear-quadratic regulator whose gains the board computes from the arm's derivatives, on the stm32f405 in
+                      float, brings the arm back from a push of 0.1 rad on every joint; beside pd (doc/measurements/linearisation.md).
+                      ekf: pd of what an extended Kalman filter on the board makes of noisy encoders, beside pd of their differences
   --seconds NUMBER    of motion; default 10 (a few hundred ticks a second run in QEMU: 60 s take some minutes)
   --sweep             besides, the same sources on the host: wrong parameters, friction, coarse encoders, late torques
   --check             only: image and host, told the same, give the same torques (fixed32: bits; float: within 4 last places)
   --export tinympc|json  instead: the arm linearised at a point of its motion, discretised, with weights and bounds, for solvers of other people:
                       a header in the layout of TinyMPC's examples, or JSON; any robot that has a cycle in host_sim/trajectories
   --at NUMBER, --tick NUMBER, --horizon N, --rho NUMBER  of an export: s into the cycle (1), s of a step (0.01), stages (10), TinyMPC's penalty (1e-3)
-  --output FOLDER     where the files go; default output/loop, output/lqr
+  --output FOLDER     where the files go; default output/loop, output/lqr or output/ekf
   --json FILE         the rows once more, as an array of objects
 Exits non-zero when feed-forward cuts the error less than 20-fold with exact parameters, or an answer is refused; with lqr when the arm is
-not back within half a second, a torque is beyond its limit, or pd follows the motion better.
+not back within half a second, a torque is beyond its limit, or pd follows the motion better;
+with ekf when velocities are less than ten times as exact as differences.
 maintainers:
   --documents         alone: 60 s of each robot with sweeps, on the nrf51 in fixed32, to doc/data, doc/pictures and the tables of
                       doc/measurements/simulation.md
-  --linearisation-documents  alone: 10 s of the Puma 560 by lqr with sweeps, to doc/data, doc/pictures and doc/measurements/linearisation.md
+  --linearisation-documents  alone: the Puma 560 by lqr and ekf with sweeps, to doc/data, doc/pictures and doc/measurements/linearisation.md
 END_OF_USAGE
 }
 
@@ -34,23 +36,32 @@ run() {
   ensure_packages
   case "${1:-} $(option_of --controller "$(option_of --export pd "$@")" "$@")" in
     --documents*) build "$HOST_PRESET" loop && write_loop_documents ;;
-    --linearisation-documents*) build "$HOST_PRESET" pushes && write_linearisation_documents ;;
-    *lqr) regulate "$@" ;;
+    --linearisation-documents*) build "$HOST_PRESET" pushes observers && write_linearisation_documents ;;
+    *lqr | *ekf) regulate "$@" ;;
     *tinympc | *json) build "$HOST_PRESET" linearise && "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/linearise" "$@" ;;
     *) build "$HOST_PRESET" loop && build_board_of_loop "$@" && drop_options --controller "$@" && loop_program "${ARGUMENTS[@]}" ;;
   esac
 }
 
+# The programs of --controller lqr and ekf.
+declare -rA REGULATING=([lqr]=pushes [ekf]=observers)
+
 regulate() {
-  build "$HOST_PRESET" pushes
+  local name
+  name=$(option_of --controller '' "$@")
+  build "$HOST_PRESET" "${REGULATING[$name]}"
   build_regulators
   drop_options --controller "$@"
-  pushes_program "${ARGUMENTS[@]}"
+  regulating_program "$name" "${ARGUMENTS[@]}"
 }
 
-pushes_program() { "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/pushes" "$@"; }
+regulating_program() {
+  local name=$1
+  shift
+  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/${REGULATING[$name]}" "$@"
+}
 
-build_regulators() { build stm32f405 lqr-scara lqr-puma560 tracking-scara tracking-puma560; }
+build_regulators() { build stm32f405 {lqr,ekf}-{scara,puma560} tracking-scara tracking-puma560; }
 
 loop_program() { "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/loop" "$@"; }
 
@@ -75,8 +86,9 @@ write_loop_documents() {
 write_linearisation_documents() {
   local doc=$AXIAL_ROOT/doc
   build_regulators
-  pushes_program --robot puma560 --seconds 10 --sweep --output "$AXIAL_ROOT/output/lqr" --json "$doc/data/lqr-puma560.json" \
+  regulating_program lqr --robot puma560 --seconds 10 --sweep --output "$AXIAL_ROOT/output/lqr" --json "$doc/data/lqr-puma560.json" \
     --provenance "$doc/data/linearisation_provenance.json"
-  cp "$AXIAL_ROOT/output/lqr/lqr-puma560.png" "$doc/pictures/lqr-puma560.png"
+  regulating_program ekf --robot puma560 --seconds 10 --sweep --output "$AXIAL_ROOT/output/ekf" --json "$doc/data/ekf-puma560.json"
+  cp "$AXIAL_ROOT/output/lqr/lqr-puma560.png" "$AXIAL_ROOT/output/ekf/ekf-puma560.png" "$doc/pictures"
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/linearisation_tables.py" "$doc/data" "$doc/measurements/linearisation.md"
 }
