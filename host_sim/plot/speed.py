@@ -24,6 +24,7 @@ ALGORITHMS = {"inverse_dynamics": "Inverse dynamics", "forward_dynamics": "Forwa
 ROUTES = ["articulated_body", "split_articulated_body", "composite_body"]  # of forward dynamics, by name
 PEERS = {"kdl": "KDL", "kdl_vereshchagin": "KDL, Vereshchagin", "dart": "DART"}
 ONE_STATE = "one state"  # the peer of our batches: ours
+OF_DERIVATIVES = {"inverse_dynamics_derivatives": "inverse dynamics", "forward_dynamics_derivatives": "forward dynamics"}  # their peers: ours
 PACKAGES = ["liborocos-kdl1.5", "libdart6.12"]
 
 
@@ -40,7 +41,7 @@ def is_serial(row):
 
 
 def against_others(rows):
-    return [row for row in rows if row["peer"] != ONE_STATE]
+    return [row for row in rows if row["peer"] not in (ONE_STATE, *OF_DERIVATIVES.values())]
 
 
 def worse_compiler(rows):
@@ -198,6 +199,8 @@ def main():
     for row in rows:
         if row["peer"] == ONE_STATE:
             print(f"batches, {row['algorithm']}, {row['robot']}, {row['scalar']}, {row['compiler']}: {row['ratio']:.2f} times one state")
+        if row["algorithm"] in OF_DERIVATIVES:
+            print(f"{row['algorithm']}, {row['robot']}, {row['scalar']}, {row['compiler']}: {1 / row['ratio']:.2f} times {row['peer']}")
     if options.json:
         write(options.json, rows)
     if options.provenance:

@@ -84,9 +84,19 @@ def speed_batches(data):
                     [[", ".join(key)] + [cells[(*key, name)] for name in algorithms] for key in speed.unique(key[:3] for key in cells)])
 
 
+def speed_derivatives(data):
+    """Derivatives against what they are of: how many times its time; the worse compiler."""
+    worst = speed.worse_compiler(row for row in data.all if row["peer"] in speed.OF_DERIVATIVES.values())
+    times = lambda row: f"{1 / row['ratio']:.1f} ({1 / row['ratio_high']:.1f} to {1 / row['ratio_low']:.1f})"
+    cells = {(robot, scalar, algorithm): times(row) for (robot, algorithm, scalar, _), row in worst.items()}
+    return markdown(["robot, scalar"] + [f"{algorithm.replace('_', ' ')}, times {peer}" for algorithm, peer in speed.OF_DERIVATIVES.items()],
+                    [[", ".join(key)] + [cells[(*key, algorithm)] for algorithm in speed.OF_DERIVATIVES]
+                     for key in speed.unique(key[:2] for key in cells)])
+
+
 TABLES = {"speed_provenance": speed_provenance, "speed_ratios": speed_ratios, "speed_routes": speed_routes, "speed_joints": speed_joints,
           "speed_exponents": speed_exponents, "speed_everything": speed_everything,
-          "speed_batches": speed_batches}
+          "speed_batches": speed_batches, "speed_derivatives": speed_derivatives}
 
 
 if __name__ == "__main__":

@@ -66,6 +66,18 @@ void add_robot(std::vector<Duel>& duels, const std::string& name) {
   }
 }
 
+/// The peer is what they are derivatives of, ours too: the derivatives' values are its answer.
+template <class Robot, class T>
+void add_derivatives(std::vector<Duel>& duels, const std::string& name) {
+  const States states = random_states(oracle::of_robot<double, Robot>(), robot_states);
+  const auto race = [&](Algorithm derived, const char* peer, Algorithm plain) {
+    duels.push_back(duel<T>(name_of(derived), name, peer, states, derivatives<Robot, T>(derived, states),
+                            ours<Robot, T>(plain, Rotors::with, states)));
+  };
+  race(Algorithm::inverse_dynamics_derivatives, "inverse dynamics", Algorithm::inverse_dynamics);
+  race(Algorithm::forward_dynamics_derivatives, "forward dynamics", Algorithm::forward_dynamics);
+}
+
 }  // namespace
 
 std::vector<Duel> all_duels() {
@@ -74,6 +86,8 @@ std::vector<Duel> all_duels() {
     using Robot = typename decltype(named)::Robot;
     add_robot<Robot, double>(duels, named.name);
     add_robot<Robot, float>(duels, named.name);
+    add_derivatives<Robot, double>(duels, named.name);
+    add_derivatives<Robot, float>(duels, named.name);
   });
   for (const int joints : serial_joints) {
     const auto chain = serial_chain(joints);

@@ -7,24 +7,33 @@
 
 namespace bench {
 
-/// The last three are forward dynamics by a route of ours that a scene names, `forward_dynamics` by the default one.
+/// Behind `forward_dynamics`, which takes the default route, stand routes of ours that a scene names.
 enum class Algorithm {
   inverse_dynamics,
   gravity,
   bias,
   mass_matrix,
+  inverse_dynamics_derivatives,
   forward_dynamics,
   articulated_body,
   split_articulated_body,
-  composite_body
+  composite_body,
+  forward_dynamics_derivatives
 };
 
 constexpr bool is_forward(Algorithm algorithm) { return algorithm >= Algorithm::forward_dynamics; }
 
 inline const char* name_of(Algorithm algorithm) {
-  constexpr const char* names[] = {
-      "inverse_dynamics",       "gravity",       "bias", "mass_matrix", "forward_dynamics", "articulated_body",
-      "split_articulated_body", "composite_body"};
+  constexpr const char* names[] = {"inverse_dynamics",
+                                   "gravity",
+                                   "bias",
+                                   "mass_matrix",
+                                   "inverse_dynamics_derivatives",
+                                   "forward_dynamics",
+                                   "articulated_body",
+                                   "split_articulated_body",
+                                   "composite_body",
+                                   "forward_dynamics_derivatives"};
   return names[static_cast<int>(algorithm)];
 }
 
@@ -40,7 +49,7 @@ class Contender {
   /// Evaluates states first, ..., first + count - 1. This is what is timed: the states are held in the contender's own
   /// types.
   virtual void run(int first, int count) = 0;
-  /// Result of one state: N values, or the N x N mass matrix row by row.
+  /// Result of one state: N values, or the N x N mass matrix row by row; of derivatives the values that they are of.
   virtual std::vector<double> result(int state) = 0;
 };
 

@@ -90,10 +90,10 @@ nlohmann::json row_of(const bench::Duel& duel) {
 }
 
 void print(const nlohmann::json& rows) {
-  std::printf("%-22s %-11s %-7s %-17s %8s %18s %10s %10s\n", "algorithm", "robot", "scalar", "peer", "ratio",
+  std::printf("%-28s %-11s %-7s %-17s %8s %18s %10s %10s\n", "algorithm", "robot", "scalar", "peer", "ratio",
               "95 % interval", "ns (noise)", "peer's ns");
   for (const auto& row : rows)
-    std::printf("%-22s %-11s %-7s %-17s %8.2f %8.2f .. %6.2f %10.0f %10.0f\n",
+    std::printf("%-28s %-11s %-7s %-17s %8.2f %8.2f .. %6.2f %10.0f %10.0f\n",
                 row["algorithm"].get<std::string>().c_str(), row["robot"].get<std::string>().c_str(),
                 row["scalar"].get<std::string>().c_str(), row["peer"].get<std::string>().c_str(),
                 row["ratio"].get<double>(), row["ratio_low"].get<double>(), row["ratio_high"].get<double>(),

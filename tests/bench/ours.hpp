@@ -34,6 +34,16 @@ struct OfRobot {
   [[gnu::noinline]] static auto call(Choice<Algorithm::forward_dynamics>, const V& q, const V& qd, const V& x) {
     return axial::forward_dynamics<S>(q, qd, x);
   }
+  template <class V>
+  [[gnu::noinline]] static auto call(Choice<Algorithm::inverse_dynamics_derivatives>, const V& q, const V& qd,
+                                     const V& x) {
+    return axial::inverse_dynamics_derivatives<S>(q, qd, x);
+  }
+  template <class V>
+  [[gnu::noinline]] static auto call(Choice<Algorithm::forward_dynamics_derivatives>, const V& q, const V& qd,
+                                     const V& x) {
+    return axial::forward_dynamics_derivatives<S>(q, qd, x);
+  }
 };
 
 /// Caller: a static or dynamic object with call(Choice<A>, q, qd, x).
@@ -77,8 +87,16 @@ class Ours : public Contender {
         for (int j = 0; j < Values::size; ++j)
           list.push_back(static_cast<double>(result(i, j)));
       else
-        list.push_back(static_cast<double>(result[i]));
+        list.push_back(static_cast<double>(values(result)[i]));
     return list;
+  }
+  static const auto& values(const Result& result) {
+    if constexpr (A == Algorithm::inverse_dynamics_derivatives)
+      return result.tau;
+    else if constexpr (A == Algorithm::forward_dynamics_derivatives)
+      return result.qdd;
+    else
+      return result;
   }
 
   Caller caller_;
@@ -98,6 +116,14 @@ template <class S, class Route, class T>
 std::unique_ptr<Contender> make_route(const States& states) {
   using Scene = typename Named<S, Route>::type;
   return std::make_unique<Ours<Scene, T, Algorithm::forward_dynamics, OfRobot<Scene>>>(states);
+}
+
+/// All results of either.
+template <class S, class T>
+std::unique_ptr<Contender> make_derivatives(Algorithm algorithm, const States& states) {
+  if (is_forward(algorithm))
+    return std::make_unique<Ours<S, T, Algorithm::forward_dynamics_derivatives, OfRobot<S>>>(states);
+  return std::make_unique<Ours<S, T, Algorithm::inverse_dynamics_derivatives, OfRobot<S>>>(states);
 }
 
 /// S is a scene.

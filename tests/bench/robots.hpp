@@ -15,4 +15,8 @@ std::unique_ptr<Contender> ours(Algorithm algorithm, Rotors rotors, const States
 template <class Robot, class T>
 std::unique_ptr<Contender> batches(Algorithm algorithm, const States& states);
 
+/// Derivatives of inverse or of forward dynamics, as the algorithm says.
+template <class Robot, class T>
+std::unique_ptr<Contender> derivatives(Algorithm algorithm, const States& states);
+
 }  // namespace bench
