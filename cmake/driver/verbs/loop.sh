@@ -43,13 +43,13 @@ run() {
   esac
 }
 
-# The programs of --controller lqr and ekf.
-declare -rA REGULATING=([lqr]=pushes [ekf]=observers)
+# The program of --controller lqr or ekf.
+regulating() { [[ $1 == lqr ]] && echo pushes || echo observers; }
 
 regulate() {
   local name
   name=$(option_of --controller '' "$@")
-  build "$HOST_PRESET" "${REGULATING[$name]}"
+  build "$HOST_PRESET" "$(regulating "$name")"
   build_regulators
   drop_options --controller "$@"
   regulating_program "$name" "${ARGUMENTS[@]}"
@@ -58,7 +58,7 @@ regulate() {
 regulating_program() {
   local name=$1
   shift
-  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/${REGULATING[$name]}" "$@"
+  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/$(regulating "$name")" "$@"
 }
 
 build_regulators() { build stm32f405 {lqr,ekf}-{scara,puma560} tracking-scara tracking-puma560; }
