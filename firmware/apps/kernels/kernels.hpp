@@ -38,6 +38,9 @@ AXIAL_KERNEL(jacobian)
 AXIAL_KERNEL(closed_form)
 AXIAL_KERNEL(inverse_dynamics_derivatives)
 AXIAL_KERNEL(forward_dynamics_derivatives)
+AXIAL_KERNEL(inverse_dynamics_along)
+AXIAL_KERNEL(forward_dynamics_along)
+AXIAL_KERNEL(torque_regressor)
 AXIAL_KERNEL(forward_dynamics_articulated_body)
 AXIAL_KERNEL(forward_dynamics_split_articulated_body)
 AXIAL_KERNEL(forward_dynamics_composite_body)
@@ -75,9 +78,15 @@ class Kernels {
 #endif
   }
 
-  /// The routes of forward dynamics that it does not take by itself, in float: it has its row.
+  /// Those without a row, in float: what a direction or a parameter changes, and the routes of forward dynamics that it
+  /// does not take by itself.
   template <class Visit>
-  static void for_each_other_route(Visit visit) {
+  static void for_each_without_row(Visit visit) {
+#ifdef AXIAL_DERIVATIVES
+    visit(Kernel{"inverse_dynamics_along", code::inverse_dynamics_along<float>(), 2 * n});
+    visit(Kernel{"forward_dynamics_along", code::forward_dynamics_along<float>(), n});
+    visit(Kernel{"torque_regressor", code::torque_regressor<float>(), 10 * n});
+#endif
     if constexpr (!is_route<ArticulatedBody>)
       visit(Kernel{"articulated_body", code::forward_dynamics_articulated_body<float>(), n});
     if constexpr (!is_route<SplitArticulatedBody>)

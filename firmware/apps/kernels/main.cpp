@@ -132,7 +132,7 @@ void print_range(const Kernel& kernel) {
 void print_ranges() {
   print_range(Kernels<float>::torque());
   Kernels<float>::for_each(print_range);
-  Kernels<float>::for_each_other_route(print_range);
+  Kernels<float>::for_each_without_row(print_range);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 set(kernels inverse_dynamics torque_by_separation bias gravity mass_matrix forward_dynamics forward_kinematics jacobian)
 set(kernels_of_scara closed_form)
 set(derivatives inverse_dynamics_derivatives forward_dynamics_derivatives)
+set(products inverse_dynamics_along forward_dynamics_along torque_regressor)
 set(routes forward_dynamics_articulated_body forward_dynamics_split_articulated_body forward_dynamics_composite_body)
 
 # add_to_image(<robot> <numbers> <algorithm>...): the units of bare, unrolled kernels
@@ -31,7 +32,7 @@ foreach(robot joints IN ZIP_LISTS AXIAL_MATRIX_ROBOTS AXIAL_MATRIX_JOINTS)
     add_to_image(${robot} float ${kernels} ${kernels_of_${robot}} ${routes})
     if(flash_bytes GREATER_EQUAL 1048576)
       list(APPEND kernels_of_${robot} ${derivatives})
-      add_to_image(${robot} float ${derivatives})
+      add_to_image(${robot} float ${derivatives} ${products})
       target_compile_definitions(kernels-${robot} PRIVATE AXIAL_DERIVATIVES=1)
     endif()
     math(EXPR bytes_in_double "40 * 1024 * ${joints}")

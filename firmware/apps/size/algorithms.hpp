@@ -139,6 +139,37 @@ struct forward_dynamics_derivatives {
   }
 };
 
+/// The torque and its change along a direction of the argument's own numbers: they cost what others would.
+struct inverse_dynamics_along {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return axial::inverse_dynamics_along<S>(a.q, a.qd, a.qdd, {a.qdd, a.q, a.qd}, inputs_of<S>(a));
+  }
+};
+
+/// The accelerations and their change, likewise.
+struct forward_dynamics_along {
+  template <class S, class A>
+  static auto run(const A& a) {
+    return axial::forward_dynamics_along<S>(a.q, a.qd, a.tau, {a.qdd, a.q, a.qd}, inputs_of<S>(a));
+  }
+};
+
+/// All columns, each times the speeds: what power a unit of its parameter takes.
+struct torque_regressor {
+  template <class S, class A>
+  static auto run(const A& a) {
+    const auto y = axial::torque_regressor<S>(a.q, a.qd, a.qdd, inputs_of<S>(a));
+    struct {
+      typename A::Number of[decltype(y)::columns];
+    } powers{};
+    for (int column = 0; column < y.columns; ++column)
+      for (int i = 0; i < y.size; ++i)
+        powers.of[column] = powers.of[column] + y(i, column) * a.qd[i];
+    return powers;
+  }
+};
+
 struct forward_kinematics {
   template <class S, class A>
   static auto run(const A& a) {
