@@ -29,6 +29,14 @@ struct Mixed {
       body(revolute().branch(0.4, 0.1).alpha_deg(90).a(0.05).d(0.2), 0.75).viscous(0.25),
       body(prismatic().alpha_deg(53).a(0.1), 0.5), body(revolute().alpha_deg(-37).d(0.1), 0.3));
 };
+struct Floating {
+  static constexpr auto chain = [] {
+    auto chain = Mixed::chain;
+    chain.base_body = base_body().mass(12.0).com(0.125, -0.0625, 0.25).inertia_com(1.5, 2.25, 1.75).parameters();
+    chain.has_base_body = true;
+    return chain;
+  }();
+};
 using Values = Joints<Mixed, double>;
 constexpr Values q{0.4, -1.1, 0.3, 0.8, -0.2, 1.3}, qd{0.7, -0.9, 0.5, 1.1, 0.4, -0.6},
     x{1.0, -2.0, 0.5, 1.5, -1.0, 2.0}, dq{0.5, 1.25, -0.75, 0.25, 1.0, -1.5}, dqd{-1.0, 0.5, 0.75, 1.5, -0.25, 0.5},
@@ -117,6 +125,20 @@ TEST(Along, InverseDynamicsHasItsSlopeInTheLoopedForm) { expect_inverse<Full::Co
 TEST(Along, InverseDynamicsHasItsSlopeOnABaseThatMoves) {
   expect_inverse<Named<Gravity, BaseMotion>::Unrolled>();
   expect_inverse<Named<Gravity, BaseMotion, Payload>::Compact>();
+}
+TEST(Along, ABaseThatFloatsIsOneThatMovesAsItIsTold) {
+  using S = Scene<Floating, RuntimeGravity, FloatingBase>;
+  using Told = Scene<Mixed, RuntimeGravity, BaseMotion>;
+  const auto at = [](const Values& v) { return Joints<Floating, double>{v[0], v[1], v[2], v[3], v[4], v[5]}; };
+  const auto floating = inverse_dynamics_along<S>(at(q), at(qd), at(x), {at(dq), at(dqd), at(dx)}, inputs<S>());
+  const auto told = inverse_dynamics_along<Told>(q, qd, x, {dq, dqd, dx}, inputs<Told>());
+  const auto y = torque_regressor<S>(at(q), at(qd), at(x), inputs<S>());
+  const auto y_told = torque_regressor<Told>(q, qd, x, inputs<Told>());
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_NEAR(floating.dtau[i], told.dtau[i], 1e-12);
+    for (int column = 0; column < y.columns; ++column)
+      EXPECT_EQ(y(i, column), y_told(i, column));
+  }
 }
 TEST(Along, ForwardDynamicsHasItsSlope) { expect_forward<Full::Unrolled>(); }
 TEST(Along, ForwardDynamicsHasItsSlopeInTheLoopedForm) { expect_forward<Full::Compact>(); }
