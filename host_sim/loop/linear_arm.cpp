@@ -40,10 +40,10 @@ void fill(Dense& into, int row, int column, int n, const Matrix& from) {
 
 /// d/dt (q, qd, tau) = rates (q, qd, tau), tau held.
 Dense rates(const simulation::Model& model, const SetPoint& at, const Values& tau) {
-  const int n = model.size();
+  const int n = model.size(), all = 3 * n;
   const auto d = axial::forward_dynamics_derivatives(model, values_of(at.q), values_of(at.qd), tau);
   if (!d.qdd.status.met()) throw std::runtime_error("the arm has no accelerations there");
-  Dense F = Dense::Zero(3 * n, 3 * n);
+  Dense F = Dense::Zero(all, all);
   F.block(0, n, n, n).setIdentity();
   fill(F, n, 0, n, d.dqdd_dq), fill(F, n, n, n, d.dqdd_dqd), fill(F, n, 2 * n, n, d.M_inverse);
   return F;

@@ -12,7 +12,9 @@ namespace host_sim::loop {
 struct Table2 {
   int rows = 0, columns = 0;
   std::vector<double> values;
-  double operator()(int i, int j) const { return values[static_cast<std::size_t>(i * columns + j)]; }
+  double operator()(int i, int j) const {
+    return values[static_cast<std::size_t>(i) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(j)];
+  }
 };
 
 /// dx' = A dx + B du a tick later, for small deviations dx of x = (q, qd) from the motion and du of the efforts that it
