@@ -52,8 +52,8 @@ constexpr void need_all(const Separated<S, Counting>& result) {
   need(result.G);
 }
 
-template <class S>
-constexpr void need_all(const JointMatrix<S, Counting>& result) {
+template <class S, class By>
+constexpr void need_all(const JointMatrix<S, Counting, By>& result) {
   need(result.values);
 }
 template <class S, class... Wanted>

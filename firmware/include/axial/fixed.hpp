@@ -23,6 +23,8 @@
 #include <axial/fixed/control/payload_words.hpp>
 #include <axial/fixed/control/tracking.hpp>
 #include <axial/fixed/dynamics/certified_forward_dynamics.hpp>
+#include <axial/fixed/dynamics/derivative_error.hpp>
+#include <axial/fixed/dynamics/derivatives.hpp>
 #include <axial/fixed/dynamics/forward_dynamics.hpp>
 #include <axial/fixed/dynamics/inverse_dynamics.hpp>
 #include <axial/fixed/dynamics/kinematics.hpp>

@@ -1,6 +1,7 @@
 // How the axes of joints move: what derivatives of inverse dynamics need besides the links' motions.
 #pragma once
 
+#include <axial/dynamics/derivative_quantities.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
 
 #include <axial/options/begin.hpp>
@@ -26,21 +27,47 @@ struct AxisFrame {
 template <class W, class V, class A, class U>
 AxisFrame(W, V, A, U) -> AxisFrame<W, V, A, U>;
 
-/// Behind the x-screw of a link, from the motion of its parent and the velocity of the parent's origin.
-template <class X, class M, class V>
-AXIAL_INLINE constexpr auto axis_frame(const X& x, const M& parent, const V& velocity) {
-  return AxisFrame{to_child(x, parent.w), to_child(x, velocity + cross(parent.w, translation(x))),
-                   to_child(x, parent.a + parent.u * translation(x)), to_child(x, parent.u * axis_in_parent(x))};
+/// by_parent(axis) where the joint's axis is one of the parent's, known to the compiler, else by_link().
+template <class Axis, class ByParent, class ByLink>
+AXIAL_INLINE constexpr auto axis_column(const Axis& axis, const ByParent& by_parent, const ByLink& by_link) {
+  if constexpr (is_structural_vector<Axis>)
+    return by_parent(axis);
+  else
+    return by_link();
+}
+/// U's third column: how points of the z axis accelerate, relative to one another.
+template <class U>
+AXIAL_INLINE constexpr auto third_column(const U& u) {
+  return Vec3{u.x.z, u.y.z, u.z.z};
+}
+
+/// Behind the x-screw of a link, from the motion of its parent and the velocity of the parent's origin. The joint does
+/// not change how points of its axis accelerate: where the axis is one of the parent's, that is a column of the
+/// parent's U, else the link's own is turned back.
+template <class Link, class Screw, class P, class V, class M>
+AXIAL_INLINE constexpr auto axis_frame(const Link& link, const Screw& screw, const P& parent, const V& velocity,
+                                       const M& own) {
+  using namespace quantity;
+  auto x = link.x();
+  auto column = axis_column(
+      axis_in_parent(x), [&](const auto& axis) AXIAL_INLINE { return to_child(x, parent.u * axis); },
+      [&]() AXIAL_INLINE { return to_parent(screw, third_column(own.u)); });
+  auto v = link.sum(LinearVelocity{}, velocity, cross(parent.w, translation(x)));
+  auto a = link.sum(LinearAcceleration{}, parent.a, parent.u * translation(x));
+  return AxisFrame{to_child(x, parent.w), to_child(x, v), to_child(x, a), column};
 }
 
 /// Velocity of a link's origin in its own axes, m/s.
-template <class Joint, class Screw, class F, class M, class V>
-AXIAL_INLINE constexpr auto origin_velocity(Joint, const Screw& screw, const F& frame, const M& motion, const V& qd) {
-  auto turned = to_child(screw, frame.v) + cross_z(motion.w, screw.shift);
-  if constexpr (std::is_same_v<Joint, Prismatic>)
-    return turned + along_z(qd);
-  else
-    return turned;
+template <class Link, class Screw, class F, class M, class V>
+AXIAL_INLINE constexpr auto origin_velocity(Revolute, const Link& link, const Screw& screw, const F& frame,
+                                            const M& motion, const V&) {
+  return link.sum(quantity::LinearVelocity{}, to_child(screw, frame.v), cross_z(motion.w, screw.shift));
+}
+/// Of a prismatic joint, which moves along its axis.
+template <class Link, class Screw, class F, class M, class V>
+AXIAL_INLINE constexpr auto origin_velocity(Prismatic, const Link& link, const Screw& screw, const F& frame,
+                                            const M& motion, const V& qd) {
+  return link.sum(quantity::LinearVelocity{}, to_child(screw, frame.v), cross_z(motion.w, screw.shift), along_z(qd));
 }
 
 /// The same the other way round: velocity of the axis' frame from that of the link's origin.
@@ -67,11 +94,17 @@ struct Passage {
 template <class F, class V>
 Passage(F, V) -> Passage<F, V>;
 
+/// Whether what the compiler knows of the first links may be left out. Where ranges are proved, the proof is of the
+/// same for all links.
+template <class Links>
+inline constexpr bool knows_first_links =
+    Links::unrolled && !std::decay_t<decltype(std::declval<const Links&>().link(Index<0>{}))>::ranged;
+
 /// Whether velocities are taken relative to where the origin of link 1 is at the moment, for more of them are zero
 /// then: of a chain that the compiler knows. Nothing that is computed depends on it (Galilei).
 template <class Links>
 constexpr bool rests_at_link_1() {
-  bool serial = Links::unrolled && Links::capacity > 1;
+  bool serial = knows_first_links<Links> && Links::capacity > 1;
   if constexpr (Links::unrolled)
     for (int i = 0; i < Links::capacity; ++i)
       serial = serial && Links::parent_index(i) == i - 1;
@@ -79,9 +112,10 @@ constexpr bool rests_at_link_1() {
 }
 
 /// Of link 1 at rest.
-template <class Link, class Screw, class M, class V>
-AXIAL_INLINE constexpr auto passage_at_rest(const Link& link, const Screw& screw, const M& parent, const V& qd) {
-  auto frame = axis_frame(link.x(), parent, ZeroVec3{});
+template <class Link, class Screw, class P, class M, class V>
+AXIAL_INLINE constexpr auto passage_at_rest(const Link& link, const Screw& screw, const P& parent, const M& own,
+                                            const V& qd) {
+  auto frame = axis_frame(link, screw, parent, ZeroVec3{}, own);
   return link.on_joint([&](auto joint) AXIAL_INLINE {
     auto v = axis_velocity(joint, screw, frame, ZeroVec3{}, qd);
     return Passage{AxisFrame{frame.w, v, frame.a, frame.column}, ZeroVec3{}};
@@ -90,25 +124,24 @@ AXIAL_INLINE constexpr auto passage_at_rest(const Link& link, const Screw& screw
 /// Of a joint on the base that the compiler knows: its link's own frame, so that nothing is carried any farther.
 template <class M, class V>
 AXIAL_INLINE constexpr auto passage_of_root(const M& motion, const V& origin) {
-  const auto& u = motion.u;
-  return Passage{AxisFrame{motion.w, origin, motion.a, Vec3{u.x.z, u.y.z, u.z.z}}, origin};
+  return Passage{AxisFrame{motion.w, origin, motion.a, third_column(motion.u)}, origin};
 }
 /// Whether the joint's frame is that of its link, not the one behind the x-screw.
 template <class Links, class I>
 AXIAL_INLINE constexpr auto is_known_root(I) {
-  if constexpr (Links::unrolled)
+  if constexpr (knows_first_links<Links>)
     return std::bool_constant<(Links::template parent_of<I::value> < 0)>{};
   else
     return std::false_type{};
 }
 /// From a link's frame to that of its joint.
-template <class Links, class Screws, class I, class X>
-AXIAL_INLINE constexpr auto to_axis(const Links&, const Screws& screws, I i, const X& x) {
+template <class Links, class Screws, class I, class X, class... Rounder>
+AXIAL_INLINE constexpr auto to_axis(const Links&, const Screws& screws, I i, const X& x, const Rounder&... round) {
   using axial::to_parent;
   if constexpr (decltype(is_known_root<Links>(i))::value)
     return x;
   else
-    return to_parent(screws[i], x);
+    return to_parent(screws[i], x, round...);
 }
 
 /// Those of all links, from the base outwards.
@@ -117,32 +150,36 @@ AXIAL_INLINE constexpr auto passages(const Links& links, const Input& in, const 
                                      const V& qd) {
   auto next = [&](auto i, const auto& parent, const auto& velocity) AXIAL_INLINE {
     auto link = links.link(i);
-    auto frame = axis_frame(link.x(), parent, velocity);
+    auto frame = axis_frame(link, screws[i], parent, velocity, motions[i]);
     return link.on_joint([&](auto joint) AXIAL_INLINE {
-      return link.shape(Passage{frame, origin_velocity(joint, screws[i], frame, motions[i], qd[i])});
+      return link.shape(Passage{frame, origin_velocity(joint, link, screws[i], frame, motions[i], qd[i])});
     });
   };
   auto base = rnea::base(links, in);
+  auto still = no_motion(links);
   if constexpr (Links::unrolled) {
     const Index<1> resting;
-    auto rest = [&](auto i)
-                    AXIAL_INLINE { return passage_at_rest(links.link(i), screws[i], motions[Index<0>{}], qd[i]); };
-    return outward(links, Passage{ZeroVec3{}, ZeroVec3{}}, [&](auto i, const auto& parent) AXIAL_INLINE {
+    auto rest = [&](auto i) AXIAL_INLINE {
+      return passage_at_rest(links.link(i), screws[i], motions[Index<0>{}], motions[i], qd[i]);
+    };
+    return outward(links, Passage{still, still}, [&](auto i, const auto& parent) AXIAL_INLINE {
       constexpr int of = Links::template parent_of<decltype(i)::value>;
       if constexpr (rests_at_link_1<Links>() && decltype(i)::value == 1) {
         return rest(i);
       } else if constexpr (rests_at_link_1<Links>() && of < 0) {
         auto x = links.link(resting).x();
         return passage_of_root(motions[i], to_parent(x, rest(resting).frame.v) - cross(motions[i].w, translation(x)));
-      } else if constexpr (of < 0) {
+      } else if constexpr (knows_first_links<Links> && of < 0) {
         return passage_of_root(motions[i], next(i, base, parent.origin).origin);
+      } else if constexpr (of < 0) {
+        return next(i, base, parent.origin);
       } else {
         return next(i, motions[Index<of>{}], parent.origin);
       }
     });
   } else {
     using Dense = typename Links::Dense;
-    const Passage root{axis_frame(links.link(0).x(), base, ZeroVec3{}), ZeroVec3{}};  // of which the origin is read
+    const Passage root{AxisFrame{still, still, still, still}, still};  // of which the origin is read
     return outward(links, root, [&](auto i, const auto& parent) AXIAL_INLINE {
       const int of = links.parent_index(i);
       return next(i, of < 0 ? base.template dense<Dense>() : motions[of], parent.origin);
@@ -171,18 +208,24 @@ template <class U>
 AXIAL_INLINE constexpr auto across(const U& u) {
   return Vec3{u.y, -u.x, Zero{}};
 }
+/// 2 x of a vector.
+template <class X, class Y, class Z>
+AXIAL_INLINE constexpr auto doubled(const Vec3<X, Y, Z>& v) {
+  return Vec3{twice(v.x), twice(v.y), twice(v.z)};
+}
 /// Of a revolute joint.
-template <class F>
-AXIAL_INLINE constexpr auto axis_motion(Revolute, const F& frame) {
+template <class Link, class F>
+AXIAL_INLINE constexpr auto axis_motion(Revolute, const Link& link, const F& frame) {
   const MotionVector first{across(frame.w), across(frame.v)};
-  const auto doubled = first + first;
-  return AxisMotion{first, doubled, MotionVector{frame.column, across(frame.a) + cross(frame.v, doubled.angular)}};
+  const MotionVector twofold{doubled(first.angular), doubled(first.linear)};
+  auto second = link.sum(quantity::AxisAcceleration{}, across(frame.a), cross(frame.v, twofold.angular));
+  return AxisMotion{first, twofold, MotionVector{frame.column, second}};
 }
 /// Of a prismatic joint, whose axis only turns.
-template <class F>
-AXIAL_INLINE constexpr auto axis_motion(Prismatic, const F& frame) {
+template <class Link, class F>
+AXIAL_INLINE constexpr auto axis_motion(Prismatic, const Link&, const F& frame) {
   const MotionVector first{ZeroVec3{}, across(frame.w)};
-  return AxisMotion{first, first + first, MotionVector{ZeroVec3{}, frame.column}};
+  return AxisMotion{first, MotionVector{ZeroVec3{}, doubled(first.linear)}, MotionVector{ZeroVec3{}, frame.column}};
 }
 
 }  // namespace derivatives

@@ -30,14 +30,32 @@ AXIAL_INLINE constexpr auto operator+(const Subtree<A, B, C>& a, const Subtree<D
   return Subtree{a.body + b.body, a.flow + b.flow, a.force + b.force};
 }
 
-/// About the parent's frame, in its axes.
-template <class Axis, class C, class S, class L, class Turn, class B, class W, class F>
-AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Subtree<B, W, F>& t) {
+/// About the parent's frame, in its axes: without step A of the congruence, where nothing asks for one rounding.
+template <class Axis, class C, class S, class L, class Turn, class M, class H, class J, class Rounder>
+AXIAL_INLINE constexpr auto carried_body(const AxialScrew<Axis, C, S, L, Turn>& x, const RigidInertia<M, H, J>& body,
+                                         const Rounder& round) {
   using axial::to_parent;
-  const RigidInertia turned{t.body.mass, to_parent(x, t.body.first_moment),
-                            Axis::out(detail::turned_tensor(x, Axis::in(t.body.inertia)))};
-  const AxialScrew<Axis, One, Zero, L> shift{One{}, Zero{}, x.shift};
-  return Subtree{to_parent(shift, turned), to_parent(x, t.flow), to_parent(x, t.force)};
+  if constexpr (Rounder::ranged) {
+    return to_parent(x, body, round);
+  } else {
+    const RigidInertia turned{body.mass, to_parent(x, body.first_moment),
+                              Axis::out(detail::turned_tensor(x, Axis::in(body.inertia)))};
+    const AxialScrew<Axis, One, Zero, L> shift{One{}, Zero{}, x.shift};
+    return to_parent(shift, turned);
+  }
+}
+/// Of a body that is known by other than its entries.
+template <class Screw, class B, class Rounder>
+AXIAL_INLINE constexpr auto carried_body(const Screw& x, const B& body, const Rounder& round) {
+  using axial::to_parent;
+  return to_parent(x, body, round);
+}
+/// A subtree, likewise.
+template <class Axis, class C, class S, class L, class Turn, class B, class W, class F, class Rounder = Plain>
+AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Subtree<B, W, F>& t,
+                                      const Rounder& round = {}) {
+  using axial::to_parent;
+  return Subtree{carried_body(x, t.body, round), to_parent(x, t.flow, round), to_parent(x, t.force, round)};
 }
 
 /// Force that gives a rigid body the motion m about its frame, without products of speeds: I m.
@@ -76,18 +94,26 @@ template <class F, class B, class U, class T>
 Columns(F, B, U, T) -> Columns<F, B, U, T>;
 
 /// Of a joint, from its axis' motion and what it carries.
-template <class Joint, class S, class M>
-AXIAL_INLINE constexpr auto columns_of(Joint joint, const S& carried, const M& axis) {
-  return Columns{crba::unit_force(joint, carried.body), joint_row(joint, carried.flow),
-                 unit_flow_force(joint, carried.flow) + inertial_force(carried.body, axis.doubled),
-                 flow_force(carried.flow, axis.first.angular) + inertial_force(carried.body, axis.second) +
-                     turned_force(joint, carried.force)};
+template <class Joint, class Link, class S, class M>
+AXIAL_INLINE constexpr auto columns_of(Joint joint, const Link& link, const S& carried, const M& axis) {
+  using namespace quantity;
+  using crba::unit_force;
+  auto speed = sum_of<FlowMoment, FlowMomentum>(link, unit_flow_force(joint, carried.flow),
+                                                inertial_force(carried.body, axis.doubled));
+  auto position = sum_of<PositionMoment, PositionForce>(link, flow_force(carried.flow, axis.first.angular),
+                                                        inertial_force(carried.body, axis.second),
+                                                        turned_force(joint, carried.force));
+  return Columns{unit_force(joint, carried.body), joint_row(joint, carried.flow), speed, position};
 }
 /// One screw farther in.
-template <class Axis, class C, class S, class L, class Turn, class F, class B, class U, class T>
-AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Columns<F, B, U, T>& c) {
+template <class Axis, class C, class S, class L, class Turn, class F, class B, class U, class T, class Rounder = Plain>
+AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Columns<F, B, U, T>& c,
+                                      const Rounder& round = {}) {
   using axial::to_parent;
-  return Columns{to_parent(x, c.acceleration), to_parent(x, c.row), to_parent(x, c.speed), to_parent(x, c.position)};
+  using namespace quantity;
+  return Columns{to_parent(x, c.acceleration, as_forces<UnitMoment, UnitForce>(round)), to_parent(x, c.row),
+                 to_parent(x, c.speed, as_forces<FlowMoment, FlowMomentum>(round)),
+                 to_parent(x, c.position, as_forces<PositionMoment, PositionForce>(round))};
 }
 
 /// Power of a force on a motion.
@@ -124,15 +150,17 @@ AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, cons
     constexpr int parent = Links::template parent_of<J::value>;
     if constexpr (parent >= 0) {
       const Index<parent> i;
-      auto carried = to_axis(links, screws, i, to_parent(links.link(j).x(), columns));
-      links.link(i).on_joint([&](auto joint) AXIAL_INLINE { write_pair(joint, k, i, carried, axes[i], out); });
+      auto link = links.link(i);
+      auto carried = to_axis(links, screws, i, to_parent(links.link(j).x(), columns, link), link);
+      link.on_joint([&](auto joint) AXIAL_INLINE { write_pair(joint, k, i, carried, axes[i], out); });
       climb(links, screws, axes, carried, k, i, out);
     }
   } else {
     auto carried = columns;
     for (int from = j, i = links.parent_index(from); i >= 0; from = i, i = links.parent_index(from)) {
-      carried = links.link(i).shape(to_parent(screws[i], to_parent(links.link(from).x(), carried)));
-      links.link(i).on_joint([&](auto joint) { write_pair(joint, k, i, carried, axes[i], out); });
+      auto link = links.link(i);
+      carried = link.shape(to_parent(screws[i], to_parent(links.link(from).x(), carried, link), link));
+      link.on_joint([&](auto joint) { write_pair(joint, k, i, carried, axes[i], out); });
     }
   }
 }

@@ -7,8 +7,14 @@
 
 namespace axial {
 
-/// N x N matrix with an entry for each pair of joints, row by row.
-template <class S, class T>
+/// By what efforts or accelerations are derived.
+namespace by {
+struct Position {};  ///< q
+struct Velocity {};  ///< qd
+}  // namespace by
+
+/// N x N matrix with an entry for each pair of joints, row by row: (i, j) is the derivative of joint i's by joint j's.
+template <class S, class T, class By>
 struct JointMatrix {
   static constexpr int size = joint_count<S>;  ///< number of joints
   T values[size * size] = {};                  ///< row by row
@@ -16,11 +22,16 @@ struct JointMatrix {
   AXIAL_INLINE constexpr T& operator()(int i, int j) { return values[i * size + j]; }  ///< entry (i, j)
   /// Entry (i, j).
   AXIAL_INLINE constexpr const T& operator()(int i, int j) const { return values[i * size + j]; }
+  /// Sets entry (i, j); structural zeros become numbers.
+  template <class V>
+  AXIAL_INLINE constexpr void set(int i, int j, const V& value) {
+    values[i * size + j] = static_cast<T>(value);
+  }
 };
 
 /// Of a scene.
-template <class S, class T>
-using JointMatrixOf = JointMatrix<subject_of<S, T>, T>;
+template <class S, class T, class By>
+using JointMatrixOf = JointMatrix<subject_of<S, T>, T, By>;
 
 /// Results that are wanted: a member for each.
 template <class S, class T, class... Wanted>
@@ -50,14 +61,14 @@ struct with_position_jacobian {
   /// Its member.
   template <class S, class T>
   struct Result {
-    JointMatrixOf<S, T> dtau_dq{};  ///< (i, j) = d tau_i / d q_j: N m/rad, N m/m, N/rad or N/m
+    JointMatrixOf<S, T, by::Position> dtau_dq{};  ///< (i, j) = d tau_i / d q_j: N m/rad, N m/m, N/rad or N/m
   };
 };
 struct with_velocity_jacobian {
   /// Its member.
   template <class S, class T>
   struct Result {
-    JointMatrixOf<S, T> dtau_dqd{};  ///< (i, j) = d tau_i / d qd_j: N m s/rad and so on
+    JointMatrixOf<S, T, by::Velocity> dtau_dqd{};  ///< (i, j) = d tau_i / d qd_j: N m s/rad and so on
   };
 };
 ///@}
@@ -72,15 +83,15 @@ struct InverseDynamicsDerivatives<S, T>
 
 namespace derivatives {
 
-/// Where the algorithm writes entries: into what was asked for.
-template <class Result>
+/// Where the algorithm over `Links` writes entries: into what was asked for.
+template <class Links, class Result>
 struct Entries {
   Result& result;  ///< referred to
 
   /// tau_i, N m or N
   template <class I, class X>
   AXIAL_INLINE constexpr void effort(I i, const X& x) {
-    if constexpr (Result::template has<with_efforts>) set(result.tau[i], x);
+    if constexpr (Result::template has<with_efforts>) Links::write(result.tau, i, x);
   }
   /// M(i, j)
   template <class I, class J, class X>
@@ -90,28 +101,21 @@ struct Entries {
   /// d tau_i / d q_j
   template <class I, class J, class X>
   AXIAL_INLINE constexpr void position(I i, J j, const X& x) {
-    if constexpr (Result::template has<with_position_jacobian>) set(result.dtau_dq(i, j), x);
+    if constexpr (Result::template has<with_position_jacobian>) result.dtau_dq.set(i, j, x);
   }
   /// d tau_i / d qd_j
   template <class I, class J, class X>
   AXIAL_INLINE constexpr void velocity(I i, J j, const X& x) {
-    if constexpr (Result::template has<with_velocity_jacobian>) set(result.dtau_dqd(i, j), x);
-  }
-
- private:
-  template <class T, class X>
-  AXIAL_INLINE static constexpr void set(T& entry, const X& x) {
-    entry = static_cast<T>(x);
+    if constexpr (Result::template has<with_velocity_jacobian>) result.dtau_dqd.set(i, j, x);
   }
 };
 
 }  // namespace derivatives
 namespace detail {
 
-// Scenes and numbers that derivatives are offered for.
-template <class Scene, class T>
+// Scenes that derivatives are offered for.
+template <class Scene>
 constexpr void check_derivable() {
-  static_assert(is_number_v<T>, "axial: derivatives have no formats in fixed point; compute them in float");
   static_assert(!Scene::template has<BaseMotion> && !Scene::template has<FloatingBase>,
                 "axial: derivatives are those of a base at rest; take BaseMotion and FloatingBase out of the scene");
   static_assert(!Scene::template has<Underwater>, "axial: derivatives have no water; take Underwater out of the scene");

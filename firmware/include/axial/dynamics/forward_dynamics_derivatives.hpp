@@ -22,14 +22,14 @@ struct with_acceleration_by_position {
   /// Its member.
   template <class S, class T>
   struct Result {
-    JointMatrixOf<S, T> dqdd_dq{};  ///< (i, j) = d qdd_i / d q_j, at given efforts
+    JointMatrixOf<S, T, by::Position> dqdd_dq{};  ///< (i, j) = d qdd_i / d q_j, at given efforts
   };
 };
 struct with_acceleration_by_velocity {
   /// Its member.
   template <class S, class T>
   struct Result {
-    JointMatrixOf<S, T> dqdd_dqd{};  ///< (i, j) = d qdd_i / d qd_j, at given efforts
+    JointMatrixOf<S, T, by::Velocity> dqdd_dqd{};  ///< (i, j) = d qdd_i / d qd_j, at given efforts
   };
 };
 ///@}
@@ -117,7 +117,7 @@ AXIAL_INLINE constexpr void solve_and_factor(const Links& links, const Input& in
   using T = typename Links::Scalar;
   using Robot = typename Links::Scene::Robot;
   InverseDynamicsDerivatives<Robot, T, with_efforts, with_mass_matrix> at_rest{};
-  Entries<decltype(at_rest)> entries{at_rest};
+  Entries<Links, decltype(at_rest)> entries{at_rest};
   run(links, in, q, qd, NoMotion{}, entries);
   for_each_link(links, [&](auto i) AXIAL_INLINE { qdd[i] = tau[i] - at_rest.tau[i]; });
   factors.m = at_rest.M;
@@ -137,7 +137,7 @@ AXIAL_INLINE constexpr void run_forward(const Links& links, const Input& in, con
   Factors<MassMatrix<Robot, T>, T, Links::capacity> factors;
   solve_and_factor(links, in, q, qd, tau, result.qdd, factors);
   InverseDynamicsDerivatives<Robot, T, with_position_jacobian, with_velocity_jacobian> slopes{};
-  Entries<decltype(slopes)> entries{slopes};
+  Entries<Links, decltype(slopes)> entries{slopes};
   run(links, in, q, qd, result.qdd, entries);
   if constexpr (Result::template has<with_acceleration_by_position>) {
     result.dqdd_dq = slopes.dtau_dq;
@@ -163,7 +163,9 @@ template <class S, class... Wanted, class T>
 [[nodiscard]] constexpr ForwardDynamicsDerivatives<S, T, Wanted...> forward_dynamics_derivatives(
     const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,
     const Inputs<S, T>& in = {}) {
-  detail::check_derivable<scene_of<S>, T>();
+  detail::check_derivable<scene_of<S>>();
+  static_assert(is_number_v<T>,
+                "axial: derivatives of forward dynamics have no formats in fixed point; compute them in float");
   static_assert(
       every_joint_is_resisted<S>(),
       "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "
@@ -179,7 +181,7 @@ template <class... Wanted, int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr ForwardDynamicsDerivatives<M, T, Wanted...> forward_dynamics_derivatives(
     const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd, const Efforts<M, T>& tau,
     const Inputs<M, T>& in = {}) {
-  detail::check_derivable<scene_of<M>, T>();
+  detail::check_derivable<scene_of<M>>();
   ForwardDynamicsDerivatives<M, T, Wanted...> result{};
   const auto links = model.template links<T>();
   const auto asked = detail::collected_request(links, in, q, qd);

@@ -18,10 +18,12 @@ AXIAL_INLINE constexpr auto own_part(const Links& links, const Input& in, const 
   auto link = links.link(i);
   auto body = loads.body(link);
   auto force = rnea::own_force(links, in, motions, water, i);
+  auto flow = [&](const auto& moments)
+                  AXIAL_INLINE { return mass_flow(link, moments, motions[i].w, passages[i].origin); };
   if constexpr (Links::Scene::template has<Payload>)
-    return link.shape(Subtree{body, mass_flow(doubled_moments(body), motions[i].w, passages[i].origin), force});
+    return link.shape(Subtree{link.formatted(body), flow(doubled_moments(body)), force});
   else
-    return link.shape(Subtree{body, mass_flow(doubled_moments(link), motions[i].w, passages[i].origin), force});
+    return link.shape(Subtree{link.formatted(body), flow(doubled_moments(link)), force});
 }
 
 /// The algorithm over any form of links; hands every entry to `out`.
@@ -32,23 +34,33 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
   auto passed = passages(links, in, screws, motions, qd);
   auto axes = map_links(links, [&](auto i) AXIAL_INLINE {
     auto link = links.link(i);
-    return link.on_joint([&](auto joint) AXIAL_INLINE { return link.shape(axis_motion(joint, passed[i].frame)); });
+    return link.on_joint([&](auto joint)
+                             AXIAL_INLINE { return link.shape(axis_motion(joint, link, passed[i].frame)); });
   });
   auto water = immersions(links, in, screws, qd);
   auto own = [&](auto i) AXIAL_INLINE { return own_part(links, in, motions, passed, water, i); };
   inward(links, own, [&](auto i, const auto& carried) AXIAL_INLINE {
     auto link = links.link(i);
-    auto turned = link.shape(to_axis(links, screws, i, carried));
+    auto turned = link.shape(to_axis(links, screws, i, carried, link));
     link.on_joint([&](auto joint) AXIAL_INLINE {
-      auto columns = link.shape(columns_of(joint, turned, axes[i]));
+      auto columns = link.shape(columns_of(joint, link, turned, axes[i]));
       out.effort(i, rnea::joint_effort(links, i, turned.force, q, qd, qdd));
       out.mass(i, i, along_joint(joint, columns.acceleration) + link.rotor());
       out.position(i, i, along_joint(joint, columns.position) + spring_slope(link));
       out.velocity(i, i, along_joint(joint, columns.speed) + friction_slope(link, qd[i]));
       climb(links, screws, axes, columns, i, i, out);
     });
-    return rnea::InwardResult{link.shape(to_parent(link.x(), turned))};
+    return rnea::InwardResult{link.shape(to_parent(link.x(), turned, link.outer()))};
   });
+}
+
+/// The algorithm's results over links, joint values as callers have them.
+template <class Result, class Links, class Input, class Q, class V, class A>
+AXIAL_INLINE constexpr Result results(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd) {
+  Result result{};
+  Entries<Links, Result> entries{result};
+  run(links, in, links.read(q), links.read(qd), links.read(qdd), entries);
+  return result;
 }
 
 }  // namespace derivatives
@@ -67,22 +79,17 @@ template <class S, class... Wanted, class T>
 [[nodiscard]] constexpr InverseDynamicsDerivatives<S, T, Wanted...> inverse_dynamics_derivatives(
     const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const Accelerations<robot_of<S>, T>& qdd,
     const Inputs<S, T>& in = {}) {
-  detail::check_derivable<scene_of<S>, T>();
-  InverseDynamicsDerivatives<S, T, Wanted...> result{};
-  derivatives::Entries<InverseDynamicsDerivatives<S, T, Wanted...>> entries{result};
-  derivatives::run(links_of<S, T, BaseParameters, recursion::Derivatives>(), in, q, qd, qdd, entries);
-  return result;
+  detail::check_derivable<scene_of<S>>();
+  return derivatives::results<InverseDynamicsDerivatives<S, T, Wanted...>>(
+      links_of<S, T, BaseParameters, recursion::Derivatives>(), in, q, qd, qdd);
 }
 /// The same for a run-time model.
 template <class... Wanted, int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr InverseDynamicsDerivatives<M, T, Wanted...> inverse_dynamics_derivatives(
     const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,
     const Inputs<M, T>& in = {}) {
-  detail::check_derivable<scene_of<M>, T>();
-  InverseDynamicsDerivatives<M, T, Wanted...> result{};
-  derivatives::Entries<InverseDynamicsDerivatives<M, T, Wanted...>> entries{result};
-  derivatives::run(model.template links<T>(), in, q, qd, qdd, entries);
-  return result;
+  detail::check_derivable<scene_of<M>>();
+  return derivatives::results<InverseDynamicsDerivatives<M, T, Wanted...>>(model.template links<T>(), in, q, qd, qdd);
 }
 
 }  // namespace axial

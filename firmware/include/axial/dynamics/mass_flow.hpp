@@ -1,6 +1,7 @@
 // How the mass of a body flows past its frame: what Coriolis forces depend on.
 #pragma once
 
+#include <axial/dynamics/derivative_quantities.hpp>
 #include <axial/links/doubled_moments.hpp>
 #include <axial/spatial/branch_screw.hpp>
 
@@ -34,20 +35,22 @@ AXIAL_INLINE constexpr auto operator+(const MassFlow<A, B>& a, const MassFlow<C,
 
 /// Of one body, by twice its moments m, h and s, whose frame moves with w and v: C = (v . h) 1 - v h^T - w x s, P = m v
 /// + w x h.
-template <class M, class H, class S, class W, class V>
-AXIAL_INLINE constexpr auto mass_flow(const DoubledMoments<M, H, S>& body, const W& w, const V& v) {
+template <class Link, class M, class H, class S, class W, class V>
+AXIAL_INLINE constexpr auto mass_flow(const Link& link, const DoubledMoments<M, H, S>& body, const W& w, const V& v) {
+  const quantity::FlowMoment q;
   const auto& h = body.first;
   const auto& s = body.second;
   const auto x = v.x * h.x;
   const auto y = v.y * h.y;
   const auto z = v.z * h.z;
-  return MassFlow{Mat3{Vec3{y + z + (w.z * s.xy - w.y * s.xz), w.z * s.yy - w.y * s.yz - v.x * h.y,
-                            w.z * s.yz - w.y * s.zz - v.x * h.z},
-                       Vec3{w.x * s.xz - w.z * s.xx - v.y * h.x, x + z + (w.x * s.yz - w.z * s.xy),
-                            w.x * s.zz - w.z * s.xz - v.y * h.z},
-                       Vec3{w.y * s.xx - w.x * s.xy - v.z * h.x, w.y * s.xy - w.x * s.yy - v.z * h.y,
-                            x + y + (w.y * s.xz - w.x * s.yz)}},
-                  body.mass * v + cross(w, h)};
+  return MassFlow{
+      Mat3{Vec3{link.sum(q, y + z, w.z * s.xy - w.y * s.xz), link.sum(q, w.z * s.yy - w.y * s.yz, -(v.x * h.y)),
+                link.sum(q, w.z * s.yz - w.y * s.zz, -(v.x * h.z))},
+           Vec3{link.sum(q, w.x * s.xz - w.z * s.xx, -(v.y * h.x)), link.sum(q, x + z, w.x * s.yz - w.z * s.xy),
+                link.sum(q, w.x * s.zz - w.z * s.xz, -(v.y * h.z))},
+           Vec3{link.sum(q, w.y * s.xx - w.x * s.xy, -(v.z * h.x)), link.sum(q, w.y * s.xy - w.x * s.yy, -(v.z * h.y)),
+                link.sum(q, x + y, w.y * s.xz - w.x * s.yz)}},
+      link.sum(quantity::FlowMomentum{}, body.mass * v, cross(w, h))};
 }
 
 namespace detail {
@@ -85,50 +88,67 @@ AXIAL_INLINE constexpr auto turned_tensor(const AxialScrew<Axis, C, S, L, Turn>&
   }
 }
 
+// Rounded once, where ranges are proved: by the double angle, but for quarter turns.
+template <class Axis, class C, class S, class L, class Turn, class M, class Rounder>
+AXIAL_INLINE constexpr auto turned_tensor(const AxialScrew<Axis, C, S, L, Turn>& x, const M& m, const Rounder&) {
+  if constexpr (Rounder::ranged && !is_zero_v<C> && !is_zero_v<S>)
+    return turn(double_angle(x), x, m);
+  else
+    return turned_tensor(x, m);
+}
+// In the format of a mass flow.
+template <class Rounder, class X, class Y, class Z>
+AXIAL_INLINE constexpr auto as_flow(const Rounder& round, const Mat3<X, Y, Z>& m) {
+  const quantity::FlowMoment q;
+  return Mat3{round.sum(q, m.x), round.sum(q, m.y), round.sum(q, m.z)};
+}
+
 }  // namespace detail
 
 /// About the parent's frame, in its axes: the matrix is turned, and P p^T taken from it and P . p added for the shift
 /// p.
-template <class Axis, class C, class S, class L, class Turn, class N, class P>
-AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const MassFlow<N, P>& flow) {
+template <class Axis, class C, class S, class L, class Turn, class N, class P, class Rounder = Plain>
+AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const MassFlow<N, P>& flow,
+                                      const Rounder& round = {}) {
+  const quantity::FlowMoment q;
+  const auto momentum = round.sum(quantity::FlowMomentum{}, to_parent(x, flow.momentum));
   if constexpr (AxialScrew<Axis, C, S, L, Turn>::is_identity) {
-    return flow;
+    return MassFlow{detail::as_flow(round, flow.moment), momentum};
   } else {
-    const auto momentum = to_parent(x, flow.momentum);
-    const auto c = detail::turned_tensor(x, Axis::in(flow.moment));
+    const auto c = detail::as_flow(round, detail::turned_tensor(x, Axis::in(flow.moment), round));
     const auto p = Axis::in(momentum);
     const auto along = x.shift * p.z;
-    const Mat3 shifted{Vec3{c.x.x + along, c.x.y, c.x.z - x.shift * p.x},
-                       Vec3{c.y.x, c.y.y + along, c.y.z - x.shift * p.y}, c.z};
+    const Mat3 shifted{Vec3{round.sum(q, c.x.x, along), c.x.y, round.sum(q, c.x.z, -(x.shift * p.x))},
+                       Vec3{c.y.x, round.sum(q, c.y.y, along), round.sum(q, c.y.z, -(x.shift * p.y))}, c.z};
     return MassFlow{Axis::out(shifted), momentum};
   }
 }
 
 /// Force of a turning rate across the joint's axis, of whose z nothing is read.
-template <class F, class V>
-AXIAL_INLINE constexpr auto flow_force(const F& flow, const V& rate) {
+template <class C, class P, class V>
+AXIAL_INLINE constexpr auto flow_force(const MassFlow<C, P>& flow, const V& rate) {
   const Vec3 a{rate.x, rate.y, Zero{}};
   return ForceVector{flow.moment * a, cross(a, flow.momentum)};
 }
 /// Force of one unit of the joint's rate.
-template <class F>
-AXIAL_INLINE constexpr auto unit_flow_force(Revolute, const F& flow) {
+template <class C, class P>
+AXIAL_INLINE constexpr auto unit_flow_force(Revolute, const MassFlow<C, P>& flow) {
   const auto& c = flow.moment;
   return ForceVector{Vec3{c.x.z, c.y.z, c.z.z}, Vec3{-flow.momentum.y, flow.momentum.x, Zero{}}};
 }
 /// A slide turns nothing.
-template <class F>
-AXIAL_INLINE constexpr auto unit_flow_force(Prismatic, const F&) {
+template <class C, class P>
+AXIAL_INLINE constexpr auto unit_flow_force(Prismatic, const MassFlow<C, P>&) {
   return ForceVector{ZeroVec3{}, ZeroVec3{}};
 }
 /// What turning rates a do along the joint: b . a.
-template <class F>
-AXIAL_INLINE constexpr const auto& joint_row(Revolute, const F& flow) {
+template <class C, class P>
+AXIAL_INLINE constexpr const auto& joint_row(Revolute, const MassFlow<C, P>& flow) {
   return flow.moment.z;
 }
 /// Of a prismatic joint.
-template <class F>
-AXIAL_INLINE constexpr auto joint_row(Prismatic, const F& flow) {
+template <class C, class P>
+AXIAL_INLINE constexpr auto joint_row(Prismatic, const MassFlow<C, P>& flow) {
   return Vec3{flow.momentum.y, -flow.momentum.x, Zero{}};
 }
 

@@ -20,16 +20,6 @@ constexpr BoundedVector x_column(const Rotation& r) {
 }
 ///@}
 
-/// Words of two vectors, multiplied crosswise: two products a component.
-constexpr VectorSum cross(const BoundedVector& u, const BoundedVector& v) {
-  const Ball whole = u.bound.whole * v.bound.whole;
-  VectorSum product{{whole, whole, whole}, {}, {}};
-  if (!(whole.largest() > 0.0)) return product;
-  for (Terms* terms : {&product.across, &product.along})
-    terms->add_product(u.exponent + v.exponent), terms->add_product(u.exponent + v.exponent);
-  return product;
-}
-
 /// A constant pose seen through a pose of words, the tool on the last link: each component of its origin adds three
 /// products of a literal and an entry. Its axes are the caller's to round.
 constexpr BoundedPose operator*(const BoundedPose& frame, const BoundedPose& tool) {

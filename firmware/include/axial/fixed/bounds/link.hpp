@@ -13,6 +13,14 @@
 
 namespace axial::bounds {
 
+namespace detail {
+// Two entries of a matrix' diagonal may have opposite signs, those of an inertia where parameters are regrouped: their
+// difference is what a turn multiplies.
+template <class Quantity>
+inline constexpr double room_for =
+    std::is_same_v<Quantity, quantity::RotationalInertia> || std::is_same_v<Quantity, quantity::FlowMoment> ? 2.0 : 1.0;
+}  // namespace detail
+
 /// Link `index` of a robot in bounds.
 template <class SceneType, int N>
 class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, double> {
@@ -106,11 +114,9 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
       return rounded(quantity, sum);
     }
   }
-  /// Notes a bound that a quantity has to have `room` times as much room for; of lengths the description says more. Two
-  /// entries of an inertia's diagonal may have opposite signs where parameters are regrouped.
+  /// Notes a bound that a quantity has to have `room` times as much room for; of lengths the description says more.
   template <class Quantity>
-  constexpr void note(Quantity, const Ball& bound,
-                      double room = std::is_same_v<Quantity, quantity::RotationalInertia> ? 2.0 : 1.0) const {
+  constexpr void note(Quantity, const Ball& bound, double room = detail::room_for<Quantity>) const {
     if (!noting_ || account_->quiet) return;
     constexpr Place place = place_of(Quantity{});
     if constexpr (!std::is_same_v<Quantity, quantity::Length>) widen(place, room * bound.size);

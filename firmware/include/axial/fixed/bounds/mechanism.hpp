@@ -2,6 +2,7 @@
 // proof.
 #pragma once
 
+#include <axial/dynamics/derivative_quantities.hpp>
 #include <axial/fixed/bounds/split_ball.hpp>
 #include <axial/fixed/bounds/terms.hpp>
 #include <axial/links/link_view.hpp>
@@ -39,6 +40,8 @@ struct LinkRange {
   Ball moment{}, force{};
   Ball rotational_inertia{}, first_moment{}, mass{};
   Ball joint_inertia{}, angular_gain{}, linear_gain{}, joint_effort{}, joint_acceleration{}, length{}, rotation{};
+  Ball linear_velocity{}, axis_acceleration{}, flow_moment{}, flow_momentum{};
+  Ball unit_moment{}, unit_force{}, position_moment{}, position_force{};
   ///@}
   bool turns_across = false;  ///< whether the link turns about more than its joint's axis
   double least = 0.0;         ///< inertia that its joint feels, at least; below it has a status, kg m^2 or kg
@@ -55,6 +58,8 @@ struct LinkFormat {
   int rotational_inertia = 0, first_moment = 0, mass = 0;
   int joint_inertia = 0, angular_gain = 0, linear_gain = 0, joint_effort = 0, joint_acceleration = 0, length = 0,
       gravity = 0;
+  int linear_velocity = 0, axis_acceleration = 0, flow_moment = 0, flow_momentum = 0;
+  int unit_moment = 0, unit_force = 0, position_moment = 0, position_force = 0;
   ///@}
 
   /// The exponent of a quantity.
@@ -74,6 +79,14 @@ struct LinkFormat {
   constexpr int of(quantity::JointAcceleration) const { return joint_acceleration; }
   constexpr int of(quantity::Length) const { return length; }
   constexpr int of(quantity::GravityAcceleration) const { return gravity; }
+  constexpr int of(quantity::LinearVelocity) const { return linear_velocity; }
+  constexpr int of(quantity::AxisAcceleration) const { return axis_acceleration; }
+  constexpr int of(quantity::FlowMoment) const { return flow_moment; }
+  constexpr int of(quantity::FlowMomentum) const { return flow_momentum; }
+  constexpr int of(quantity::UnitMoment) const { return unit_moment; }
+  constexpr int of(quantity::UnitForce) const { return unit_force; }
+  constexpr int of(quantity::PositionMoment) const { return position_moment; }
+  constexpr int of(quantity::PositionForce) const { return position_force; }
   ///@}
 };
 
@@ -92,7 +105,15 @@ inline constexpr int LinkFormat::*all_formats[] = {&LinkFormat::angular_velocity
                                                    &LinkFormat::joint_effort,
                                                    &LinkFormat::joint_acceleration,
                                                    &LinkFormat::length,
-                                                   &LinkFormat::gravity};
+                                                   &LinkFormat::gravity,
+                                                   &LinkFormat::linear_velocity,
+                                                   &LinkFormat::axis_acceleration,
+                                                   &LinkFormat::flow_moment,
+                                                   &LinkFormat::flow_momentum,
+                                                   &LinkFormat::unit_moment,
+                                                   &LinkFormat::unit_force,
+                                                   &LinkFormat::position_moment,
+                                                   &LinkFormat::position_force};
 
 /// One of each a link.
 template <int N>

@@ -55,6 +55,20 @@ constexpr Place place_of(quantity::JointInertia) { return {&LinkFormat::joint_in
 constexpr Place place_of(quantity::JointEffort) { return {&LinkFormat::joint_effort, &LinkRange::joint_effort}; }
 constexpr Place place_of(quantity::GravityAcceleration) { return {&LinkFormat::gravity, &LinkRange::gravity}; }
 constexpr Place place_of(quantity::Length) { return {&LinkFormat::length, &LinkRange::length}; }
+constexpr Place place_of(quantity::LinearVelocity) {
+  return {&LinkFormat::linear_velocity, &LinkRange::linear_velocity};
+}
+constexpr Place place_of(quantity::AxisAcceleration) {
+  return {&LinkFormat::axis_acceleration, &LinkRange::axis_acceleration};
+}
+constexpr Place place_of(quantity::FlowMoment) { return {&LinkFormat::flow_moment, &LinkRange::flow_moment}; }
+constexpr Place place_of(quantity::FlowMomentum) { return {&LinkFormat::flow_momentum, &LinkRange::flow_momentum}; }
+constexpr Place place_of(quantity::UnitMoment) { return {&LinkFormat::unit_moment, &LinkRange::unit_moment}; }
+constexpr Place place_of(quantity::UnitForce) { return {&LinkFormat::unit_force, &LinkRange::unit_force}; }
+constexpr Place place_of(quantity::PositionMoment) {
+  return {&LinkFormat::position_moment, &LinkRange::position_moment};
+}
+constexpr Place place_of(quantity::PositionForce) { return {&LinkFormat::position_force, &LinkRange::position_force}; }
 ///@}
 
 }  // namespace axial::bounds

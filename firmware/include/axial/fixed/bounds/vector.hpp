@@ -181,6 +181,19 @@ constexpr NumberSum axial_product(const BoundedVector& u, const BoundedVector& v
     product.terms.add_product(u.exponent + v.exponent), product.terms.add_product(u.exponent + v.exponent);
   return product;
 }
+/// Words of two vectors, multiplied crosswise: across the axis each part across times the other's along it, along the
+/// axis the parts across; no more than the wholes. Two products a component.
+constexpr VectorSum cross(const BoundedVector& u, const BoundedVector& v) {
+  const SplitBall &a = u.bound, &b = v.bound;
+  VectorSum product{
+      axial::detail::tightened({a.across * b.along + a.along * b.across, a.across * b.across, a.whole * b.whole}),
+      {},
+      {}};
+  detail::add_product(product.across, 1, Part::across, u, Part::along, v);
+  detail::add_product(product.across, 1, Part::along, u, Part::across, v);
+  detail::add_product(product.along, 2, Part::across, u, Part::across, v);
+  return product;
+}
 /// Component along the joint's axis.
 constexpr Number axial_part(const BoundedVector& v) {
   return {v.bound.along, v.bound.along.size, v.exponent, v.is_literal};

@@ -1,6 +1,7 @@
 // The formats of a scene's quantities, link by link: how a fixed-point link rounds.
 #pragma once
 
+#include <axial/fixed/bounds/derivatives.hpp>
 #include <axial/fixed/bounds/kinematics.hpp>
 #include <axial/fixed/bounds/separation.hpp>
 #include <axial/fixed/formats/joint_formats.hpp>
@@ -67,6 +68,11 @@ template <class Scene, class Parameters, class S>
 constexpr auto analysed(recursion::Momenta) {
   return momentum_ranges(loaded_mechanism<Scene, Parameters, typename S::Word, role::Momentum>(),
                          rounding_in<Scene, S>());
+}
+
+template <class Scene, class Parameters, class S>
+constexpr auto analysed(recursion::Derivatives) {
+  return derivative_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
 }
 
 /// Ranges of a scene's recursion in an arithmetic.

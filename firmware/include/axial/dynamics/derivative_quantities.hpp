@@ -1,0 +1,55 @@
+// What derivatives of the dynamics keep, in the vocabulary of rounding: names for number systems with exponents.
+#pragma once
+
+#include <axial/scalar/rounding.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+
+/// Besides those of scalar/rounding.hpp.
+namespace quantity {
+struct LinearVelocity {};    ///< m/s
+struct AxisAcceleration {};  ///< m/s^2: linear part of how an axis' motion changes
+struct FlowMoment {};        ///< kg m^2/s: a MassFlow's matrix, and what a joint's speed takes
+struct FlowMomentum {};      ///< kg m/s: a MassFlow's vector, and what a joint's speed takes
+struct UnitMoment {};        ///< kg m^2 or kg m: what a joint's unit acceleration takes
+struct UnitForce {};         ///< kg m or kg: likewise
+struct PositionMoment {};    ///< N m/rad or N: what a joint's position takes
+struct PositionForce {};     ///< N/rad or N/m: likewise
+}  // namespace quantity
+
+namespace derivatives {
+
+/// Rounding of a link whose forces are those quantities.
+template <class Link, class OfMoment, class OfForce>
+struct ForceRounding {
+  const Link& link;                             ///< referred to
+  static constexpr bool ranged = Link::ranged;  ///< whether ranges of its results are proved
+
+  /// The sum of a force's terms in the format that its moment, or force, has here.
+  template <class... Terms>
+  AXIAL_INLINE constexpr auto sum(quantity::Moment, const Terms&... terms) const {
+    return link.sum(OfMoment{}, terms...);
+  }
+  /// Likewise.
+  template <class... Terms>
+  AXIAL_INLINE constexpr auto sum(quantity::Force, const Terms&... terms) const {
+    return link.sum(OfForce{}, terms...);
+  }
+};
+template <class OfMoment, class OfForce, class Link>
+AXIAL_INLINE constexpr ForceRounding<Link, OfMoment, OfForce> as_forces(const Link& link) {
+  return {link};
+}
+
+/// The sum of forces as those quantities.
+template <class OfMoment, class OfForce, class Link, class... Forces>
+AXIAL_INLINE constexpr auto sum_of(const Link& link, const Forces&... forces) {
+  return ForceVector{link.sum(OfMoment{}, forces.moment...), link.sum(OfForce{}, forces.force...)};
+}
+
+}  // namespace derivatives
+}  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -1,0 +1,199 @@
+// What derivatives of inverse dynamics carry, in bounds: mass flows, the motion of axes, the columns of joints.
+#pragma once
+
+#include <axial/dynamics/derivative_columns.hpp>
+#include <axial/fixed/bounds/joints.hpp>
+#include <initializer_list>
+
+#include <axial/options/begin.hpp>
+
+namespace axial::bounds {
+
+/// A general 3x3 matrix of words that is known by its spectral norm.
+struct FlowMatrix {
+  Ball bound{};                            ///< of the norm, and of the error's
+  int exponent = 0;                        ///< of the words
+  const WordRounding* rounding = nullptr;  ///< of the arithmetic
+
+  /// Passes keep it as it is.
+  template <class>
+  constexpr const FlowMatrix& dense() const {
+    return *this;
+  }
+};
+/// Words of one exponent.
+constexpr FlowMatrix operator+(const FlowMatrix& a, const FlowMatrix& b) {
+  return {a.bound + b.bound, b.exponent, b.rounding};
+}
+/// A mass flow in bounds.
+using BoundedFlow = MassFlow<FlowMatrix, BoundedVector>;
+/// A force in bounds.
+using BoundedForce = ForceVector<BoundedVector, BoundedVector>;
+
+/// What is across the axis, turned by a quarter: u x z.
+constexpr BoundedVector across(BoundedVector u) {
+  u.bound = axial::detail::split(u.bound.across, {});
+  return u;
+}
+/// 2 x by its exponent.
+constexpr BoundedVector doubled(BoundedVector u) {
+  u.bound = 2.0 * u.bound, --u.exponent;
+  return u;
+}
+/// w x p of a translation.
+template <class X, class Y, class Z>
+constexpr VectorSum cross(const BoundedVector& w, const Vec3<X, Y, Z>& p) {
+  return cross(ConstantVector{number_of(p.x), number_of(p.y), number_of(p.z), {}}, w);
+}
+/// w x h of a first moment.
+constexpr VectorSum cross(const BoundedVector& w, const ConstantVector& h) { return cross(h, w); }
+
+/// U's third column.
+constexpr BoundedVector third_column(const Spin& u) { return {u.axis, u.exponent, false, u.rounding}; }
+/// The parent's where the joint's axis is one of the parent's, else the link's own.
+template <class ByParent, class ByLink>
+constexpr BoundedVector axis_column(const AxisInParent& axis, const ByParent& by_parent, const ByLink& by_link) {
+  if (axis.by_quarters) return by_parent(axis);
+  return by_link();
+}
+
+/// How the axis of a slide moves: it only turns.
+template <class Link>
+constexpr auto axis_motion(
+    Prismatic, const Link&,
+    const derivatives::AxisFrame<BoundedVector, BoundedVector, BoundedVector, BoundedVector>& f) {
+  const BoundedVector turning = across(f.w);
+  return derivatives::AxisMotion{BoundedMotion{{}, turning}, BoundedMotion{{}, doubled(turning)},
+                                 BoundedMotion{{}, f.column}};
+}
+
+/// Twice the moments of a link: constants; tr(J) 1 - 2 J is no larger than its rows.
+constexpr auto doubled_moments(const Body& body) {
+  const auto& h = body.first_moment;
+  const auto& j = body.inertia.of;
+  const auto of = [](double x) { return literal_of(x); };
+  const auto c = [](const Number& x) { return x.constant; };
+  return DoubledMoments<Number, ConstantVector, ConstantInertia>{
+      of(2.0 * c(body.mass)),
+      {of(2.0 * c(h.x)), of(2.0 * c(h.y)), of(2.0 * c(h.z)), {}},
+      {{of(c(j.yy) + c(j.zz) - c(j.xx)), of(c(j.xx) + c(j.zz) - c(j.yy)), of(c(j.xx) + c(j.yy) - c(j.zz)),
+        of(-2.0 * c(j.xy)), of(-2.0 * c(j.xz)), of(-2.0 * c(j.yz))},
+       {}}};
+}
+
+namespace detail {
+
+// The constant of the largest size, whose products round most.
+constexpr Number worst(std::initializer_list<Number> all) {
+  Number most{};
+  for (const Number& x : all)
+    if (x.bound.size > most.bound.size) most = x;
+  return most;
+}
+// A matrix of words that is known by its norm, times a vector: as many products a component as the vector has.
+constexpr VectorSum matrix_times(const Ball& norm, int exponent, const BoundedVector& v) {
+  const Ball n = norm * v.bound.whole;
+  VectorSum product{{n, n, n}, {}, {}};
+  if (!(n.largest() > 0.0)) return product;
+  const int count = (v.bound.across.largest() > 0.0 ? 2 : 0) + (v.bound.along.largest() > 0.0 ? 1 : 0);
+  for (int i = 0; i < count; ++i)
+    product.across.add_product(exponent + v.exponent), product.along.add_product(exponent + v.exponent);
+  return product;
+}
+// A matrix in the format of a link: what one entry rounds weighs `weight` times.
+template <class Link>
+constexpr FlowMatrix rounded(const Link& link, Ball bound, const Terms& entry, double weight) {
+  const quantity::FlowMoment q;
+  bound.error += weight * entry.rounding(link.exponent(q), link.rounding());
+  link.note(q, bound);
+  return {bound, link.exponent(q), &link.rounding()};
+}
+// A column or a row of a matrix.
+constexpr BoundedVector line_of(const FlowMatrix& m) {
+  return {{m.bound, m.bound, m.bound}, m.exponent, false, m.rounding};
+}
+
+}  // namespace detail
+
+/// Of a link: |C| <= |v| |h| + |w| |S|, for (v . h) a - v (h . a) = h x (a x v) and w x (S a) are no longer than that.
+/// Nine entries, each rounded: of four products at most.
+template <class Link>
+constexpr BoundedFlow mass_flow(const Link& link, const DoubledMoments<Number, ConstantVector, ConstantInertia>& body,
+                                const BoundedVector& w, const BoundedVector& v) {
+  const auto& h = body.first;
+  const auto& s = body.second.of;
+  const Ball length{detail::hypotenuse(h.side(), h.height()), 0.0}, norm{body.second.norm(), 0.0};
+  Terms entry;
+  for (int i = 0; i < 2; ++i) {
+    add_product(entry, detail::worst({h.x, h.y, h.z}), v.exponent, v.bound.whole.largest());
+    add_product(entry, detail::worst({s.xx, s.yy, s.zz, s.xy, s.xz, s.yz}), w.exponent, w.bound.whole.largest());
+  }
+  const Ball bound = length * v.bound.whole + norm * w.bound.whole;
+  return {detail::rounded(link, bound, entry, 3.0), link.sum(quantity::FlowMomentum{}, body.mass * v, cross(w, h))};
+}
+
+namespace detail {
+
+// R C R^T by the double angle, as R J R^T (composite.hpp); the couples with the axis are two vectors.
+constexpr Ball turned_matrix(const Number& cos, const Number& sin, const FlowMatrix& m, const WordRounding& r) {
+  if (by_quarters(cos, sin) || !(m.bound.largest() > 0.0)) return m.bound;
+  const double norm = m.bound.largest(), plane = root2 * plane_rounding(cos, m.exponent, 2.0 * norm, r);
+  const BoundedVector couple = turned(ZAxis{}, cos, sin, {split({norm, 0.0}, {}), m.exponent, false, &r});
+  Ball bound = m.bound;
+  bound.error += 2.0 * double_angle_error(cos, sin, r) * norm + plane + couple.bound.whole.error;
+  return bound;
+}
+
+}  // namespace detail
+
+/// Through one screw: turned, rounded into the link's format, then shifted by (P . p) 1 - P p^T, no larger than |P|
+/// |p|; of that four entries, each rounded.
+template <class Axis, class Known, class Link>
+constexpr BoundedFlow to_parent(const detail::Screw<Axis, Known>& x, const BoundedFlow& flow, const Link& link) {
+  const BoundedVector momentum = link.sum(quantity::FlowMomentum{}, to_parent(x, flow.momentum));
+  Terms moved;
+  moved.add_word(flow.moment.exponent);
+  const FlowMatrix turned =
+      detail::rounded(link, detail::turned_matrix(x.cos, x.sin, flow.moment, link.rounding()), moved, 3.0);
+  if (x.shift.vanishes()) return {turned, momentum};
+  Terms entry;
+  entry.add_word(turned.exponent);
+  add_product(entry, x.shift, momentum.exponent, momentum.bound.whole.largest());
+  return {detail::rounded(link, turned.bound + x.shift.bound * momentum.bound.whole, entry, 2.0), momentum};
+}
+
+/// Force of a turning rate across the joint's axis.
+constexpr ForceVector<VectorSum, VectorSum> flow_force(const BoundedFlow& flow, const BoundedVector& rate) {
+  return {detail::matrix_times(flow.moment.bound, flow.moment.exponent, rate), cross(rate, flow.momentum)};
+}
+/// Force of one unit of the joint's rate, and the row of what turning rates do along the joint.
+///@{
+constexpr BoundedForce unit_flow_force(Revolute, const BoundedFlow& flow) {
+  return {detail::line_of(flow.moment), across(flow.momentum)};
+}
+constexpr BoundedForce unit_flow_force(Prismatic, const BoundedFlow&) { return {}; }
+constexpr BoundedVector joint_row(Revolute, const BoundedFlow& flow) { return detail::line_of(flow.moment); }
+constexpr BoundedVector joint_row(Prismatic, const BoundedFlow& flow) { return across(flow.momentum); }
+///@}
+
+/// I m of a composite body.
+constexpr ForceVector<VectorSum, VectorSum> inertial_force(const CompositeBody& body, const BoundedMotion& m) {
+  const BoundedVector& h = body.first_moment;
+  return {detail::matrix_times(body.inertia.bound, body.inertia.exponent, m.angular) + cross(h, m.linear),
+          body.mass * m.linear + cross(m.angular, h)};
+}
+/// b . phi.
+///@{
+constexpr Number row_along(Revolute, const BoundedVector& row) { return axial_part(row); }
+constexpr Zero row_along(Prismatic, const BoundedVector&) { return {}; }
+///@}
+
+/// Viscous friction: no slope describes the jump of dry friction at rest.
+template <class S, int N>
+constexpr Number friction_slope(const BoundedLink<S, N>& link, const Number&) {
+  return link.template drive<&DriveConstants<double>::viscous>();
+}
+
+}  // namespace axial::bounds
+
+#include <axial/options/end.hpp>

@@ -1,0 +1,54 @@
+// Certified errors of the derivatives of inverse dynamics: their kernel, run on bounds.
+#pragma once
+
+#include <axial/fixed/dynamics/derivatives.hpp>
+#include <axial/fixed/error_bound.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+namespace detail {
+
+/// Exponents of a scene's derivatives.
+template <class S, class T>
+struct DerivativeExponents {
+  static constexpr int mass(int i, int j) { return MassMatrixOf<S, T>::exponent(i, j); }
+  static constexpr int position(int i, int j) { return JointMatrixOf<S, T, by::Position>::exponent(i, j); }
+  static constexpr int velocity(int i, int j) { return JointMatrixOf<S, T, by::Velocity>::exponent(i, j); }
+};
+
+/// Errors of the entries of one matrix.
+template <class Matrix, int N>
+constexpr Matrix errors_in(const bounds::EntryBounds<N>& all) {
+  Matrix errors{};
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j < N; ++j)
+      errors.set(i, j, all(i, j).error);
+  return errors;
+}
+
+}  // namespace detail
+
+/// Of efforts, mass matrix and both Jacobians, each where inverse_dynamics_derivatives() has it, in its SI unit.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr InverseDynamicsDerivatives<S, double> error_bound(algorithm::InverseDynamicsDerivatives) {
+  using Scene = scene_of<S>;
+  using Word = typename T::Word;
+  using Result = InverseDynamicsDerivatives<S, double>;
+  static_assert((detail::check_bound<S, recursion::Derivatives>(), true));
+  constexpr const auto& ranges = detail::ranges_for<Scene, Word, BaseParameters, recursion::Derivatives>;
+  const auto all = bounds::derivative_errors(
+      detail::loaded_mechanism<Scene, detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>, Word>(),
+      rounding_in<Scene, detail::ArithmeticOf<Scene, Word>>(), ranges, detail::DerivativeExponents<S, T>{});
+  Result errors{};
+  for (int i = 0; i < joint_count<S>; ++i)
+    errors.tau[i] = ranges.range[i].joint_effort.error;
+  errors.M = detail::errors_in<decltype(Result::M)>(all.mass);
+  errors.dtau_dq = detail::errors_in<decltype(Result::dtau_dq)>(all.position);
+  errors.dtau_dqd = detail::errors_in<decltype(Result::dtau_dqd)>(all.velocity);
+  return errors;
+}
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>

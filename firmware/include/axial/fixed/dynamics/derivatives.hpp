@@ -1,0 +1,70 @@
+// Derivatives of inverse dynamics in fixed point: an exponent per entry.
+#pragma once
+
+#include <axial/dynamics/inverse_dynamics_derivatives.hpp>
+#include <axial/fixed/dynamics/mass_matrix.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+
+namespace detail {
+/// How large the entries can be, whatever the scene's arithmetic.
+template <class S, class Word>
+inline constexpr auto derivative_sizes_of = bounds::derivative_sizes(mechanism_of<scene_of<S>, FullParameters>,
+                                                                     joint_rounding<Word>);
+
+/// Those of one matrix.
+///@{
+template <class S, class Word>
+constexpr const auto& entries_of(by::Position) {
+  return derivative_sizes_of<S, Word>.position;
+}
+template <class S, class Word>
+constexpr const auto& entries_of(by::Velocity) {
+  return derivative_sizes_of<S, Word>.velocity;
+}
+///@}
+
+/// Exponents of the entries by their sizes.
+template <class S, class Word, class By>
+struct JointMatrixFormat {
+  static constexpr int size = joint_count<S>;
+  int of[size][size] = {};
+
+  static constexpr JointMatrixFormat chosen() {
+    JointMatrixFormat format;
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j)
+        format.of[i][j] = joint_rounding<Word>.exponent(entries_of<S, Word>(By{})(i, j).size);
+    return format;
+  }
+};
+template <class S, class Word, class By>
+inline constexpr JointMatrixFormat<S, Word, By> joint_matrix_format = JointMatrixFormat<S, Word, By>::chosen();
+}  // namespace detail
+
+/// In fixed point entry (i, j) = raw 2^-exponent(i, j).
+template <class S, class Word, class By>
+struct JointMatrix<S, Stored<Word>, By> {
+  static constexpr int size = joint_count<S>;  ///< number of joints
+  Stored<Word> values[size * size] = {};       ///< row by row
+
+  /// of entry (i, j)
+  [[nodiscard]] static constexpr int exponent(int i, int j) {
+    return detail::joint_matrix_format<S, Word, By>.of[i][j];
+  }
+  /// Entry (i, j).
+  AXIAL_INLINE constexpr Stored<Word>& operator()(int i, int j) { return values[i * size + j]; }
+  /// Entry (i, j).
+  AXIAL_INLINE constexpr const Stored<Word>& operator()(int i, int j) const { return values[i * size + j]; }
+  /// Rounds into the format of entry (I, J).
+  template <int I, int J, class V>
+  AXIAL_INLINE constexpr void set(Index<I>, Index<J>, const V& value) {
+    if constexpr (!is_zero_v<V>) values[I * size + J] = {round_to<exponent(I, J)>(value).raw};
+  }
+};
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>
