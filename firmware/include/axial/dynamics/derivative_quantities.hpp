@@ -1,7 +1,7 @@
 // What derivatives of the dynamics keep, in the vocabulary of rounding: names for number systems with exponents.
 #pragma once
 
-#include <axial/scalar/rounding.hpp>
+#include <axial/spatial/spatial_vector.hpp>
 
 #include <axial/options/begin.hpp>
 

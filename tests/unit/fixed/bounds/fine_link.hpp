@@ -32,13 +32,11 @@ struct FineLink {
   void note(Q, const Ball&) const {}
   template <class Q>
   void leave_room(Q, double) const {}
-  template <class Q>
-  BoundedVector sum(Q, const axial::bounds::VectorSum& v) const {
-    return bounded(axial::detail::tightened(v.bound));
-  }
-  template <class Q>
-  BoundedVector sum(Q quantity, const BoundedVector& u, const axial::bounds::VectorSum& v) const {
-    return sum(quantity, u + v);
+  template <class Q, class First, class... Terms>
+  BoundedVector sum(Q, const First& first, const Terms&... terms) const {
+    axial::bounds::VectorSum all = axial::bounds::vector_of(first);
+    (axial::bounds::detail::accumulate(all, axial::bounds::vector_of(terms)), ...);
+    return bounded(axial::detail::tightened(all.bound));
   }
   const WordRounding& rounding() const { return exact_rounding; }
   const CompositeBody& formatted(const CompositeBody& body) const { return body; }

@@ -152,12 +152,12 @@ template <class Axis, class Known, class Link>
 constexpr BoundedFlow to_parent(const detail::Screw<Axis, Known>& x, const BoundedFlow& flow, const Link& link) {
   const BoundedVector momentum = link.sum(quantity::FlowMomentum{}, to_parent(x, flow.momentum));
   Terms moved;
-  moved.add_word(flow.moment.exponent);
+  if (flow.moment.bound.largest() > 0.0) moved.add_word(flow.moment.exponent);
   const FlowMatrix turned =
       detail::rounded(link, detail::turned_matrix(x.cos, x.sin, flow.moment, link.rounding()), moved, 3.0);
   if (x.shift.vanishes()) return {turned, momentum};
   Terms entry;
-  entry.add_word(turned.exponent);
+  if (turned.bound.largest() > 0.0) entry.add_word(turned.exponent);
   add_product(entry, x.shift, momentum.exponent, momentum.bound.whole.largest());
   return {detail::rounded(link, turned.bound + x.shift.bound * momentum.bound.whole, entry, 2.0), momentum};
 }

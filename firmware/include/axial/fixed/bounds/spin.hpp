@@ -78,14 +78,16 @@ constexpr SplitBall axis_of(const SplitBall& w, const SplitBall& dw) {
 }  // namespace detail
 
 /// U from w, dw and the products: its diagonal has sums of two squares of its own. The third column is computed here,
-/// or was there first (`axis`), with an error of its own.
+/// or was there first (`axis`), with an error of its own. An axis that keeps its direction rounds nothing.
 ///@{
 template <class Link>
 constexpr Spin rotation_acceleration(const BoundedVector& w, const BoundedVector& dw, const Products& p,
                                      const Link& link) {
   const double square = detail::rounding_of_products(2, w, p.exponent);
   const double entry = p.rounding > square ? p.rounding : square;
-  Spin u{w.bound, dw.bound, entry, rounded(detail::axis_of(w.bound, dw.bound), entry), false, p.exponent, w.rounding};
+  const bool moves = w.bound.across.largest() > 0.0 || dw.bound.across.largest() > 0.0;
+  const SplitBall axis = rounded(detail::axis_of(w.bound, dw.bound), moves ? entry : 0.0);
+  Spin u{w.bound, dw.bound, entry, axis, false, p.exponent, w.rounding};
   link.note(quantity::AngularAcceleration{}, u.strength());
   return u;
 }
