@@ -201,6 +201,31 @@ TEST(Flows, CompositeBodiesTakeTheForceOfAMotion) {
       },
       0.4);
 }
+// A matrix whose nine entries are each off by a step is off by three steps; where four are, by two.
+TEST(Flows, RoundEveryEntry) {
+  struct CoarseLink : FineLink {
+    int exponent(quantity::FlowMoment) const { return 4; }
+  };
+  constexpr double step = 0x1p-5;  // half a unit
+  const Number one = literal_of(1.0), none = literal_of(0.0);
+  const SplitBall p = axial::detail::split({1.0, 0.0}, {1.0, 0.0});
+  const BoundedVector momentum{p, 10, false, &exact_rounding};
+  const bounds::BoundedFlow flow{{{1.0, 0.0}, 10, &exact_rounding}, momentum};
+  const auto still = to_parent(z_screw(one, none, none), flow, CoarseLink{});
+  EXPECT_GE(still.moment.bound.error, 3.0 * step);
+  EXPECT_LE(still.moment.bound.error, 3.001 * step);
+  const auto moved = to_parent(z_screw(one, none, word_of({1.0, 0.0}, 10)), flow, CoarseLink{});
+  EXPECT_GE(moved.moment.bound.error, 5.0 * step);
+  EXPECT_LE(moved.moment.bound.error, 5.1 * step);
+  const DoubledMoments<Number, bounds::ConstantVector, bounds::ConstantInertia> body{
+      one, {literal_of(0.3), none, none, {}}, {{literal_of(0.7), none, none, none, none, none}, {}}};
+  EXPECT_GE(mass_flow(CoarseLink{}, body, momentum, momentum).moment.bound.error, 3.0 * step);
+  // By 45 degrees: the couples with the axis and the plane are rounded where they were, besides.
+  const Number half = word_of({0.7071067811865476, 0.0}, 8);
+  const bounds::BoundedFlow coarse{{{1.0, 0.0}, 4, &exact_rounding}, momentum};
+  const auto turned = to_parent(z_screw(half, half, none), coarse, CoarseLink{});
+  EXPECT_GE(turned.moment.bound.error, 2.0 * 1.4142135 * step) << "two entries of the plane, two of a couple";
+}
 TEST(Axes, TakeAcrossAndDoubled) {
   expect_bounds(
       [](std::mt19937_64& random) {

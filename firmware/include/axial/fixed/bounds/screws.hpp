@@ -20,6 +20,10 @@ using Screw = AxialScrew<Axis, Number, Number, Number, Turn>;
 constexpr bool by_quarters(const Number& cos, const Number& sin) {
   return cos.is_literal && sin.is_literal && (cos.vanishes() || sin.vanishes());
 }
+// A constant turn of a constant vector is a constant.
+constexpr bool is_constant(const Number& cos, const Number& sin, const BoundedVector& v) {
+  return cos.is_literal && sin.is_literal && v.is_literal;
+}
 // Of two entries [c -s; s c] that are off by at most e each: the norm of the difference.
 constexpr double tilt(const Number& cos, const Number& sin) { return hypotenuse(cos.bound.error, sin.bound.error); }
 // One component of c x +- s y: both reach at most `size`. A literal vector is the constant of each product.
@@ -34,7 +38,7 @@ constexpr double turn_rounding(const Number& cos, const Number& sin, const Bound
 }
 
 constexpr BoundedVector turned(ZAxis, const Number& cos, const Number& sin, BoundedVector v) {
-  if (by_quarters(cos, sin) || !(v.bound.across.largest() > 0.0)) return v;
+  if (by_quarters(cos, sin) || is_constant(cos, sin, v) || !(v.bound.across.largest() > 0.0)) return v;
   const double size = v.bound.across.largest(), error = tilt(cos, sin) * size;
   v.bound.across.error += error, v.bound.whole.error += error;
   const double step = turn_rounding(cos, sin, v, size);
@@ -45,7 +49,7 @@ constexpr BoundedVector turned(XAxis, const Number& cos, const Number& sin, Boun
   if (!(v.bound.whole.largest() > 0.0)) return v;
   const double size = v.bound.whole.largest(), error = tilt(cos, sin) * size;
   v.bound = turned_about_x(v.bound, sin.bound.size, cos.bound.size);
-  if (by_quarters(cos, sin)) return v;
+  if (by_quarters(cos, sin) || is_constant(cos, sin, v)) return v;
   v.bound.across.error += error, v.bound.along.error += error, v.bound.whole.error += error;
   const double step = turn_rounding(cos, sin, v, size);
   v.bound = with_rounding(v.bound, step, step), v.is_literal = false;

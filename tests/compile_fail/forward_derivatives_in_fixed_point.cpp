@@ -1,4 +1,4 @@
-// expect: derivatives have no formats in fixed point
+// expect: derivatives of forward dynamics have no formats in fixed point
 #include <axial/fixed.hpp>
 #include <robots/scara.hpp>
 
@@ -10,6 +10,6 @@ using Number = axial::Fixed32;
 using R = robots::Scara;
 
 auto slopes(const axial::Positions<R, Number>& q, const axial::Velocities<R, Number>& qd,
-            const axial::Accelerations<R, Number>& qdd) {
-  return axial::inverse_dynamics_derivatives<R>(q, qd, qdd);
+            const axial::EffortsOf<R, Number>& tau) {
+  return axial::forward_dynamics_derivatives<R>(q, qd, tau);
 }

@@ -1,0 +1,96 @@
+// Derivatives in fixed point, in every arithmetic: inside their certified errors, and nothing overflows.
+#include <robots/robots.hpp>
+
+#include "untuned_reference.hpp"
+
+namespace {
+
+using namespace axial;
+
+// A robot, its word, the features that it is computed with and those of the reference.
+template <class R, class Number, class Reference, class... Features>
+struct Form {
+  using T = Number;
+  using Checked = Scene<R, Gravity, RotorInertia, RangeCheck, Features...>;
+  using Exact = Reference;
+  static constexpr int joints = joint_count<R>;
+};
+template <class R>
+using Plainly = Scene<R, Gravity, RotorInertia>;
+
+template <class F>
+class FixedDerivatives : public testing::Test {
+ protected:
+  using T = typename F::T;
+  using State = exhaustive::FixedState<typename F::Checked, T>;
+  using Exact = typename F::Exact;
+  static constexpr auto bound = error_bound<typename F::Checked, T>(algorithm::inverse_dynamics_derivatives);
+
+  template <class To, class From>
+  static To real(const From& from, bool positions) {
+    To to{};
+    for (int i = 0; i < F::joints; ++i)
+      to[i] = positions && State::turns(i) ? from[i].raw / axial::detail::bam_per_radian
+                                           : from[i].raw * axial::detail::power_of_two(-from.exponent(i));
+    return to;
+  }
+  static auto exact(const State& state) {
+    using R = robot_of<Exact>;
+    return inverse_dynamics_derivatives<Exact>(real<Positions<R, double>>(state.q, true),
+                                               real<Velocities<R, double>>(state.qd, false),
+                                               real<Accelerations<R, double>>(state.qdd, false));
+  }
+  template <class Words, class Numbers>
+  void see(const Words& words, const Numbers& numbers, const Numbers& within) {
+    for (int i = 0; i < F::joints; ++i)
+      for (int j = 0; j < F::joints; ++j) {
+        const double found = words(i, j).raw * axial::detail::power_of_two(-words.exponent(i, j));
+        const double error = std::fabs(found - numbers(i, j));
+        EXPECT_LE(error, within(i, j) + 1e-12) << i << ' ' << j;
+        if (within(i, j) > 0.0) nearest_ = std::fmax(nearest_, error / within(i, j));
+      }
+  }
+  double nearest_ = 0.0;
+};
+using Forms =
+    testing::Types<Form<robots::Scara, Fixed32, Plainly<robots::Scara>, HighWord>,
+                   Form<robots::RoarmM2, Fixed32, Plainly<robots::RoarmM2>, RoundDown>,
+                   Form<robots::RoarmM2, Fixed32, Plainly<robots::RoarmM2>, HighWord>,
+                   Form<robots::ScaraRrpr, Fixed16, Plainly<robots::ScaraRrpr>>,
+                   Form<robots::RoarmM2, Fixed16, Plainly<robots::RoarmM2>, RoundDown>,
+                   Form<robots::TwoArm, Fixed32, Plainly<robots::TwoArm>>,
+                   Form<robots::Scara, Fixed32, Scene<robots::Scara, Gravity, RotorInertia, Friction>, Friction>>;
+TYPED_TEST_SUITE(FixedDerivatives, Forms);
+
+}  // namespace
+
+TYPED_TEST(FixedDerivatives, StayInsideTheirCertifiedErrors) {
+  using Checked = typename TypeParam::Checked;
+  using State = typename TestFixture::State;
+  exhaustive::Random random(17);
+  range_overflows = 0;
+  for (std::uint64_t k = 0; k < 2000; ++k) {
+    const State state = exhaustive::next_state<State>(random, k % 4);
+    const auto got = inverse_dynamics_derivatives<Checked>(state.q, state.qd, state.qdd);
+    const auto exact = this->exact(state);
+    this->see(got.dtau_dq, exact.dtau_dq, this->bound.dtau_dq);
+    this->see(got.dtau_dqd, exact.dtau_dqd, this->bound.dtau_dqd);
+    for (int i = 0; i < TypeParam::joints; ++i)
+      EXPECT_EQ(got.tau[i].raw, inverse_dynamics<Checked>(state.q, state.qd, state.qdd)[i].raw);
+  }
+  EXPECT_EQ(range_overflows, 0U);
+  EXPECT_GT(this->nearest_, 0.05) << "a bound as loose as this says little";
+}
+
+// What is not asked for has no member, in words too, and what is asked for has the same bits.
+TEST(FixedDerivativesAlone, HaveTheBitsOfAll) {
+  using R = robots::Puma560;
+  const Positions<R, Fixed32> q{{{1 << 28}, {-(1 << 29)}, {3 << 27}, {1 << 30}, {77777777}, {-99999999}}};
+  const Velocities<R, Fixed32> qd{{{1 << 28}, {1 << 27}, {-(1 << 28)}, {1 << 28}, {1 << 26}, {-(1 << 28)}}};
+  const Accelerations<R, Fixed32> qdd{{{1 << 27}, {-(1 << 27)}, {1 << 27}, {1 << 26}, {1 << 27}, {1 << 27}}};
+  const auto all = inverse_dynamics_derivatives<R>(q, qd, qdd);
+  const auto alone = inverse_dynamics_derivatives<R, with_velocity_jacobian>(q, qd, qdd);
+  static_assert(sizeof alone == 36 * sizeof(Fixed32));
+  for (int k = 0; k < 36; ++k)
+    EXPECT_EQ(all.dtau_dqd.values[k].raw, alone.dtau_dqd.values[k].raw) << k;
+}
