@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
 #include <axial/cost.hpp>
+#include <axial/fixed.hpp>
 #include <cmath>
 #include <robots/panda.hpp>
 #include <robots/puma560.hpp>
@@ -42,8 +43,15 @@ TEST(DerivativesGuide, TheRegressorHasWhatALinkWeighs) {
   EXPECT_EQ(by_rotor, qdd[i]);
 }
 
-TEST(DerivativesGuide, CostsAreAsItSays) {
+TEST(DerivativesGuide, WordsHaveAnExponentAndACertifiedError) {
+  const auto wanted = axial::to_fixed_request<Robot, std::int32_t>(q, qd, qdd);
+  ASSERT_TRUE(wanted.status.ok());
 #include "derivatives-5.inc"
+  EXPECT_NEAR(slope, (axial::inverse_dynamics_derivatives<Robot>(q, qd, qdd).dtau_dq(1, 2)), 1e-5);
+}
+
+TEST(DerivativesGuide, CostsAreAsItSays) {
+#include "derivatives-6.inc"
   SUCCEED() << "the compiler has checked it";
 }
 

@@ -55,9 +55,7 @@ class FixedDerivatives : public testing::Test {
 using Forms =
     testing::Types<Form<robots::Scara, Fixed32, Plainly<robots::Scara>, HighWord>,
                    Form<robots::RoarmM2, Fixed32, Plainly<robots::RoarmM2>, RoundDown>,
-                   Form<robots::RoarmM2, Fixed32, Plainly<robots::RoarmM2>, HighWord>,
                    Form<robots::ScaraRrpr, Fixed16, Plainly<robots::ScaraRrpr>>,
-                   Form<robots::RoarmM2, Fixed16, Plainly<robots::RoarmM2>, RoundDown>,
                    Form<robots::TwoArm, Fixed32, Plainly<robots::TwoArm>>,
                    Form<robots::Scara, Fixed32, Scene<robots::Scara, Gravity, RotorInertia, Friction>, Friction>>;
 TYPED_TEST_SUITE(FixedDerivatives, Forms);

@@ -121,6 +121,14 @@ constexpr void check_derivable() {
   static_assert(!Scene::template has<Underwater>, "axial: derivatives have no water; take Underwater out of the scene");
 }
 
+// The same for forward dynamics, which solves: in floating point alone.
+template <class Scene, class T>
+constexpr void check_forward_derivable() {
+  static_assert(is_number_v<T>,
+                "axial: derivatives of forward dynamics have no formats in fixed point; compute them in float");
+  check_derivable<Scene>();
+}
+
 }  // namespace detail
 }  // namespace axial
 

@@ -53,7 +53,7 @@ template <class S, class T>
                                                                         const EffortsOf<S, T>& tau,
                                                                         const StateDirection<robot_of<S>, T>& direction,
                                                                         const Inputs<S, T>& in = {}) {
-  detail::check_derivable<scene_of<S>, T>();
+  detail::check_forward_derivable<scene_of<S>, T>();
   static_assert(
       every_joint_is_resisted<S>(),
       "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "
@@ -70,7 +70,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr AccelerationsAlong<M, T> forward_dynamics_along(
     const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd, const Efforts<M, T>& tau,
     const StateDirection<M, T>& direction, const Inputs<M, T>& in = {}) {
-  detail::check_derivable<scene_of<M>, T>();
+  detail::check_forward_derivable<scene_of<M>, T>();
   AccelerationsAlong<M, T> result{};
   const auto links = model.template links<T>();
   const auto asked = detail::collected_request(links, in, q, qd);

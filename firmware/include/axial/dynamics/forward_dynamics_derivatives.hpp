@@ -163,9 +163,7 @@ template <class S, class... Wanted, class T>
 [[nodiscard]] constexpr ForwardDynamicsDerivatives<S, T, Wanted...> forward_dynamics_derivatives(
     const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,
     const Inputs<S, T>& in = {}) {
-  detail::check_derivable<scene_of<S>>();
-  static_assert(is_number_v<T>,
-                "axial: derivatives of forward dynamics have no formats in fixed point; compute them in float");
+  detail::check_forward_derivable<scene_of<S>, T>();
   static_assert(
       every_joint_is_resisted<S>(),
       "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "
@@ -181,7 +179,7 @@ template <class... Wanted, int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr ForwardDynamicsDerivatives<M, T, Wanted...> forward_dynamics_derivatives(
     const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd, const Efforts<M, T>& tau,
     const Inputs<M, T>& in = {}) {
-  detail::check_derivable<scene_of<M>>();
+  detail::check_forward_derivable<scene_of<M>, T>();
   ForwardDynamicsDerivatives<M, T, Wanted...> result{};
   const auto links = model.template links<T>();
   const auto asked = detail::collected_request(links, in, q, qd);
