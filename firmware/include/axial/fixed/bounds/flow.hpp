@@ -3,7 +3,6 @@
 
 #include <axial/dynamics/derivative_columns.hpp>
 #include <axial/fixed/bounds/joints.hpp>
-#include <initializer_list>
 
 #include <axial/options/begin.hpp>
 
@@ -84,11 +83,8 @@ constexpr auto doubled_moments(const Body& body) {
 namespace detail {
 
 // The constant of the largest size, whose products round most.
-constexpr Number worst(std::initializer_list<Number> all) {
-  Number most{};
-  for (const Number& x : all)
-    if (x.bound.size > most.bound.size) most = x;
-  return most;
+constexpr const Number& worst(const Sym3<Number>& of) {
+  return worse(worse(of.xx, worse(of.yy, of.zz)), worse(of.xy, worse(of.xz, of.yz)));
 }
 // A matrix of words that is known by its norm, times a vector: as many products a component as the vector has.
 constexpr VectorSum matrix_times(const Ball& norm, int exponent, const BoundedVector& v) {
@@ -125,8 +121,8 @@ constexpr BoundedFlow mass_flow(const Link& link, const DoubledMoments<Number, C
   const Ball length{detail::hypotenuse(h.side(), h.height()), 0.0}, norm{body.second.norm(), 0.0};
   Terms entry;
   for (int i = 0; i < 2; ++i) {
-    add_product(entry, detail::worst({h.x, h.y, h.z}), v.exponent, v.bound.whole.largest());
-    add_product(entry, detail::worst({s.xx, s.yy, s.zz, s.xy, s.xz, s.yz}), w.exponent, w.bound.whole.largest());
+    add_product(entry, worse(h.x, worse(h.y, h.z)), v.exponent, v.bound.whole.largest());
+    add_product(entry, detail::worst(s), w.exponent, w.bound.whole.largest());
   }
   const Ball bound = length * v.bound.whole + norm * w.bound.whole;
   return {detail::rounded(link, bound, entry, 3.0), link.sum(quantity::FlowMomentum{}, body.mass * v, cross(w, h))};
