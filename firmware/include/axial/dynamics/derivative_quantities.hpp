@@ -38,6 +38,7 @@ struct ForceRounding {
     return link.sum(OfForce{}, terms...);
   }
 };
+/// A link that rounds forces as those quantities; it is referred to.
 template <class OfMoment, class OfForce, class Link>
 AXIAL_INLINE constexpr ForceRounding<Link, OfMoment, OfForce> as_forces(const Link& link) {
   return {link};
