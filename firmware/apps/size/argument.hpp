@@ -11,12 +11,14 @@ namespace axial::apps::size {
 
 inline constexpr bool roomy = hal::Board::ram_bytes >= 16 * 1024;
 
-/// Room for derivatives, the largest of results: values of joints with a status, three matrices. Where RAM is short,
-/// for a mass matrix, of eight joints or more: a SCARA's derivatives fit in.
+/// Room for the largest of results: of derivatives, values of joints with a status and three matrices; of a regressor
+/// that meets the speeds, ten columns a joint. Where RAM is short, for a mass matrix, of eight joints or more: a
+/// SCARA's derivatives fit in.
 template <class Robot>
 constexpr std::size_t result_entries() {
   constexpr auto n = static_cast<std::size_t>(joint_count<Robot>);
-  if (roomy) return n * (3 * n + 1) + 2;
+  constexpr std::size_t derivatives = n * (3 * n + 1) + 2, columns = 10 * n;
+  if (roomy) return derivatives > columns ? derivatives : columns;
   return n > 8 ? n * n : 64;
 }
 
