@@ -1,6 +1,7 @@
 // Derivatives in fixed point, in every arithmetic: inside their certified errors, and nothing overflows.
 #include <robots/robots.hpp>
 
+#include "fixed_state.hpp"
 #include "untuned_reference.hpp"
 
 namespace {
@@ -91,4 +92,49 @@ TEST(FixedDerivativesAlone, HaveTheBitsOfAll) {
   static_assert(sizeof alone == 36 * sizeof(Fixed32));
   for (int k = 0; k < 36; ++k)
     EXPECT_EQ(all.dtau_dqd.values[k].raw, alone.dtau_dqd.values[k].raw) << k;
+}
+
+namespace {
+
+constexpr auto pushed_chain() {
+  auto chain = robots::RoarmM2::chain;
+  chain.tip_wrench_limit = tip_wrench_limit(2.0, 0.2);
+  return chain;
+}
+struct PushedArm : robots::RoarmM2 {
+  static constexpr auto chain = pushed_chain();
+};
+
+}  // namespace
+
+TEST(FixedDerivativesUnderLoad, StayInsideTheirCertifiedErrors) {
+  using R = PushedArm;
+  using Exact = Scene<R, RuntimeGravity, RotorInertia, TipWrench>;
+  using Checked = Scene<R, RuntimeGravity, RotorInertia, TipWrench, RangeCheck>;
+  using Format = InputFormats<R, Fixed32>;
+  constexpr auto bound = error_bound<Checked>(algorithm::inverse_dynamics_derivatives);
+  range_overflows = 0;
+  std::mt19937_64 generator(19);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  double nearest = 0.0;
+  for (int k = 0; k < 1000; ++k) {
+    const property::FixedState<R> state(generator);
+    Inputs<Checked, Fixed32> in{};
+    Inputs<Exact, double> exact_in{};
+    property::put(in.tip_wrench.force.y, exact_in.tip_wrench.force.y, 2.0 * any(generator), Format::tip_force);
+    property::put(in.tip_wrench.moment.x, exact_in.tip_wrench.moment.x, 0.2 * any(generator), Format::tip_moment);
+    property::put(in.gravity.x, exact_in.gravity.x, 6.0 * any(generator), Format::gravity);
+    property::put(in.gravity.z, exact_in.gravity.z, 7.0 * any(generator), Format::gravity);
+    const auto got = inverse_dynamics_derivatives<Checked>(state.q, state.qd, state.qdd, in);
+    const auto exact = inverse_dynamics_derivatives<Exact>(state.q_real, state.qd_real, state.qdd_real, exact_in);
+    for (int i = 0; i < joint_count<R>; ++i)
+      for (int j = 0; j < joint_count<R>; ++j) {
+        const double found = property::real(got.dtau_dq(i, j), got.dtau_dq.exponent(i, j));
+        const double error = std::fabs(found - exact.dtau_dq(i, j));
+        EXPECT_LE(error, bound.dtau_dq(i, j) + 1e-14) << i << ' ' << j;
+        if (bound.dtau_dq(i, j) > 0.0) nearest = std::fmax(nearest, error / bound.dtau_dq(i, j));
+      }
+  }
+  EXPECT_EQ(range_overflows, 0U);
+  EXPECT_GT(nearest, 0.05) << "a bound as loose as this says little";
 }
