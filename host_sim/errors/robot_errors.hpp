@@ -55,12 +55,14 @@ class Numbers {
     for (int i = 0; i < n; ++i)
       add_row(matrix, i, i + 1);
   }
-  template <class Symmetric, class Matrix>
-  void add_matrices(const Symmetric& symmetric, const Matrix& by_position, const Matrix& by_velocity) {
-    add_triangle(symmetric);
-    for (const Matrix* matrix : {&by_position, &by_velocity})
-      for (int i = 0; i < n; ++i)
-        add_row(*matrix, i, n);
+  template <class Matrix>
+  void add_square(const Matrix& matrix) {
+    for (int i = 0; i < n; ++i)
+      add_row(matrix, i, n);
+  }
+  template <class Symmetric, class ByPosition, class ByVelocity>
+  void add_matrices(const Symmetric& symmetric, const ByPosition& by_position, const ByVelocity& by_velocity) {
+    add_triangle(symmetric), add_square(by_position), add_square(by_velocity);
   }
   template <class Vec>
   void add_vector(const Vec& v, int exponent) {
