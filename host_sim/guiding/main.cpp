@@ -21,32 +21,15 @@ struct Options {
   std::string robot = "scara", board = "stm32f405", number = "float";
 };
 
-/// The image, and the same source on the host told the same.
-class Both : public loop::Controller {
- public:
-  explicit Both(const Options& o)
-      : board_(in_firmware(o.board, o.robot, o.number)), host_(on_host(o.robot, o.number)) {}
-  link::Torque answer(const link::Measurement& measurement, const link::SetPoint& wanted) override {
-    const auto theirs = board_->answer(measurement, wanted), ours = host_->answer(measurement, wanted);
-    for (std::size_t i = 0; i < theirs.joints; ++i)
-      worst = std::max(worst, loop::last_places(theirs.tau[i], ours.tau[i]));
-    if (theirs.status != ours.status) throw std::runtime_error("board and host give different statuses");
-    low = std::min(low, theirs.count), high = std::max(high, theirs.count);
-    return theirs;
-  }
-  std::uint32_t worst = 0, low = 0xFFFFFFFF, high = 0;
-
- private:
-  std::unique_ptr<loop::Controller> board_, host_;
-};
-
 bool expect(bool good, const char* what) {
   if (!good) std::fprintf(stderr, "guiding: %s\n", what);
   return good;
 }
 
 int judge(const Options& options) {
-  Both both(options);
+  const auto board = in_firmware(options.board, options.robot, options.number);
+  const auto host = on_host(options.robot, options.number);
+  loop::Both both(*board, *host);
   Session session;
   session.robot = options.robot;
   const Felt felt = guide(session, both);
@@ -58,7 +41,7 @@ int judge(const Options& options) {
       "%s on %s, %s: the tool went %.3f m, the hand pulled %.1f N at most; let go, it drifted %.2f mm\n"
       "%ld answers of %u to %u instructions; largest difference from the host: %u last places\n",
       options.robot.c_str(), options.board.c_str(), options.number.c_str(), felt.way, felt.largest_force,
-      1e3 * felt.drift, felt.answers, both.low, both.high, both.worst);
+      1e3 * felt.drift, felt.answers, both.least, both.most, both.worst);
   bool good = expect(both.worst <= (loop::is_fixed(options.number) ? 0 : most_places), "image and host differ");
   good = expect(felt.refused == 0, "answers were refused") && good;
   good = expect(slow, "an effort changed faster than declared") && good;

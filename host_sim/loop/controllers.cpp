@@ -87,4 +87,13 @@ std::uint32_t last_places(float a, float b) {
   return static_cast<std::uint32_t>(apart < 0 ? -apart : apart);
 }
 
+link::Torque Both::answer(const link::Measurement& measurement, const link::SetPoint& wanted) {
+  const link::Torque theirs = board_.answer(measurement, wanted), ours = host_.answer(measurement, wanted);
+  for (std::size_t i = 0; i < theirs.joints; ++i)
+    worst = std::max(worst, last_places(theirs.tau[i], ours.tau[i]));
+  if (theirs.status != ours.status) throw std::runtime_error("board and host give different statuses");
+  least = std::min(least, theirs.count), most = std::max(most, theirs.count);
+  return theirs;
+}
+
 }  // namespace host_sim::loop

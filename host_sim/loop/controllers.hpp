@@ -33,4 +33,18 @@ bool is_fixed(const std::string& number);
 /// Units in the last place between two floats; the largest number where one is not finite.
 std::uint32_t last_places(float a, float b);
 
+/// An image in QEMU and the same source on the host, told the same; the image's torques drive.
+class Both : public Controller {
+ public:
+  Both(Controller& board, Controller& host) : board_(board), host_(host) {}  // both are referred to
+  /// The image's answer. Throws std::runtime_error where the statuses differ, too.
+  link::Torque answer(const link::Measurement& measurement, const link::SetPoint& wanted) override;
+
+  std::uint32_t worst = 0;                     ///< last places between their torques, at most
+  std::uint32_t least = 0xFFFFFFFF, most = 0;  ///< instructions of the image's answers
+
+ private:
+  Controller &board_, &host_;
+};
+
 }  // namespace host_sim::loop

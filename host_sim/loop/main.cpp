@@ -111,23 +111,9 @@ Row in_loop(const Options& options, bool feeds_forward, host_sim::CsvFile& file)
 
 /// The image against the same source on the host, both told the same; the largest difference in last places.
 std::uint32_t compare(const Options& options) {
-  class Both : public Controller {
-   public:
-    explicit Both(const Options& o)
-        : board_(in_firmware(o.board, o.robot, o.number)), host_(on_host(o.robot, o.number)) {}
-    link::Torque answer(const link::Measurement& measurement, const link::SetPoint& wanted) override {
-      const auto theirs = board_->answer(measurement, wanted), ours = host_->answer(measurement, wanted);
-      for (std::size_t i = 0; i < theirs.joints; ++i)
-        worst = std::max(worst, last_places(theirs.tau[i], ours.tau[i]));
-      if (theirs.status != ours.status) throw std::runtime_error("board and host give different statuses");
-      return theirs;
-    }
-    std::uint32_t worst = 0;
-
-   private:
-    std::unique_ptr<Controller> board_, host_;
-  };
-  Both both(options);
+  const auto board = in_firmware(options.board, options.robot, options.number);
+  const auto host = on_host(options.robot, options.number);
+  Both both(*board, *host);
   Case situation;
   situation.robot = options.robot, situation.seconds = options.seconds, situation.encoder_bits = 20;
   follow(situation, both);

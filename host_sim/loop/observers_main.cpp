@@ -33,23 +33,19 @@ Case noisy(const Options& options) {
 }
 
 /// The image in QEMU drives; the same source on the host, told the same, says what the filter thinks.
-class Both : public Observer {
- public:
-  explicit Both(const Options& o) : board_(observer_in_firmware(o.board, o.robot)), host_(observer_on_host(o.robot)) {}
-  link::Torque answer(const link::Measurement& measurement, const link::SetPoint& wanted) override {
-    const auto theirs = board_->answer(measurement, wanted), ours = host_->answer(measurement, wanted);
-    for (std::size_t i = 0; i < theirs.joints; ++i)
-      worst = std::max(worst, last_places(theirs.tau[i], ours.tau[i]));
-    if (theirs.status != ours.status) throw std::runtime_error("board and host give different statuses");
-    least = std::min(least, theirs.count), most = std::max(most, theirs.count);
-    return theirs;
-  }
-  std::vector<double> velocity() const override { return host_->velocity(); }
-  std::uint32_t worst = 0, least = 0xFFFFFFFF, most = 0;
-
- private:
+class Watched : public Observer {
   std::unique_ptr<Controller> board_;
   std::unique_ptr<Observer> host_;
+
+ public:
+  explicit Watched(const Options& o)
+      : board_(observer_in_firmware(o.board, o.robot)), host_(observer_on_host(o.robot)), both(*board_, *host_) {}
+  link::Torque answer(const link::Measurement& measurement, const link::SetPoint& wanted) override {
+    return both.answer(measurement, wanted);
+  }
+  std::vector<double> velocity() const override { return host_->velocity(); }
+
+  Both both;
 };
 
 bool expect(bool good, const char* what) {
@@ -77,8 +73,9 @@ bool sound(const Both& both, const VelocityErrors& errors) {
 }
 
 int check(const Options& options) {
-  Both both(options);
-  return sound(both, observe(noisy(options), both)) ? 0 : 1;
+  Watched watched(options);
+  const auto errors = observe(noisy(options), watched);
+  return sound(watched.both, errors) ? 0 : 1;
 }
 
 ObserverRow on_host_row(const std::string& controller, const std::string& name, const Case& situation) {
@@ -121,7 +118,7 @@ int measure(const Options& options) {
   host_sim::make_folder(options.output);
   const std::string stem = options.output + "/ekf-" + options.robot;
   const Case situation = noisy(options);
-  Both both(options);
+  Watched watched(options);
   std::vector<ObserverRow> rows;
   {
     host_sim::CsvFile file(stem + ".csv", {"time", "joint", "true", "filter", "difference", "ten"});
@@ -137,7 +134,7 @@ int measure(const Options& options) {
       }
     };
     const std::string name = "14 bits, a count of noise";
-    rows.push_back({situation, "ekf", options.board, name, observe(situation, both, draw), both.most});
+    rows.push_back({situation, "ekf", options.board, name, observe(situation, watched, draw), watched.both.most});
     rows.push_back({situation, "pd", options.board, name,
                     observe(situation, *in_firmware(options.board, options.robot, "float")), 0});
   }
@@ -150,7 +147,7 @@ int measure(const Options& options) {
     if (!path.empty()) host_sim::write_json(path, to_json(rows));
   host_sim::run_plot("observers.py", {stem + ".csv", stem + ".json"});
   std::printf("\npicture  %s.png\ndata     %s.csv, %s.json\n", stem.c_str(), stem.c_str(), stem.c_str());
-  return sound(both, rows[0].errors) ? 0 : 1;
+  return sound(watched.both, rows[0].errors) ? 0 : 1;
 }
 
 }  // namespace

@@ -159,26 +159,10 @@ int measure(const Options& options) {
   return good ? 0 : 1;
 }
 
-/// The image and the same source on the host, told the same.
-class Both : public Controller {
- public:
-  explicit Both(const Options& o)
-      : board_(regulator_in_firmware(o.board, o.robot)), host_(regulator_on_host(o.robot)) {}
-  link::Torque answer(const link::Measurement& measurement, const link::SetPoint& wanted) override {
-    const auto theirs = board_->answer(measurement, wanted), ours = host_->answer(measurement, wanted);
-    for (std::size_t i = 0; i < theirs.joints; ++i)
-      worst = std::max(worst, last_places(theirs.tau[i], ours.tau[i]));
-    if (theirs.status != ours.status) throw std::runtime_error("board and host give different statuses");
-    return theirs;
-  }
-  std::uint32_t worst = 0;
-
- private:
-  std::unique_ptr<Controller> board_, host_;
-};
-
 int check(const Options& options) {
-  Both both(options);
+  const auto board = regulator_in_firmware(options.board, options.robot);
+  const auto host = regulator_on_host(options.robot);
+  Both both(*board, *host);
   const Case situation = pushed(options, -1, pushed_at);
   const PushRow row{situation, "lqr", options.board, "every joint pushed", recover(situation, both)};
   std::printf(
