@@ -4,6 +4,7 @@
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>
 
+#include "random_models.hpp"
 #include "scene_robot.hpp"
 
 namespace {
@@ -145,25 +146,15 @@ TEST(Along, RobotsInFloat) {
 
 TEST(Along, RandomChainsAndTreesAreTheOracles) {
   using M = Model<12, Gravity, RotorInertia>;
-  for (const bool tree : {false, true}) {
-    oracle::RandomChains random(tree ? 43 : 42);
-    int exact = 0;
-    for (int k = 0; k < 24; ++k) {
-      const int n = 1 + random.below(8);
-      SCOPED_TRACE(testing::Message() << (tree ? "tree " : "chain ") << k << " of " << n);
-      const auto described = tree ? random.tree(n) : random.chain(n);
-      const M model = cases::to_model<M>(described);
-      const auto chain = oracle::convert<quad>(described);
-      const auto s = random_state<M, double>(random, n);
-      EXPECT_LE(error(inverse_dynamics_along(model, s.q, s.qd, s.x, {s.dq, s.dqd, s.dx}).dtau,
-                      s.slope([&](const auto&... at) { return oracle::inverse_dynamics(chain, at...); })),
-                1e-13);
-      const auto forward = forward_dynamics_along(model, s.q, s.qd, s.x, {s.dq, s.dqd, s.dx});
-      if (!forward.qdd.status.ok()) continue;
-      ++exact;
-      EXPECT_LE(error(forward.dqdd, s.slope([&](const auto&... at) { return oracle::forward_dynamics(chain, at...); })),
-                1e-10);
-    }
-    EXPECT_GE(exact, 16) << "of 24 answers that are called ok";
-  }
+  property::expect_on_random_models<M>(42, 24, 8, [](auto& random, const M& model, const auto& chain, int n) {
+    const auto s = random_state<M, double>(random, n);
+    EXPECT_LE(error(inverse_dynamics_along(model, s.q, s.qd, s.x, {s.dq, s.dqd, s.dx}).dtau,
+                    s.slope([&](const auto&... at) { return oracle::inverse_dynamics(chain, at...); })),
+              1e-13);
+    const auto forward = forward_dynamics_along(model, s.q, s.qd, s.x, {s.dq, s.dqd, s.dx});
+    if (!forward.qdd.status.ok()) return false;
+    EXPECT_LE(error(forward.dqdd, s.slope([&](const auto&... at) { return oracle::forward_dynamics(chain, at...); })),
+              1e-10);
+    return true;
+  });
 }

@@ -6,6 +6,7 @@
 #include <robots/scara.hpp>
 #include <robots/scara_rrpr.hpp>
 
+#include "random_models.hpp"
 #include "scene_robot.hpp"
 
 namespace {
@@ -173,27 +174,16 @@ TEST(Derivatives, OfRobotsInFloat) {
 
 TEST(Derivatives, OfRandomChainsAndTreesAreThoseOfTheOracle) {
   using M = Model<12, Gravity, RotorInertia>;
-  for (const bool tree : {false, true}) {
-    oracle::RandomChains random(tree ? 41 : 40);
-    int exact = 0;
-    for (int k = 0; k < 24; ++k) {
-      const int n = 1 + random.below(8);
-      SCOPED_TRACE(testing::Message() << (tree ? "tree " : "chain ") << k << " of " << n);
-      const auto described = tree ? random.tree(n) : random.chain(n);
-      const M model = cases::to_model<M>(described);
-      const auto chain = oracle::convert<quad>(described);
-      const auto q = joints<M, double>(random.vector(n, 3.0)), qd = joints<M, double>(random.vector(n, 2.0)),
-                 x = joints<M, double>(random.vector(n, 4.0));
-      const State s = as_quad(q, qd, x, n);
-      expect_below(inverse_errors(inverse_dynamics_derivatives(model, q, qd, x), inverse_reference(chain, s), n),
-                   1e-13);
-      const auto forward = forward_dynamics_derivatives(model, q, qd, x);
-      EXPECT_TRUE(forward.qdd.status.ok() || forward.qdd.status.code == Status::Code::inaccurate);
-      exact += forward.qdd.status.ok() ? 1 : 0;
-      if (forward.qdd.status.ok()) expect_below(forward_errors(forward, forward_reference(chain, s), n), 1e-10);
-    }
-    EXPECT_GE(exact, 16) << "of 24 answers that are called ok";
-  }
+  property::expect_on_random_models<M>(40, 24, 8, [](auto& random, const M& model, const auto& chain, int n) {
+    const auto q = joints<M, double>(random.vector(n, 3.0)), qd = joints<M, double>(random.vector(n, 2.0)),
+               x = joints<M, double>(random.vector(n, 4.0));
+    const State s = as_quad(q, qd, x, n);
+    expect_below(inverse_errors(inverse_dynamics_derivatives(model, q, qd, x), inverse_reference(chain, s), n), 1e-13);
+    const auto forward = forward_dynamics_derivatives(model, q, qd, x);
+    EXPECT_TRUE(forward.qdd.status.ok() || forward.qdd.status.code == Status::Code::inaccurate);
+    if (forward.qdd.status.ok()) expect_below(forward_errors(forward, forward_reference(chain, s), n), 1e-10);
+    return forward.qdd.status.ok();
+  });
 }
 
 TEST(Derivatives, TheInverseMassMatrixUndoesTheMassMatrix) {

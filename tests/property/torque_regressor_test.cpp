@@ -4,6 +4,7 @@
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>
 
+#include "random_models.hpp"
 #include "scene_robot.hpp"
 
 namespace {
@@ -172,18 +173,11 @@ TEST(TorqueRegressor, OfRobotsInFloat) {
 
 TEST(TorqueRegressor, OfRandomChainsAndTreesIsTheOracles) {
   using M = Model<12, Gravity, RotorInertia>;
-  for (const bool tree : {false, true}) {
-    oracle::RandomChains random(tree ? 45 : 44);
-    for (int k = 0; k < 8; ++k) {
-      const int n = 1 + random.below(6);
-      SCOPED_TRACE(testing::Message() << (tree ? "tree " : "chain ") << k << " of " << n);
-      const auto described = tree ? random.tree(n) : random.chain(n);
-      const M model = cases::to_model<M>(described);
-      const auto s = random_state<M, double>(random, n);
-      expect_entries(torque_regressor(model, s.q, s.qd, s.qdd), oracle::convert<quad>(described), 1e-14,
-                     [&](const QuadChain& chain) {
-                       return oracle::inverse_dynamics(chain, s.exact(s.q), s.exact(s.qd), s.exact(s.qdd));
-                     });
-    }
-  }
+  property::expect_on_random_models<M>(44, 8, 6, [](auto& random, const M& model, const auto& chain, int n) {
+    const auto s = random_state<M, double>(random, n);
+    expect_entries(torque_regressor(model, s.q, s.qd, s.qdd), chain, 1e-14, [&](const QuadChain& at) {
+      return oracle::inverse_dynamics(at, s.exact(s.q), s.exact(s.qd), s.exact(s.qdd));
+    });
+    return true;
+  });
 }
