@@ -245,3 +245,27 @@ TEST(Axes, TakeAcrossAndDoubled) {
       },
       0.9);
 }
+
+// A slide behind an oblique twist: its mass times a direction is a constant of the model, which no turn rounds.
+TEST(Turns, OfConstantsByConstantsRoundNothing) {
+  const SplitBall v = axial::detail::split({0.0, 0.0}, {2.5, 0.0});
+  const BoundedVector constant{v, 0, true, &exact_rounding};
+  for (const auto& turned :
+       {to_parent(x_screw(literal_of(0.6), literal_of(0.8), literal_of(0.0)), constant),
+        to_parent(z_screw(literal_of(0.6), literal_of(0.8), literal_of(0.0)),
+                  to_parent(x_screw(literal_of(0.6), literal_of(0.8), literal_of(0.0)), constant))}) {
+    EXPECT_TRUE(turned.is_literal);
+    EXPECT_EQ(turned.bound.whole.error, 0.0);
+  }
+}
+// Links that turn about parallel axes: what is zero has no error, in whatever format.
+TEST(Rotations, KeepAnAxisThatKeepsItsDirection) {
+  struct CoarseLink : FineLink {
+    int exponent(quantity::AngularAcceleration) const { return 4; }
+  };
+  const BoundedVector w{axial::detail::split({}, {3.0, 0.0}), 10, false, &exact_rounding};
+  const BoundedVector dw{axial::detail::split({}, {5.0, 0.0}), 4, false, &exact_rounding};
+  const auto u = rotation_acceleration(w, dw, products(w, CoarseLink{}), CoarseLink{});
+  EXPECT_GT(u.entry, 0.0);
+  EXPECT_EQ(bounds::third_column(u).bound.whole.error, 0.0);
+}
