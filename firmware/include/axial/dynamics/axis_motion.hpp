@@ -1,7 +1,7 @@
 // How the axes of joints move: what derivatives of inverse dynamics need besides the links' motions.
 #pragma once
 
-#include <axial/dynamics/derivative_quantities.hpp>
+#include <axial/dynamics/derivative_rounding.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
 
 #include <axial/options/begin.hpp>

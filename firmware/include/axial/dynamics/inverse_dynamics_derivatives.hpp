@@ -70,9 +70,10 @@ AXIAL_INLINE constexpr Result results(const Links& links, const Input& in, const
 /// with_mass_matrix, with_position_jacobian, with_velocity_jacobian; all of them unless some are named: what is not
 /// asked for has no member and no code.
 /// Friction adds friction_slope() to the diagonal: no slope describes the jump of dry friction at rest. A payload moves
-/// with the last link; wrenches are constant in the axes of the link that they act on. In floating point; for a base at
-/// rest, tilted or not. Errors: tests/property/derivatives_test.cpp holds them below 1e-6 of a block's largest entry in
-/// float for three arms, below 1e-13 in double for all that it knows.
+/// with the last link; wrenches are constant in the axes of the link that they act on. For a base at rest, tilted or
+/// not. Errors: tests/property/derivatives_test.cpp holds them below 1e-6 of a block's largest entry in float for three
+/// arms, below 1e-13 in double for all that it knows. In fixed point every entry has an exponent and a certified error
+/// (error_bound()), where q, qd and qdd are inside the declared limits; unrolled, without a payload.
 /// Source: Singh, Russell and Wensing 2022, "Efficient Analytical Derivatives of Rigid-Body Dynamics Using Spatial
 /// Vector Algebra" (arXiv 2105.05102), in link frames with successive axial screws. NaN and infinities propagate.
 template <class S, class... Wanted, class T>

@@ -1,7 +1,7 @@
 // How the mass of a body flows past its frame: what Coriolis forces depend on.
 #pragma once
 
-#include <axial/dynamics/derivative_quantities.hpp>
+#include <axial/dynamics/derivative_rounding.hpp>
 #include <axial/links/doubled_moments.hpp>
 #include <axial/spatial/branch_screw.hpp>
 

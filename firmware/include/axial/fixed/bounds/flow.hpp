@@ -66,7 +66,7 @@ constexpr auto axis_motion(
                                  BoundedMotion{{}, f.column}};
 }
 
-/// Twice the moments of a link: constants; tr(J) 1 - 2 J is no larger than its rows.
+/// Twice the moments of a link: constants. The second ones, tr(J) 1 - 2 J, are bounded by their rows.
 constexpr auto doubled_moments(const Body& body) {
   const auto& h = body.first_moment;
   const auto& j = body.inertia.of;

@@ -13,14 +13,6 @@
 
 namespace axial::bounds {
 
-namespace detail {
-// Two entries of a matrix' diagonal may have opposite signs, those of an inertia where parameters are regrouped: their
-// difference is what a turn multiplies.
-template <class Quantity>
-inline constexpr double room_for =
-    std::is_same_v<Quantity, quantity::RotationalInertia> || std::is_same_v<Quantity, quantity::FlowMoment> ? 2.0 : 1.0;
-}  // namespace detail
-
 /// Link `index` of a robot in bounds.
 template <class SceneType, int N>
 class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, double> {
@@ -116,7 +108,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   }
   /// Notes a bound that a quantity has to have `room` times as much room for; of lengths the description says more.
   template <class Quantity>
-  constexpr void note(Quantity, const Ball& bound, double room = detail::room_for<Quantity>) const {
+  constexpr void note(Quantity, const Ball& bound, double room = room_for<Quantity>) const {
     if (!noting_ || account_->quiet) return;
     constexpr Place place = place_of(Quantity{});
     if constexpr (!std::is_same_v<Quantity, quantity::Length>) widen(place, room * bound.size);

@@ -2,7 +2,7 @@
 // proof.
 #pragma once
 
-#include <axial/dynamics/derivative_quantities.hpp>
+#include <axial/dynamics/derivative_rounding.hpp>
 #include <axial/fixed/bounds/split_ball.hpp>
 #include <axial/fixed/bounds/terms.hpp>
 #include <axial/links/link_view.hpp>

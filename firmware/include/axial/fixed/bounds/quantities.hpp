@@ -71,6 +71,12 @@ constexpr Place place_of(quantity::PositionMoment) {
 constexpr Place place_of(quantity::PositionForce) { return {&LinkFormat::position_force, &LinkRange::position_force}; }
 ///@}
 
+/// How many times its norm a quantity needs room for. Two entries of a matrix' diagonal may have opposite signs, those
+/// of an inertia where parameters are regrouped: their difference is what a turn multiplies.
+template <class Quantity>
+inline constexpr double room_for =
+    std::is_same_v<Quantity, quantity::RotationalInertia> || std::is_same_v<Quantity, quantity::FlowMoment> ? 2.0 : 1.0;
+
 }  // namespace axial::bounds
 
 #include <axial/options/end.hpp>

@@ -1,4 +1,5 @@
-// What derivatives of the dynamics keep, in the vocabulary of rounding: names for number systems with exponents.
+// How derivatives of the dynamics round: names of what they keep, for number systems with exponents, and forces under
+// other names than those of scalar/rounding.hpp.
 #pragma once
 
 #include <axial/spatial/spatial_vector.hpp>
