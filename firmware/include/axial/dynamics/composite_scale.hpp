@@ -69,6 +69,12 @@ AXIAL_INLINE constexpr auto seen_from(const CompositeScale<M, H, P>& r, const L&
   return CompositeScale{r.mass, grown, r.polar + growth + growth};
 }
 
+/// What the water adds to the composite inertia that a joint or the base is compared with.
+template <class Water>
+AXIAL_INLINE constexpr auto scale_of_water(const Water& water) {
+  return CompositeScale{water.scale_mass(), water.scale_first_moment(), water.scale_polar()};
+}
+
 /// Where ranges are proved no joint is near singular, so that no scale is needed.
 struct Unscaled {
   /// As any other scale; nothing to convert.

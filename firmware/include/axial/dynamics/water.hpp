@@ -1,7 +1,6 @@
 // What the water exerts on links and base body: added mass with its Coriolis terms, weight less buoyancy, drag.
 #pragma once
 
-#include <axial/dynamics/composite_scale.hpp>
 #include <axial/dynamics/gyration.hpp>
 #include <axial/dynamics/joint_axis.hpp>
 #include <axial/dynamics/moving_base.hpp>
@@ -141,12 +140,6 @@ AXIAL_INLINE constexpr auto force_on_water(const Links& links, I i, const Link& 
     return water_force(link, water_of(links, i), body, state, p, rate, dw, a);
   else
     return ForceVector<ZeroVec3, ZeroVec3>{};
-}
-
-/// What the water adds to the composite inertia that a joint or the base is compared with.
-template <class Water>
-AXIAL_INLINE constexpr auto scale_of_water(const Water& water) {
-  return CompositeScale{water.scale_mass(), water.scale_first_moment(), water.scale_polar()};
 }
 
 }  // namespace axial
