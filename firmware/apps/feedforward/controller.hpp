@@ -15,6 +15,8 @@ constexpr hal::link::TorqueStatus link_status(Status::Code code) {
       return TorqueStatus::ok;
     case Status::Code::effort_limit:
     case Status::Code::effort_rate:
+    case Status::Code::command_limit:
+    case Status::Code::current_limit:
       return TorqueStatus::effort_limited;
     case Status::Code::not_finite:
       return TorqueStatus::not_finite;

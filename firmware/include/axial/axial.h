@@ -32,6 +32,8 @@ typedef enum {
   AXIAL_ANGLE_RANGE = 12,
   AXIAL_INACCURATE = 13,
   AXIAL_EFFORT_RATE = 14,
+  AXIAL_COMMAND_LIMIT = 15,
+  AXIAL_CURRENT_LIMIT = 16,
   AXIAL_NULL_ARGUMENT = 32
 } axial_code;
 
@@ -75,6 +77,10 @@ static inline const char* axial_code_text(int code) {
       return "the inertia matrix is too ill-conditioned for the documented error";
     case AXIAL_EFFORT_RATE:
       return "change of effort limited to the declared step";
+    case AXIAL_COMMAND_LIMIT:
+      return "position command limited to the joint's range or to the largest offset";
+    case AXIAL_CURRENT_LIMIT:
+      return "effort limited to the current that the winding's heat allows";
     case AXIAL_NULL_ARGUMENT:
       return "an argument is a null pointer";
     default:

@@ -10,9 +10,11 @@
 
 #include <axial/closed_form/scara.hpp>
 #include <axial/control/collision.hpp>
+#include <axial/control/current_limit.hpp>
 #include <axial/control/fall_back.hpp>
 #include <axial/control/feedforward.hpp>
 #include <axial/control/gravity_compensation.hpp>
+#include <axial/control/position_command.hpp>
 #include <axial/control/tracking.hpp>
 #include <axial/control/two_rate.hpp>
 #include <axial/dynamics/base_wrench.hpp>
@@ -33,6 +35,7 @@
 #include <axial/links/model.hpp>
 #include <axial/scene/consistency.hpp>
 #include <axial/scene/mounted_payload.hpp>
+#include <axial/scene/status_text.hpp>
 
 // Last, behind what they include.
 #include <axial/dynamics/plain_arrays.hpp>

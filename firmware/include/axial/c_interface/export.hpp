@@ -47,7 +47,9 @@ static_assert(AXIAL_OK == static_cast<int>(Status::Code::ok) &&
               AXIAL_INPUT_LIMIT == static_cast<int>(Status::Code::input_limit) &&
               AXIAL_ANGLE_RANGE == static_cast<int>(Status::Code::angle_range) &&
               AXIAL_INACCURATE == static_cast<int>(Status::Code::inaccurate) &&
-              AXIAL_EFFORT_RATE == static_cast<int>(Status::Code::effort_rate));
+              AXIAL_EFFORT_RATE == static_cast<int>(Status::Code::effort_rate) &&
+              AXIAL_COMMAND_LIMIT == static_cast<int>(Status::Code::command_limit) &&
+              AXIAL_CURRENT_LIMIT == static_cast<int>(Status::Code::current_limit));
 
 }  // namespace axial::c_interface
 

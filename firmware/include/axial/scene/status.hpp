@@ -26,6 +26,9 @@ struct Status {
     angle_range = 12,        ///< sines not exact: in sum beyond 8192 rad in float, 524288 in double
     inaccurate = 13,   ///< forward dynamics by elimination: the matrix is too ill-conditioned for the documented error
     effort_rate = 14,  ///< the change of this joint's effort was limited to the declared step
+    command_limit =
+        15,  ///< the position told to this joint's drive was limited to its range, or its offset to the largest
+    current_limit = 16,  ///< this joint's effort was limited to the current that the heat of its winding allows
   };
   Code code = Code::ok;  ///< what was found
   int joint = -1;        ///< counted from 0 at the base; -1 for none
@@ -33,50 +36,10 @@ struct Status {
   [[nodiscard]] AXIAL_INLINE constexpr bool ok() const { return code == Code::ok; }  ///< true where nothing was found
   /// True where the answer is that of the request, though its efforts may have been limited.
   [[nodiscard]] AXIAL_INLINE constexpr bool met() const {
-    return code == Code::ok || code == Code::effort_limit || code == Code::effort_rate;
+    return code == Code::ok || code == Code::effort_limit || code == Code::effort_rate || code == Code::command_limit ||
+           code == Code::current_limit;
   }
 };
-
-/// What a code means, in one English sentence without a full stop; never a null pointer, nothing allocated. A number
-/// that is no code has a text too. Links only where it is called.
-[[nodiscard]] constexpr const char* status_text(Status::Code code) {
-  using Code = Status::Code;
-  switch (code) {
-    case Code::ok:
-      return "ok";
-    case Code::near_singular:
-      return "near singular: the joint's inertia is lost in rounding";
-    case Code::not_finite:
-      return "an input or a result is NaN or infinite";
-    case Code::position_limit:
-      return "position outside the declared limits";
-    case Code::speed_limit:
-      return "speed outside the declared limit";
-    case Code::acceleration_limit:
-      return "acceleration outside the declared limit";
-    case Code::effort_limit:
-      return "effort clamped to the declared limit";
-    case Code::payload_limit:
-      return "payload beyond the declared maximum";
-    case Code::not_ready:
-      return "asked before the first good refresh";
-    case Code::saturated:
-      return "efforts drive the joint beyond the range of its formats";
-    case Code::rescaled:
-      return "efforts beyond the declared ones: right, but less exact";
-    case Code::input_limit:
-      return "a run-time input is beyond the declared limit";
-    case Code::angle_range:
-      return "an angle of so many turns that its sine is not exact";
-    case Code::inaccurate:
-      return "the inertia matrix is too ill-conditioned for the documented error";
-    case Code::effort_rate:
-      return "change of effort limited to the declared step";
-  }
-  return "unknown status code";
-}
-/// What the status' code means; the joint is the caller's to print.
-[[nodiscard]] constexpr const char* status_text(const Status& status) { return status_text(status.code); }
 
 }  // namespace axial
 
