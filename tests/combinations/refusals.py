@@ -31,6 +31,10 @@ def _also(c, name):
     return name in c.get("also", ())
 
 
+def _spins(c):
+    return _also(c, "RotorDynamics") and c["rotor"] == "RotorInertia"
+
+
 def _moves(c):
     return c["base"] != "fixed"
 
@@ -112,6 +116,15 @@ REFUSALS = (
             "CompositeBody out",
             lambda c: _floats(c) and c["route"] in ("SplitArticulatedBody", "CompositeBody"),
             {"base": "FloatingBase", "gravity": "none", "route": "CompositeBody"}),
+    Refusal("`RotorDynamics` without `RotorInertia`",
+            "axial: a Scene names RotorDynamics, the coupling of rotors to their carriers, without what they are on their own "
+            "joints; add RotorInertia",
+            lambda c: _also(c, "RotorDynamics") and c["rotor"] == "none", {"rotor": "none", "also": ("RotorDynamics",)}),
+    Refusal("`RotorDynamics` beside `FloatingBase`, `ArticulatedBody` or `SplitArticulatedBody`",
+            "axial: forward dynamics with RotorDynamics is that of CompositeBody on a base that does not float; take FloatingBase, "
+            "ArticulatedBody and SplitArticulatedBody out",
+            lambda c: _spins(c) and (_floats(c) or c["route"] in ("ArticulatedBody", "SplitArticulatedBody")),
+            {"route": "ArticulatedBody", "also": ("RotorDynamics",)}),
     Refusal("two forms of forward dynamics",
             "axial: a Scene names more than one form of forward dynamics; keep one of ArticulatedBody, SplitArticulatedBody "
             "and CompositeBody, or none to let the compiler choose",
@@ -133,6 +146,9 @@ REFUSALS = (
     Refusal("`ExternalWrenches` in fixed point",
             "axial: fixed point has no ExternalWrenches; name TipWrench, or compute this scene in float",
             lambda c: is_fixed(c) and "ExternalWrenches" in c["wrench"], {"number": "fixed32", "wrench": "ExternalWrenches"}),
+    Refusal("`RotorDynamics` in fixed point",
+            "axial: fixed point has no rotors as bodies; take RotorDynamics out of the scene, or compute in float",
+            lambda c: is_fixed(c) and _spins(c), {"number": "fixed32", "also": ("RotorDynamics",)}),
     Refusal("`JointSprings` in fixed point", "axial: fixed point has no JointSprings; compute them in float",
             lambda c: is_fixed(c) and c["springs"] != "none", {"number": "fixed32", "springs": "JointSprings"}),
     Refusal("`CompositeBody` in fixed point",
@@ -200,6 +216,22 @@ REFUSALS = (
             "axial: momenta are those of a robot on a fixed base in air; take BaseMotion, FloatingBase and Underwater out of "
             "this scene",
             lambda c: (_moves(c) or c["water"] != "none") and not is_fixed(c), {"base": "BaseMotion"}, MOMENTA),
+    Refusal("separation with `RotorDynamics`",
+            "axial: separate() has no rotors as bodies; take RotorDynamics out of the scene, or use inverse_dynamics, bias_torque "
+            "and mass_matrix", lambda c: _spins(c) and not is_fixed(c), {"also": ("RotorDynamics",)}, SEPARATED),
+    Refusal("momenta and the observer with `RotorDynamics`",
+            "axial: momenta have no rotors as bodies; take RotorDynamics out of this scene",
+            lambda c: _spins(c) and not is_fixed(c), {"also": ("RotorDynamics",)}, MOMENTA),
+    Refusal("the effort of one joint with `RotorDynamics`",
+            "axial: the effort of one joint has no rotors as bodies; take RotorDynamics out of the scene, or the joint's effort of "
+            "inverse_dynamics or gravity_torque", lambda c: _spins(c) and not is_fixed(c), {"also": ("RotorDynamics",)},
+            ("JointTorque",)),
+    Refusal("`base_wrench` with `RotorDynamics`",
+            "axial: base_wrench has no rotors as bodies; take RotorDynamics out of the scene",
+            lambda c: _spins(c) and not is_fixed(c), {"also": ("RotorDynamics",)}, ("BaseWrench",)),
+    Refusal("integrators with `RotorDynamics`",
+            "axial: integrators have no rotors as bodies; take RotorDynamics out of the scene, or integrate forward_dynamics",
+            lambda c: _spins(c) and not is_fixed(c), {"also": ("RotorDynamics",)}, ("Integrators",)),
     Refusal("`base_wrench` with `BaseParameters`",
             "axial: base_wrench needs every link's own parameters, which BaseParameters regroups; take BaseParameters out of "
             "the scene",

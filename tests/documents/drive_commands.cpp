@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include <axial/axial.hpp>
+#include <robots/puma560.hpp>
+
 namespace {
 
 #include "drive_commands-1.inc"

@@ -27,6 +27,7 @@
 #include <axial/dynamics/joint_torque.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
+#include <axial/dynamics/rotor_dynamics.hpp>
 #include <axial/dynamics/separated_torque.hpp>
 #include <axial/dynamics/separation.hpp>
 #include <axial/dynamics/task_space_inertia.hpp>

@@ -21,9 +21,13 @@ struct Arm {
 
 /// 10 N m for ever and 30 N m at the peak; 50 N and 100 N.
 constexpr DriveRating turning =
-    DriveRating().continuous_A(2.0).peak_A(6.0).time_constant_s(4.0).torque_constant(0.0625, 100.0, 0.8);
-constexpr DriveRating sliding =
-    DriveRating().continuous_A(1.0).peak_A(2.0).time_constant_s(2.0).torque_constant(0.05, 1000.0).fold_back(0.5);
+    DriveRating().continuous_current(2.0).peak_current(6.0).time_constant_s(4.0).torque_constant(0.0625, 100.0, 0.8);
+constexpr DriveRating sliding = DriveRating()
+                                    .continuous_current(1.0)
+                                    .peak_current(2.0)
+                                    .time_constant_s(2.0)
+                                    .torque_constant(0.05, 1000.0)
+                                    .fold_back(0.5);
 constexpr double period = 1.0 / 1024.0;
 
 template <class T>
@@ -231,13 +235,13 @@ TYPED_TEST(CurrentLimit, WindingsOfMinutesWarmByLessThanARounding) {
 
 TYPED_TEST(CurrentLimit, ARatingThatMeansNothingLetsNothingThrough) {
   const DriveRating bad[] = {DriveRating(),
-                             turning.continuous_A(0.0),
-                             turning.continuous_A(-2.0),
-                             turning.continuous_A(NAN),
-                             turning.continuous_A(INFINITY),
-                             turning.peak_A(1.9),
-                             turning.peak_A(NAN),
-                             turning.peak_A(INFINITY),
+                             turning.continuous_current(0.0),
+                             turning.continuous_current(-2.0),
+                             turning.continuous_current(NAN),
+                             turning.continuous_current(INFINITY),
+                             turning.peak_current(1.9),
+                             turning.peak_current(NAN),
+                             turning.peak_current(INFINITY),
                              turning.torque_constant(0.0),
                              turning.torque_constant(-0.1),
                              turning.torque_constant(NAN),
@@ -245,7 +249,7 @@ TYPED_TEST(CurrentLimit, ARatingThatMeansNothingLetsNothingThrough) {
                              turning.time_constant_s(NAN),
                              turning.time_constant_s(INFINITY),
                              turning.peak_time_s(1.0),
-                             turning.time_constant_s(0.0).peak_A(2.0).peak_time_s(1.0),
+                             turning.time_constant_s(0.0).peak_current(2.0).peak_time_s(1.0),
                              turning.fold_back(1.0),
                              turning.fold_back(-0.1),
                              turning.fold_back(NAN),
@@ -268,8 +272,12 @@ TYPED_TEST(CurrentLimit, ARatingThatMeansNothingLetsNothingThrough) {
 
 TEST(CurrentLimitOf, APeakTimeIsWhatAColdWindingStands) {
   for (const double ratio : {1.01, 1.5, 3.0, 20.0}) {
-    const auto rating =
-        DriveRating().continuous_A(2.0).peak_A(2.0 * ratio).peak_time_s(3.0).torque_constant(1.0).fold_back(0.0);
+    const auto rating = DriveRating()
+                            .continuous_current(2.0)
+                            .peak_current(2.0 * ratio)
+                            .peak_time_s(3.0)
+                            .torque_constant(1.0)
+                            .fold_back(0.0);
     EXPECT_NEAR(rating.time_constant(), -3.0 / std::log1p(-1.0 / (ratio * ratio)), 1e-9 * rating.time_constant());
   }
 }
@@ -283,7 +291,8 @@ TEST(CurrentLimitOf, DecaysAsTheExponential) {
 // Behind track(): one status after the other, one memory of what the drives exert.
 TEST(CurrentLimitOf, ComposesWithTrack) {
   using Robot = robots::Scara;
-  constexpr auto rating = DriveRating().continuous_A(1.0).peak_A(3.0).peak_time_s(2.0).torque_constant(0.05, 100.0);
+  constexpr auto rating =
+      DriveRating().continuous_current(1.0).peak_current(3.0).peak_time_s(2.0).torque_constant(0.05, 100.0);
   constexpr auto limits = current_limits<Robot, float>({rating, rating, rating}, 1e-3);
   static_assert(limits.status.ok());
   SafeLoopState<Robot, float> state{};

@@ -80,6 +80,17 @@ TEST(DescriptionChecks, AParentPrecedes) {
     EXPECT_EQ(parent(bad), Problem::parent_does_not_precede) << bad;
 }
 
+TEST(DescriptionChecks, ACarrierOfARotorPrecedes) {
+  const auto carrier = [](int index) { return after([&](auto& p) { p.rotor_carrier = index; }); };
+  for (const int good : {LinkParameters::previous, LinkParameters::base, 0, 1})
+    EXPECT_EQ(carrier(good), Problem::none) << good;
+  for (const int bad : {2, 3, -3})
+    EXPECT_EQ(carrier(bad), Problem::rotor_carrier_does_not_precede) << bad;
+  for (int k = 0; k < 3; ++k)
+    for (const double bad : {inf, -inf, no_number})
+      EXPECT_EQ(after([&](auto& p) { p.rotor_axis[k] = bad; }), Problem::rotor_axis_is_no_direction);
+}
+
 TEST(DescriptionChecks, DrivesAndFrictionTakeEnergyOut) {
   expect_between(&LinkParameters::rotor_inertia, 0.0, -1e-300, Problem::rotor_inertia_is_negative);
   expect_between(&LinkParameters::gear, -1e300, inf, Problem::rotor_inertia_is_not_finite);

@@ -15,6 +15,8 @@ std::vector<double> fields(const LinkParameters& p) {
       double(p.type), double(p.parent), p.b, p.gamma.radians, p.a, p.alpha.radians, p.d, p.theta.radians, p.mass};
   all.insert(all.end(), p.com, p.com + 3);
   all.insert(all.end(), p.inertia_com, p.inertia_com + 6);
+  all.insert(all.end(), p.rotor_axis, p.rotor_axis + 3);
+  all.push_back(double(p.rotor_carrier));
   all.insert(all.end(), {p.rotor_inertia, p.gear, p.viscous, p.coulomb_forward, p.coulomb_backward, p.static_friction,
                          p.stribeck_speed, p.smooth_speed, p.spring_stiffness, p.spring_rest, p.position_min,
                          p.position_max, p.speed_limit, p.acceleration_limit, p.effort_limit});
@@ -82,6 +84,8 @@ TEST(LinkBuilder, InertiaAboutTheOriginIsMovedToTheCentre) {
 TEST(LinkBuilder, DrivesWriteTheirOwnFields) {
   EXPECT_ONLY(rotor_inertia(2), p.rotor_inertia = 2);
   EXPECT_ONLY(rotor_inertia(2, 50), p.rotor_inertia = 2, p.gear = 50);
+  EXPECT_ONLY(rotor_axis(1, 2, 3), p.rotor_axis[0] = 1, p.rotor_axis[1] = 2, p.rotor_axis[2] = 3);
+  EXPECT_ONLY(rotor_axis(1, 0, 0, 4), p.rotor_axis[0] = 1, p.rotor_carrier = 4);
   EXPECT_ONLY(viscous(2), p.viscous = 2);
   EXPECT_ONLY(coulomb(2), p.coulomb_forward = 2, p.coulomb_backward = -2);
   EXPECT_ONLY(coulomb(2, -1), p.coulomb_forward = 2, p.coulomb_backward = -1);

@@ -36,8 +36,8 @@ constexpr double time_to_decay(double share) {
 
 }  // namespace detail
 
-/// What the maker of a drive says of it, by name: continuous_A and peak_A, the torque constant, and time_constant_s or
-/// peak_time_s.
+/// What the maker of a drive says of it, by name: continuous_current and peak_current, the torque constant, and
+/// time_constant_s or peak_time_s.
 class DriveRating {
   template <class Change>
   [[nodiscard]] constexpr DriveRating with(Change change) const {
@@ -48,11 +48,11 @@ class DriveRating {
 
  public:
   /// Current that the winding stands for ever, A.
-  [[nodiscard]] constexpr DriveRating continuous_A(double amperes) const {
+  [[nodiscard]] constexpr DriveRating continuous_current(double amperes) const {
     return with([&](auto& r) { r.continuous_ = amperes; });
   }
   /// Largest current, A; the continuous one or more.
-  [[nodiscard]] constexpr DriveRating peak_A(double amperes) const {
+  [[nodiscard]] constexpr DriveRating peak_current(double amperes) const {
     return with([&](auto& r) { r.peak_ = amperes; });
   }
   /// Thermal time constant of the winding, s.
@@ -189,7 +189,7 @@ template <class L, class T>
 /// The modelled heat never passes 1, whatever is asked for; from 1 the limit is the continuous effort. From one call to
 /// the next a limit changes by at most `steepest_change`: so an effort changes by no more than that or than its request
 /// does. Behind track(), set its state's `output.last` to the answer, so that its ramp starts where the drives are.
-/// The model has the winding alone: the ambient that continuous_A was told for, iron and housing at rest.
+/// The model has the winding alone: the ambient that continuous_current was told for, iron and housing at rest.
 /// The number of instructions does not depend on finite efforts.
 template <class S, class T>
 [[nodiscard]] constexpr Status limit_currents(WindingHeat<S, T>& state, const CurrentLimits<S, T>& limits,

@@ -30,6 +30,8 @@ AXIAL_INLINE constexpr auto base_body_force(const Links& links, const Input& in)
 /// The inward pass of inverse dynamics, without the joints' efforts.
 template <class Links, class Input, class Q, class V, class A>
 AXIAL_INLINE constexpr auto force_on_base(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd) {
+  static_assert(!Links::Scene::template has<RotorDynamics>,
+                "axial: base_wrench has no rotors as bodies; take RotorDynamics out of the scene");
   auto screws = joint_screws(links, in, q);
   auto motions = link_motions(links, in, screws, qd, qdd);
   auto water = immersions(links, in, screws, qd);

@@ -96,7 +96,7 @@ AXIAL_INLINE constexpr auto pivot(const Link&, const T& d, const T& composite) {
 /// Whether the compiler knows that eliminating the matrix of these links loses little.
 template <class Links>
 constexpr bool loses_little() {
-  if constexpr (IsModel<typename Links::Scene::Robot>::value)
+  if constexpr (IsModel<typename Links::Scene::Robot>::value || Links::Scene::template has<RotorDynamics>)
     return false;
   else
     return detail::elimination_loses_little<typename Links::Scene>;

@@ -30,16 +30,6 @@ AXIAL_INLINE constexpr auto operator+(const CompositeScale<A, B, C>& a, const Co
   return CompositeScale{a.mass + b.mass, a.first_moment + b.first_moment, a.polar + b.polar};
 }
 
-namespace detail {
-template <class X>
-AXIAL_INLINE constexpr auto absolute(const X& x) {
-  if constexpr (is_structural_v<X>)
-    return Int<(X::value < 0 ? -X::value : X::value)>{};
-  else
-    return magnitude(x);
-}
-}  // namespace detail
-
 /// Distance of a child's origin from its parent's, at most: the lengths of the shifts on the way.
 template <class Axis, class C, class S, class L, class Turn>
 AXIAL_INLINE constexpr auto shift_length(const AxialScrew<Axis, C, S, L, Turn>& screw) {

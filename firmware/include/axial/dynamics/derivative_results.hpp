@@ -119,6 +119,10 @@ constexpr void check_derivable() {
   static_assert(!Scene::template has<BaseMotion> && !Scene::template has<FloatingBase>,
                 "axial: derivatives are those of a base at rest; take BaseMotion and FloatingBase out of the scene");
   static_assert(!Scene::template has<Underwater>, "axial: derivatives have no water; take Underwater out of the scene");
+  static_assert(
+      !Scene::template has<RotorDynamics>,
+      "axial: derivatives have no rotors as bodies but inverse_dynamics_along(); take RotorDynamics out of the "
+      "scene");
 }
 
 // The same for forward dynamics, which solves: in floating point alone.

@@ -169,12 +169,23 @@ AXIAL_INLINE constexpr void bear(const Links& links, const Input& in, const Q& q
                                  const A& qdd, const Each& each) {
   auto motions = link_motions(links, in, screws, qd, qdd);
   auto water = immersions(links, in, screws, qd);
-  auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, water, i); };
   auto joint = [&](auto i, const auto& force) AXIAL_INLINE {
-    each(i, force, joint_effort(links, i, force, q, qd, qdd));
+    if constexpr (Links::Scene::template has<RotorDynamics>)
+      each(i, force, joint_effort(links, i, force, q, qd, qdd) + effort_on_rotor(links, in, i, motions));
+    else
+      each(i, force, joint_effort(links, i, force, q, qd, qdd));
     return InwardResult{sent_force(links, screws, i, force)};
   };
-  inward(links, own, joint);
+  if constexpr (Links::Scene::template has<RotorDynamics>) {
+    auto spins = rotor_spins(links, qd, qdd);
+    auto own = [&](auto i) AXIAL_INLINE {
+      return with_spin(links.link(i), own_force(links, in, motions, water, i), spins[i], motions[i]);
+    };
+    inward(links, own, joint);
+  } else {
+    auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, water, i); };
+    inward(links, own, joint);
+  }
 }
 /// Writes tau[i] for every joint.
 template <class Links, class Input, class Q, class Screws, class V, class A, class Tau>

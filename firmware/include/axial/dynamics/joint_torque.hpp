@@ -50,6 +50,9 @@ struct Branch {
 template <class Links, class Input, class I, class Q, class V, class A>
 AXIAL_INLINE constexpr auto run_joint(const Links& links, const Input& in, I joint, const Q& q, const V& qd,
                                       const A& qdd) {
+  static_assert(!Links::Scene::template has<RotorDynamics>,
+                "axial: the effort of one joint has no rotors as bodies; take RotorDynamics out of the scene, or the "
+                "joint's effort of inverse_dynamics or gravity_torque");
   auto screws = joint_screws(links, in, q);
   auto motions = link_motions(links, in, screws, qd, qdd);
   auto water = immersions(links, in, screws, qd);

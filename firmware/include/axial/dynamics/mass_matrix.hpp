@@ -82,6 +82,15 @@ AXIAL_INLINE constexpr auto own_body(const Links& links, const Loads& loads, I i
     return link.shape(link.formatted(loads.body(link)));
 }
 
+/// The force of joint i at link j, with the moment of its rotor where link j carries that.
+template <class Links, class I, class J, class F>
+AXIAL_INLINE constexpr auto at_link(const Links& links, I i, J j, const F& force) {
+  if constexpr (Links::Scene::template has<RotorDynamics>)
+    return with_rotor(links, i, j, force);
+  else
+    return force;
+}
+
 /// Carries the force of joint i, beyond the screw of link j, towards the base and sets the row M(i, .) on its way.
 template <class Links, class Screws, class F, class I, class J, class Matrix>
 AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, const F& force, I i, J j, Matrix& m) {
@@ -89,7 +98,7 @@ AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, cons
     constexpr int parent = Links::template parent_of<J::value>;
     if constexpr (parent >= 0) {
       auto link = links.link(j);
-      auto at_parent = to_parent(link.x(), force, link.outer());
+      auto at_parent = at_link(links, i, Index<parent>{}, to_parent(link.x(), force, link.outer()));
       links.link(Index<parent>{}).on_joint([&](auto joint) AXIAL_INLINE {
         m.set(i, Index<parent>{}, along_joint(joint, at_parent));
       });
@@ -101,8 +110,8 @@ AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, cons
     for (int k = j; links.parent_index(k) >= 0; k = links.parent_index(k)) {
       auto link = links.link(k);
       if (k != j) carried = to_parent(screws[k], carried, link);
-      carried = to_parent(link.x(), carried, link.outer());
       const int parent = links.parent_index(k);
+      carried = at_link(links, i, parent, to_parent(link.x(), carried, link.outer()));
       links.link(parent).on_joint([&](auto joint) { m.set(i, parent, along_joint(joint, carried)); });
     }
   }

@@ -113,6 +113,8 @@ AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, cons
   static_assert(!base_moves<Scene> && !Scene::template has<Underwater>,
                 "axial: momenta are those of a robot on a fixed base in air; take BaseMotion, FloatingBase and "
                 "Underwater out of this scene");
+  static_assert(!Scene::template has<RotorDynamics>,
+                "axial: momenta have no rotors as bodies; take RotorDynamics out of this scene");
   auto at = at_rest.read(q);
   auto screws = joint_screws(at_rest, in, at);
   auto holding = at_rest.no_efforts();

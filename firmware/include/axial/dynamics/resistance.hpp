@@ -82,7 +82,8 @@ template <class Link>
 struct AlwaysResists : std::false_type {};
 template <class Scene, int I, class T, class Parameters>
 struct AlwaysResists<StaticLink<Scene, I, T, Parameters, Plain>>
-    : std::bool_constant<(own_shares_of<Scene>.of[I] > sufficient_share<Lane<T>>)> {};
+    : std::bool_constant<!Scene::template has<RotorDynamics> &&
+                         (own_shares_of<Scene>.of[I] > sufficient_share<Lane<T>>)> {};
 
 }  // namespace detail
 

@@ -69,7 +69,7 @@ constexpr Route chosen_route() {
     return Route::articulated_body;
   } else if constexpr (Scene::template has<SplitArticulatedBody>) {
     return Route::split_articulated_body;
-  } else if constexpr (Scene::template has<CompositeBody>) {
+  } else if constexpr (Scene::template has<CompositeBody> || Scene::template has<RotorDynamics>) {
     return Route::composite_body;
   } else if constexpr (Scene::template has<Underwater>) {
     return Route::articulated_body;  // composites with added mass are 6x6 too

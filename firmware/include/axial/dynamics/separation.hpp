@@ -164,6 +164,9 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
       !Links::Scene::template has<Underwater>,
       "axial: drag and added mass have no place in the terms of separate(); take Underwater out of the scene, "
       "or use inverse_dynamics, bias_torque and mass_matrix");
+  static_assert(!Links::Scene::template has<RotorDynamics>,
+                "axial: separate() has no rotors as bodies; take RotorDynamics out of the scene, or use "
+                "inverse_dynamics, bias_torque and mass_matrix");
   auto bodies = crba::composite_bodies(links, in, screws);
   auto motions = joint_motions(links, screws);
   for_each_link(links, [&](auto i) AXIAL_INLINE { joint_terms(links, bodies, motions, i, terms); });

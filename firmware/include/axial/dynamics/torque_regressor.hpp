@@ -173,6 +173,8 @@ template <class Scene, class T>
 constexpr void check_linear() {
   static_assert(is_number_v<T>, "axial: a regressor has no formats in fixed point; compute it in float");
   static_assert(!Scene::template has<Underwater>, "axial: a regressor has no water; take Underwater out of the scene");
+  static_assert(!Scene::template has<RotorDynamics>,
+                "axial: a regressor has no rotors as bodies; take RotorDynamics out of the scene");
 }
 
 }  // namespace detail

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/links/links.hpp>
+#include <axial/links/rotors.hpp>
 #include <axial/links/run_time_model.hpp>
 #include <axial/robot/base_body.hpp>
 
@@ -17,26 +18,28 @@ class ModelLinks : public TableLinks<SceneType, ScalarType, double, N> {
  public:
   /// `waters`: of the links, and of the base body last.
   AXIAL_INLINE constexpr ModelLinks(const Table& table, const TreeLinkConstants<double>& base,
-                                    const WaterConstants<double>* waters)
-      : Table(table), base_(base), waters_(waters) {}
+                                    const WaterConstants<double>* waters, const RotorConstants<double>* rotors)
+      : Table(table), base_(base), waters_(waters), rotors_(rotors) {}
 
   /// The base body as a link without a joint.
   AXIAL_INLINE constexpr auto base_link() const {
     return TableLink<SceneType, ScalarType, double, typename Table::SharedColumns>(base_, nullptr, false);
   }
   AXIAL_INLINE constexpr const WaterConstants<double>& water(int i) const { return waters_[i]; }  ///< about link i
+  AXIAL_INLINE constexpr const RotorConstants<double>& rotor(int i) const { return rotors_[i]; }  ///< of joint i
   /// about the base body
   AXIAL_INLINE constexpr const WaterConstants<double>& base_water() const { return waters_[N]; }
 
  private:
   const TreeLinkConstants<double>& base_;
   const WaterConstants<double>* waters_;
+  const RotorConstants<double>* rotors_;
 };
 
 /// Up to N links, filled at run time; the algorithms run over it in their looped form. Stands where a robot or scene
 /// stands: `inverse_dynamics(model, q, qd, qdd)` with `Joints<Model<N>, T>`. Features as for Scene; without any,
 /// gravity and rotor inertia. No allocation; add() says false where a link is refused (full, or its parent is not
-/// before it, or it has a branch and the features name Unbranched).
+/// before it, or it has a branch and the features name Unbranched, or its rotor's carrier is not inboard of it).
 template <int N, class... Features>
 class Model {
  public:
@@ -55,7 +58,9 @@ class Model {
     const int parent = link.parent == LinkParameters::previous ? size_ - 1 : link.parent;
     if (Scene::template has<Unbranched> && link_constants(link, parent).branches()) return false;
     if (size_ >= N || parent >= size_ || parent < LinkParameters::base) return false;
+    if (!carries(link, parent)) return false;
     waters_[size_] = water_constants(link.water);
+    rotors_[size_] = rotor_constants(link, parent);
     drives_[size_] = drive_constants(link);
     table_[size_++] = link_constants(link, parent);
     return true;
@@ -83,14 +88,23 @@ class Model {
   template <class T>
   constexpr auto links() const {
     return ModelLinks<Scene, T, N>(TableLinks<Scene, T, double, N>(table_, drives_, size_, placement_), base_body_,
-                                   waters_);
+                                   waters_, rotors_);
   }
 
  private:
+  /// Whether the link that carries a rotor is inboard of its joint.
+  constexpr bool carries(const LinkParameters& link, int parent) const {
+    int inboard = parent;
+    while (inboard > link.rotor_carrier && inboard >= 0)
+      inboard = table_[inboard].parent;
+    return link.rotor_carrier == LinkParameters::previous || inboard == link.rotor_carrier;
+  }
+
   TreeLinkConstants<double> table_[N] = {};
   DriveConstants<double> drives_[N] = {};
   TreeLinkConstants<double> base_body_{};
   WaterConstants<double> waters_[N + 1] = {};
+  RotorConstants<double> rotors_[N] = {};
   Placement placement_{};
   int size_ = 0;
 };

@@ -58,6 +58,16 @@ constexpr Problem body_problem(const LinkParameters& p, const Given& given) {
   return Problem::none;
 }
 
+constexpr Problem rotor_problem(const LinkParameters& p, const Given& given, int index) {
+  const auto& axis = p.rotor_axis;
+  const bool is_zero = axis[0] == 0.0 && axis[1] == 0.0 && axis[2] == 0.0;
+  if (!finite(axis, 3) || (is_zero && given.has(Quantity::rotor_axis))) return Problem::rotor_axis_is_no_direction;
+  if (p.rotor_carrier != LinkParameters::previous &&
+      (p.rotor_carrier < LinkParameters::base || p.rotor_carrier >= index))
+    return Problem::rotor_carrier_does_not_precede;
+  return Problem::none;
+}
+
 constexpr Problem friction_problem(const LinkParameters& p) {
   constexpr double least_speed = 1e-9;  // its inverse square is still a float
   if (!finite(p.viscous) || !finite(p.coulomb_forward) || !finite(p.coulomb_backward))
@@ -94,8 +104,8 @@ constexpr Problem water_problem(const WaterParameters& w) {
 
 /// Numbers that mean nothing.
 constexpr Problem structural_problem(const LinkParameters& p, const Given& given, int index) {
-  const Problem found[] = {geometry_problem(p, index), body_problem(p, given), friction_problem(p),
-                           limit_problem(p, given), water_problem(p.water)};
+  const Problem found[] = {geometry_problem(p, index), body_problem(p, given),  rotor_problem(p, given, index),
+                           friction_problem(p),        limit_problem(p, given), water_problem(p.water)};
   for (const Problem problem : found)
     if (problem != Problem::none) return problem;
   return Problem::none;

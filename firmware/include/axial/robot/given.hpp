@@ -22,6 +22,7 @@ enum class Quantity : unsigned char {
   com,
   inertia,
   rotor_inertia,
+  rotor_axis,
   viscous,
   coulomb,
   stribeck,

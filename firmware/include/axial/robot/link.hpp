@@ -33,6 +33,15 @@ class Link : public LinkBuilder<Link> {
   /// Craig's alpha_{i-1} in degrees: another name of alpha_deg.
   constexpr Link alpha_previous_deg(double degrees) const { return alpha_deg(degrees); }
 
+  /// Axis of the rotor, about which it turns gear times as fast as the joint: a direction in the frame of the link that
+  /// carries it, the joint's parent or one farther inboard (an index, or LinkParameters::base). Default: the joint's
+  /// own axis, on its parent. Only scenes that name RotorDynamics see it.
+  constexpr Link rotor_axis(double x, double y, double z, int carrier = LinkParameters::previous) const {
+    return with(Quantity::rotor_axis, [&](auto& p) {
+      p.rotor_axis[0] = x, p.rotor_axis[1] = y, p.rotor_axis[2] = z, p.rotor_carrier = carrier;
+    });
+  }
+
   /// Added mass in kg along the axes of frame i and added inertia in kg m^2 about them, at the centre of buoyancy.
   constexpr Link added_mass(double mx, double my, double mz, double ix = 0.0, double iy = 0.0, double iz = 0.0) const {
     return with(Quantity::added_mass, [&](auto& p) {

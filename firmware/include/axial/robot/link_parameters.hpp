@@ -31,15 +31,17 @@ struct LinkParameters {
   double mass = 0.0;                     ///< kg
   double com[3] = {0.0, 0.0, 0.0};       ///< m, centre of mass in frame i
   double inertia_com[6] = {
-      0.0, 0.0, 0.0, 0.0, 0.0, 0.0};      ///< kg m^2: xx yy zz xy xz yz about the centre of mass,
-                                          ///< tensor entries (products with their sign), axes of frame i
-  double rotor_inertia = 0.0;             ///< kg m^2, on the motor side
-  double gear = 1.0;                      ///< motor turns per joint turn
-  double viscous = 0.0;                   ///< N m s/rad or N s/m, on the joint side
-  double coulomb_forward = 0.0;           ///< N m or N, friction while moving forward (>= 0)
-  double coulomb_backward = 0.0;          ///< N m or N, friction while moving backward (<= 0)
-  double static_friction = 0.0;           ///< N m or N, breakaway effort in either direction; 0: no Stribeck effect
-  double stribeck_speed = 0.0;            ///< rad/s or m/s, where half of the breakaway beyond Coulomb is left
+      0.0, 0.0, 0.0, 0.0, 0.0, 0.0};  ///< kg m^2: xx yy zz xy xz yz about the centre of mass,
+                                      ///< tensor entries (products with their sign), axes of frame i
+  double rotor_inertia = 0.0;         ///< kg m^2, on the motor side
+  double gear = 1.0;                  ///< motor turns per joint turn
+  int rotor_carrier = previous;       ///< link on which the rotor turns, inboard of its joint; previous: the parent
+  double rotor_axis[3] = {0.0, 0.0, 0.0};  ///< direction in the carrier's frame; all 0: the joint's own axis
+  double viscous = 0.0;                    ///< N m s/rad or N s/m, on the joint side
+  double coulomb_forward = 0.0;            ///< N m or N, friction while moving forward (>= 0)
+  double coulomb_backward = 0.0;           ///< N m or N, friction while moving backward (<= 0)
+  double static_friction = 0.0;            ///< N m or N, breakaway effort in either direction; 0: no Stribeck effect
+  double stribeck_speed = 0.0;             ///< rad/s or m/s, where half of the breakaway beyond Coulomb is left
   double smooth_speed = 0.0;              ///< rad/s or m/s, below which dry friction goes through 0 smoothly; 0: a step
   double spring_stiffness = 0.0;          ///< N m/rad or N/m, of a spring across the joint
   double spring_rest = 0.0;               ///< rad or m, where the spring exerts nothing

@@ -30,6 +30,8 @@ template <class Of> void mass_is_negative_give_kg_of_0_or_more() {}  ///< axial:
 template <class Of> void inertia_origin_precedes_mass_or_com_give_it_after_them() {}  ///< axial: inertia_origin() of a link stands before its mass or com; give it after them
 template <class Of> void rotor_inertia_is_not_finite_give_kg_m2_and_gear_ratio() {}  ///< axial: rotor_inertia of a link is not finite; give kg m^2 on the motor side and the gear ratio
 template <class Of> void rotor_inertia_is_negative_give_kg_m2_of_0_or_more() {}  ///< axial: rotor_inertia of a link is negative; give kg m^2 >= 0 on the motor side
+template <class Of> void rotor_axis_is_no_direction_give_three_numbers_not_all_0() {}  ///< axial: rotor_axis of a link is no direction; give three finite numbers, not all 0
+template <class Of> void rotor_carrier_does_not_precede_name_a_link_inboard() {}  ///< axial: the carrier of rotor_axis() must be an earlier link or LinkParameters::base; name a link inboard of the joint
 template <class Of> void friction_is_not_finite_give_viscous_and_coulomb() {}  ///< axial: friction of a link is not finite; give viscous() and coulomb() on the joint side
 template <class Of> void viscous_is_negative_give_0_or_more() {}  ///< axial: viscous friction of a link is negative and would feed energy in; give a value >= 0
 template <class Of> void coulomb_feeds_energy_in_give_forward_of_0_or_more_and_backward_of_0_or_less() {}  ///< axial: coulomb friction of a link feeds energy in; give coulomb(forward >= 0, backward <= 0)
@@ -81,6 +83,7 @@ template <class Of> void mass_is_given_twice_keep_one() {}  ///< axial: mass of 
 template <class Of> void com_is_given_twice_keep_one() {}  ///< axial: com of a link is given twice; keep one, or .accept(axial::as_published)
 template <class Of> void inertia_is_given_twice_keep_one() {}  ///< axial: inertia of a link is given twice; keep one, or .accept(axial::as_published)
 template <class Of> void rotor_inertia_is_given_twice_keep_one() {}  ///< axial: rotor_inertia of a link is given twice; keep one, or .accept(axial::as_published)
+template <class Of> void rotor_axis_is_given_twice_keep_one() {}  ///< axial: rotor_axis of a link is given twice; keep one, or .accept(axial::as_published)
 template <class Of> void viscous_is_given_twice_keep_one() {}  ///< axial: viscous of a link is given twice; keep one, or .accept(axial::as_published)
 template <class Of> void coulomb_is_given_twice_keep_one() {}  ///< axial: coulomb of a link is given twice; keep one, or .accept(axial::as_published)
 template <class Of> void stribeck_is_given_twice_keep_one() {}  ///< axial: stribeck of a link is given twice; keep one, or .accept(axial::as_published)

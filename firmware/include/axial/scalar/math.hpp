@@ -7,12 +7,6 @@
 
 namespace axial {
 
-/// |x|.
-template <class T>
-AXIAL_INLINE constexpr T magnitude(const T& x) {
-  return select(x < T(Zero{}), T(-x), x);
-}
-
 /// Square root by Newton's iteration, within 1 ulp; NaN for negative arguments. Meant for constants: it loops.
 template <class T>
 constexpr T square_root(T x) {

@@ -45,6 +45,23 @@ AXIAL_INLINE constexpr int select(bool condition, int yes, int no) {
   return (yes & mask) | (no & ~mask);
 }
 
+/// |x|.
+template <class T>
+AXIAL_INLINE constexpr T magnitude(const T& x) {
+  return select(x < T(Zero{}), T(-x), x);
+}
+
+namespace detail {
+// |x|, of a structural scalar as a type.
+template <class X>
+AXIAL_INLINE constexpr auto absolute(const X& x) {
+  if constexpr (is_structural_v<X>)
+    return Int<(X::value < 0 ? -X::value : X::value)>{};
+  else
+    return magnitude(x);
+}
+}  // namespace detail
+
 }  // namespace axial
 
 #include <axial/options/end.hpp>

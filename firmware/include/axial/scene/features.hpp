@@ -121,6 +121,10 @@ struct VelocityThroughWater : Feature<VelocityThroughWater> {
 /// gear^2 J of each drive on its own joint.
 struct RotorInertia : Feature<RotorInertia> {};
 
+/// Rotors as spinning bodies on the links that carry them, beside RotorInertia: what couples a drive to the turning of
+/// its carrier (dynamics/rotor_dynamics.hpp, which axial.hpp includes; doc/guides/rotors.md).
+struct RotorDynamics : Feature<RotorDynamics> {};
+
 /// Friction as the links declare it, on the joint side: viscous, Coulomb, Stribeck; 0 at rest.
 struct Friction : Feature<Friction> {};
 

@@ -48,6 +48,14 @@ struct Scene {
   static_assert(!(has<FloatingBase> && (has<SplitArticulatedBody> || has<CompositeBody>)),
                 "axial: forward dynamics of a floating base is that of ArticulatedBody; take SplitArticulatedBody or "
                 "CompositeBody out");
+  static_assert(
+      !has<RotorDynamics> || has<RotorInertia>,
+      "axial: a Scene names RotorDynamics, the coupling of rotors to their carriers, without what they are on "
+      "their own joints; add RotorInertia");
+  static_assert(
+      !(has<RotorDynamics> && (has<FloatingBase> || has<ArticulatedBody> || has<SplitArticulatedBody>)),
+      "axial: forward dynamics with RotorDynamics is that of CompositeBody on a base that does not float; take "
+      "FloatingBase, ArticulatedBody and SplitArticulatedBody out");
   static_assert(times_named<ArticulatedBody> + times_named<SplitArticulatedBody> + times_named<CompositeBody> <= 1,
                 "axial: a Scene names more than one form of forward dynamics; keep one of ArticulatedBody, "
                 "SplitArticulatedBody and CompositeBody, or none to let the compiler choose");

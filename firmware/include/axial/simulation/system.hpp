@@ -15,6 +15,9 @@ template <class S>
 constexpr void check_fixed_base() {
   static_assert(!scene_of<S>::template has<FloatingBase>,
                 "axial: integrators move joints; integrate a floating base as doc/guides/moving_base.md shows");
+  static_assert(!scene_of<S>::template has<RotorDynamics>,
+                "axial: integrators have no rotors as bodies; take RotorDynamics out of the scene, or integrate "
+                "forward_dynamics");
 }
 
 /// A scene whose robot is a type.

@@ -149,6 +149,8 @@ constexpr void check_fixed_scene() {
                 "axial: fixed point has no ExternalWrenches; name TipWrench, or compute this scene in float");
   static_assert(!Scene::template has<RuntimeTool>,
                 "axial: fixed point has no RuntimeTool: declare the tool with axial::tool(), or compute in float");
+  static_assert(!Scene::template has<RotorDynamics>,
+                "axial: fixed point has no rotors as bodies; take RotorDynamics out of the scene, or compute in float");
   static_assert(!Scene::template has<JointSprings>, "axial: fixed point has no JointSprings; compute them in float");
   static_assert(!Scene::template has<CompositeBody>,
                 "axial: forward dynamics in fixed point is that of articulated bodies; take CompositeBody out");
