@@ -1,5 +1,5 @@
 """Gravity compensation and tracking on a board: the host's bits, one instruction count for all good ticks, fewer for refused
-ones, and the counts that doc/guides/gravity_compensation.md states.
+ones, and the counts that doc/guides/gravity_compensation.md and drive_commands.md state.
 
 usage: safe_loop_test.py BOARD HOST_PROGRAM
 """
@@ -14,7 +14,8 @@ import harness
 import symbols_test
 
 HOST = sys.argv.pop(2)
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "doc/guides/gravity_compensation.md"
+GUIDES = pathlib.Path(__file__).resolve().parents[2] / "doc/guides"
+LOOP, DRIVES = GUIDES / "gravity_compensation.md", GUIDES / "drive_commands.md"
 ROBOTS = ("scara", "puma560", "panda")
 SLACK = 1.02  # another release of a compiler may count a little more or less
 
@@ -24,9 +25,9 @@ def host_fields(image):
     return {fields[0]: fields[1:] for fields in (line.split(",") for line in lines)}[image]
 
 
-def stated(board, robot):
-    """Counts of the page: gravity compensation, tracking."""
-    row = re.search(rf"^\| {robot}, {board} \|(.*)\|$", PAGE.read_text(encoding="utf-8"), re.MULTILINE)
+def stated(page, board, robot):
+    """Counts of a page: gravity compensation, tracking; or limited currents, told positions."""
+    row = re.search(rf"^\| {robot}, {board} \|(.*)\|$", page.read_text(encoding="utf-8"), re.MULTILINE)
     return [int(cell.replace(" ", "")) for cell in row[1].split("|")]
 
 
@@ -46,16 +47,24 @@ class SafeLoop(harness.BoardTest):
     def test_bits_and_counts(self):
         for robot in ROBOTS:
             with self.subTest(robot):
-                met, refused, least_gravity, gravity, least_tracking, tracking, _, bad = self.run_robot(robot)
+                met, refused, least_gravity, gravity, least_tracking, tracking, _, bad, *drives = self.run_robot(robot)
                 self.assertEqual((met, refused), (133, 67))
                 self.assertGreater(least_gravity, 100, "it cannot be that few")
                 self.assertEqual(least_gravity, gravity, "one count for all good positions")
                 self.assertEqual(least_tracking, tracking, "one count for all good ticks")
                 self.assertLess(bad, tracking, "a refused tick takes less")
                 print(f"{robot} on {self.board}: {gravity} instructions carry the arm, {tracking} track")
-                for counted, written in zip((gravity, tracking), stated(self.board, robot)):
-                    self.assertLessEqual(counted, written * SLACK)
-                    self.assertGreaterEqual(counted * SLACK, written)
+                self.assertEqual(len(drives), 4 if self.board == "stm32f405" else 0)
+                self.assertEqual(drives[0::2], drives[1::2], "one count for whatever windings and commands do")
+                self.expect_near((gravity, tracking), stated(LOOP, self.board, robot))
+                if drives:
+                    print(f"{robot} on {self.board}: {drives[0]} limit currents, {drives[2]} tell servos their positions")
+                    self.expect_near(drives[0::2], stated(DRIVES, self.board, robot))
+
+    def expect_near(self, counts, pages):
+        for counted, written in zip(counts, pages, strict=True):
+            self.assertLessEqual(counted, written * SLACK)
+            self.assertGreaterEqual(counted * SLACK, written)
 
     def test_nothing_forbidden_is_linked(self):
         for robot in ROBOTS:

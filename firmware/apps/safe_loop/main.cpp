@@ -32,6 +32,9 @@ int main() {
   print(static_cast<std::uint32_t>(all.met)), print(static_cast<std::uint32_t>(all.refused));
   for (const auto& cost : {all.gravity, all.tracking, all.bad})
     print(cost.least), print(cost.most);
+  if (!axial::is_stored_v<AXIAL_NUMBER>)
+    for (const auto& cost : {all.limiting, all.telling})
+      print(cost.least), print(cost.most);
   Board::print("\nend\n");
   Board::exit(0);
 }

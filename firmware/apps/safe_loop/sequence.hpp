@@ -5,6 +5,7 @@
 #include <firmware/apps/fixed/golden.hpp>
 #include <firmware/apps/hand_guiding/controller.hpp>
 #include <firmware/apps/observer/sequence.hpp>
+#include <firmware/apps/safe_loop/drive_calls.hpp>
 
 namespace axial::apps::safe_loop {
 
@@ -15,6 +16,7 @@ struct Report {
   std::uint64_t hash = 0;
   Cost gravity, tracking;  ///< instructions of a good call, where the counter counts
   Cost bad;                ///< of a call that was refused, of either kind
+  Cost limiting, telling;  ///< of limit_currents() and position_command(), where there are they: not in fixed point
   int met = 0, refused = 0;
 };
 
@@ -44,6 +46,7 @@ Report report(Count count) {
   in.payload = held;
   fixed::Hash hash;
   Report all;
+  [[maybe_unused]] std::conditional_t<is_stored_v<T>, Cost, DriveCalls<S, T>> drives;
   for (int k = 0; k < ticks; ++k) {
     wanted.next(), seen.next();
     Request<S, T> request{wanted.q, wanted.qd, {}, {}};
@@ -62,6 +65,7 @@ Report report(Count count) {
     for (int i = 0; i < joint_count<S>; ++i)
       hash.add(observer::bits(result.tau[i]));
     hash.add(static_cast<int>(result.status.code)), hash.add(result.status.joint);
+    if constexpr (!is_stored_v<T>) drives.run(count, result.tau, wanted.q, all.limiting, all.telling, hash);
   }
   all.hash = hash.value();
   return all;
