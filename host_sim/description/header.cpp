@@ -86,8 +86,16 @@ class LinkText {
   std::string drive() const {
     std::string row;
     if (p_.rotor_inertia != 0.0) row += call("rotor_inertia", {p_.rotor_inertia, p_.gear});
+    row += rotor_axis();
     if (p_.spring_stiffness != 0.0) row += call("spring", {p_.spring_stiffness, p_.spring_rest});
     return row;
+  }
+  std::string rotor_axis() const {
+    const double* z = p_.rotor_axis;
+    if (z[0] == 0.0 && z[1] == 0.0 && z[2] == 0.0) return "";
+    if (p_.rotor_carrier == axial::LinkParameters::previous) return call("rotor_axis", {z[0], z[1], z[2]});
+    const std::string carrier = p_.rotor_carrier < 0 ? "axial::LinkParameters::base" : std::to_string(p_.rotor_carrier);
+    return ".rotor_axis(" + arguments({z[0], z[1], z[2]}) + ", " + carrier + ")";
   }
   std::string friction() const {
     std::string row = call_unless_zero("viscous", p_.viscous);

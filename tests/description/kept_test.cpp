@@ -51,6 +51,19 @@ std::string edited() {
   return inserted(inserted(header, "axial::gravity", payload), ".speed_limit", effort);
 }
 
+TEST(Header, SaysWhereARotorTurns) {
+  Description robot = two_joints();
+  auto& p = robot.links[1].parameters;
+  p.rotor_inertia = 0.25, p.gear = 50.0;
+  EXPECT_FALSE(says(description::header(robot, {}), "rotor_axis")) << "on its parent, about the joint's axis";
+  p.rotor_axis[0] = 0.5, p.rotor_axis[2] = -1.0;
+  EXPECT_TRUE(says(description::header(robot, {}), ".rotor_inertia(0.25, 50.0).rotor_axis(0.5, 0.0, -1.0)"));
+  p.rotor_carrier = 0;
+  EXPECT_TRUE(says(description::header(robot, {}), ".rotor_axis(0.5, 0.0, -1.0, 0)"));
+  p.rotor_carrier = axial::LinkParameters::base;
+  EXPECT_TRUE(says(description::header(robot, {}), ".rotor_axis(0.5, 0.0, -1.0, axial::LinkParameters::base)"));
+}
+
 TEST(Kept, LinesAreFoundByTheirJoint) {
   const auto kept = description::kept_lines(edited());
   ASSERT_EQ(kept.size(), 2U);

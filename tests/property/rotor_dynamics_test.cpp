@@ -1,5 +1,6 @@
 // Rotors as spinning bodies, against chains in which every rotor is a link of its own: efforts, M(q), accelerations,
 // power.
+#include <axial/batch.hpp>
 #include <cases/to_axial.hpp>
 #include <oracle/moving_base.hpp>
 #include <oracle/rotors.hpp>
@@ -293,4 +294,26 @@ TEST(RotorDynamicsOfARobot, EffortsAlongADirectionAreItsDerivatives) {
     EXPECT_LE(oracle::relative_error(property::vector(found.dtau), slope), 1e-8);
     EXPECT_LE(oracle::relative_error(property::vector(looped.dtau), slope), 1e-8);
   }
+}
+
+TEST(RotorDynamicsOfARobot, ABatchAnswersAsItsStates) {
+  using S = Scene<Wrist, Gravity, RotorInertia, RotorDynamics>;
+  using Compact = Scene<Wrist, Gravity, RotorInertia, RotorDynamics, Looped>;
+  using Lanes = Batch<double, 4>;
+  oracle::RandomChains random(36);
+  const Sample s = sample(random, 6);
+  const auto q = joints<Wrist, double>(s.q), qd = joints<Wrist, double>(s.qd), qdd = joints<Wrist, double>(s.qdd);
+  Joints<Wrist, Lanes> at{}, speed{}, acceleration{};
+  for (int i = 0; i < 6; ++i)
+    at[i] = Lanes(q[i]), speed[i] = Lanes(qd[i]), acceleration[i] = Lanes(qdd[i]);
+  const auto tau = inverse_dynamics<S>(q, qd, qdd);
+  const auto unrolled = inverse_dynamics<S>(at, speed, acceleration);
+  const auto looped = inverse_dynamics<Compact>(at, speed, acceleration);
+  const auto back = forward_dynamics<S>(at, speed, unrolled);
+  Vector<double> found, compact, undone;
+  for (int i = 0; i < 6; ++i)
+    found.push_back(unrolled[i][1]), compact.push_back(looped[i][3]), undone.push_back(back[i][2]);
+  EXPECT_LE(oracle::relative_error(found, property::vector(tau)), 1e-14);
+  EXPECT_LE(oracle::relative_error(compact, property::vector(tau)), 1e-14);
+  EXPECT_LE(oracle::relative_error(undone, s.qdd), 1e-10);
 }
