@@ -35,6 +35,7 @@ struct Description {
   bool as_published = false;             ///< numbers that no robot should have are kept, and the header says so
   std::vector<std::string> notes;        ///< how the source was read
   std::vector<std::string> assumptions;  ///< what the source does not say and was filled in
+  std::vector<std::string> fitted;       ///< what was found from measurements, and how well it explains them
 
   int size() const { return static_cast<int>(links.size()); }
   /// Index of the link that carries joint i, or axial::LinkParameters::base.
@@ -43,6 +44,9 @@ struct Description {
     return given == axial::LinkParameters::previous ? i - 1 : given;
   }
 };
+
+/// How the assumption begins that joints have no rotors, which an identification of rotors ends.
+constexpr const char* no_rotors = "no rotor inertias";
 
 /// Links that a run-time model of a description has room for.
 constexpr int most_links = 64;

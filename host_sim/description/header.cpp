@@ -187,6 +187,8 @@ std::string leading_comment(const Description& robot, const std::vector<Finding>
     text += comment_lines("read:     ", note);
   for (const auto& assumption : robot.assumptions)
     text += comment_lines("assumed:  ", assumption);
+  for (const auto& line : robot.fitted)
+    text += comment_lines("fitted:   ", line);
   for (const auto& warning : warnings)
     text += comment_lines("warning:  ", warning.text());
   for (const auto& figure : figures)

@@ -11,8 +11,8 @@ namespace description {
 
 /// The text of a header that describes the robot: `namespace robots { struct Name { name; chain; }; }`, a line a group
 /// of values, every number such that it reads back as the same double, angles in degrees where that is exact. The
-/// leading comment holds source, notes, assumptions, warnings and the lines of `figures` (of a verification). Kept
-/// lines stand below their joint and replace what the description gives for their quantities. The same description
+/// leading comment holds source, notes, assumptions, fits, warnings and the lines of `figures` (of a verification).
+/// Kept lines stand below their joint and replace what the description gives for their quantities. The same description
 /// gives the same text. Throws Refused where check() does, where numbers must be accepted and the description is not
 /// kept as published, and where a kept line's joint is not the robot's.
 std::string header(const Description& robot, const std::vector<std::string>& figures, const Kept& kept = {});

@@ -23,6 +23,10 @@ GROWTH = 10.0  # of the data's weight, from one minimum to the next
 CONVERGED = 1e-12  # squared Newton decrement: a share of the sum of squares and divergences
 
 
+class NotFound(ValueError):
+    """Newton's method did not end: the data is far from everything that bodies can do."""
+
+
 def pseudo_inertia(link):
     """Of m, mx, my, mz, Ixx, Iyy, Izz, Ixy, Ixz, Iyz about the origin."""
     m, x, y, z, xx, yy, zz, xy, xz, yz = link
@@ -152,4 +156,4 @@ def _newton(problem, x):
         if -slope < CONVERGED * (1.0 + abs(value)) or length <= 1e-12:
             return x
         x, value = x + length * step, following
-    raise ValueError(f"no physically consistent parameters were found in {MOST_STEPS} steps; is the robot the one that was recorded?")
+    raise NotFound(f"no physically consistent parameters were found in {MOST_STEPS} steps")

@@ -12,6 +12,7 @@ import numpy as np
 
 import base_parameters
 import consistency
+import doubts
 import least_squares
 import program
 import recording
@@ -20,6 +21,8 @@ import robot as robots
 import smoothing
 
 PLOT = pathlib.Path(__file__).resolve().parents[1] / "plot/identification.py"
+RESIDUAL_LIMIT = 5.0  # %
+SUSPICIOUS = 0.2  # of the limit: above, what would mend the log is told although it is taken
 FIXED = {"rotors": ("rotor",), "friction": ("viscous", "forward", "backward")}
 
 
@@ -33,6 +36,7 @@ def parsed(arguments):
     parser.add_argument("--cutoff", type=float)
     parser.add_argument("--keep", action="append", default=[], choices=sorted(FIXED))
     parser.add_argument("--validate")
+    parser.add_argument("--residual-limit", type=float, default=RESIDUAL_LIMIT)
     parser.add_argument("--output", default="output/identify")
     parser.add_argument("--json")
     return parser.parse_args(arguments)
@@ -55,16 +59,23 @@ def drive_scales(robot, log):
     return scale
 
 
-class Identification:
-    """Everything that is found out about a robot from a log."""
+class Fit:
+    """The base parameters that a log has, whether or not bodies have them."""
 
     def __init__(self, robot, log, keep=(), cutoff=None):
-        self.robot, self.log, self.cutoff = robot, log, cutoff
+        self.robot, self.log, self.keep, self.cutoff = robot, log, keep, cutoff
         self.free = free_parameters(robot, keep)
         self.base = base_parameters.base_of(robot, self.free)
         self.columns, self.known = self.free[self.base.columns], np.setdiff1d(np.arange(len(robot.names)), self.free)
         self.equations, self.smoother = smoothing.equations(robot, log, self.columns, self.known, cutoff)
         self.fit = least_squares.fit(self.equations)
+
+
+class Identification(Fit):
+    """Everything that is found out about a robot from a log. Raises consistency.NotFound."""
+
+    def __init__(self, robot, log, keep=(), cutoff=None):
+        super().__init__(robot, log, keep, cutoff)
         self.consistent = consistency.nearest(robot, self.free, self.base, self.fit, drive_scales(robot, log))
         self.prior = self.base.combinations @ robot.prior[self.free]
 
@@ -80,6 +91,10 @@ class Identification:
         size = rms(equations.tau)
         return size, {name: rms(tau - equations.tau) / size for name, tau in self.torques(equations).items()}
 
+    def residuals(self, equations=None):
+        """What the header's parameters leave of each joint's torque, over its RMS."""
+        return self.errors(self.equations if equations is None else equations)[1]["identified"]
+
     def on(self, log):
         """The equations of another log in the same base parameters."""
         return smoothing.equations(self.robot, log, self.columns, self.known, self.cutoff)[0]
@@ -92,6 +107,56 @@ def read(path, robot):
         raise ValueError(f"{path}: {error}") from error
 
 
+def identified(robot, log, options):
+    """Raises ValueError where bodies have nothing like the log's parameters."""
+    try:
+        return Identification(robot, log, options.keep, options.cutoff)
+    except consistency.NotFound as error:
+        reason = diagnosis(Fit(robot, log, options.keep, options.cutoff), np.inf, 0.01 * options.residual_limit)
+        raise ValueError(f"{options.log}: {error}; no header is written; {reason}") from error
+
+
+def refuse(found, judged, options):
+    """Raises ValueError for logs that the parameters do not explain, with the single mistake that does."""
+    limit = 0.01 * options.residual_limit
+    for path, equations in judged.items():
+        residuals = found.residuals(equations)
+        joint, worst = int(np.argmax(residuals)), residuals.max()
+        if worst <= limit:
+            continue
+        text = f"{path}: {100 * worst:.3g} % of tau{joint + 1} is left unexplained, the limit is {options.residual_limit:g} % (--residual-limit); no header is written"
+        if path == options.log:
+            text += "; " + diagnosis(found, worst, limit)
+        raise ValueError(text)
+
+
+def suspicion(found, options):
+    """Of a log that is taken: the single mistake without which far less would be left; nothing where there is none."""
+    limit, worst = 0.01 * options.residual_limit, found.residuals().max()
+    if not SUSPICIOUS * limit < worst <= limit:
+        return []
+    remedy = best_remedy(found)
+    return [doubts.sentence(found.robot, worst, remedy, limit)] if doubts.mends(worst, remedy, limit) else []
+
+
+def diagnosis(found, worst, limit):
+    """The sentence that names the single mistake."""
+    return doubts.sentence(found.robot, worst, best_remedy(found), limit)
+
+
+def best_remedy(found):
+    print("looking for exchanged columns, signs, zeros, scales and units", file=sys.stderr, flush=True)
+
+    def residual_of(log):
+        try:
+            return float(Identification(found.robot, log, found.keep, found.cutoff).residuals().max())
+        except ValueError:
+            return np.inf
+
+    doubted = doubts.Doubts(found.robot, found.log, found.columns, found.known, found.cutoff)
+    return doubts.best_remedy(doubted, found.log, residual_of)
+
+
 def write_torques(path, found, equations):
     joints, torques = len(found.robot), found.torques(equations)
     with open(path, "w", encoding="utf-8", newline="") as file:
@@ -101,8 +166,8 @@ def write_torques(path, found, equations):
         writer.writerows([f"{value:.7g}" for value in row] for row in table)
 
 
-def write_header(found, path, log):
-    content = report.header_content(found, pathlib.Path(path).stem, log)
+def write_header(found, path, judged):
+    content = report.header_content(found, pathlib.Path(path).stem, judged)
     with tempfile.NamedTemporaryFile("w", suffix=".json", encoding="utf-8") as file:
         json.dump({**content, "parameters": found.consistent.standard.tolist()}, file)
         file.flush()
@@ -113,21 +178,22 @@ def identify(options):
     with robots.Robot(options.program, options.robot, options.tip) as robot:
         log = read(options.log, robot)
         print(f"{len(log.time)} rows of {len(robot)} joints; fitting", file=sys.stderr, flush=True)
-        found = Identification(robot, log, options.keep, options.cutoff)
+        found = identified(robot, log, options)
         judged = {options.log: found.equations}
         if options.validate:
             judged[options.validate] = found.on(read(options.validate, robot))
         folder = pathlib.Path(options.output)
         folder.mkdir(parents=True, exist_ok=True)
-        print(report.text(found, judged))
+        print(report.text(found, judged, suspicion(found, options)))
         rows = report.rows(found, judged)
         for target in filter(None, [folder / "identification.json", options.json]):
             pathlib.Path(target).write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
         write_torques(folder / "torques.csv", found, list(judged.values())[-1])
         subprocess.run(["/usr/bin/python3", "-E", "-B", PLOT, folder / "torques.csv"], check=True)
         print(f"report {folder}/identification.json, picture {folder}/torques.png")
+        refuse(found, judged, options)
         if options.header:
-            write_header(found, options.header, options.log)
+            write_header(found, options.header, judged)
             print(f"header {options.header}")
 
 

@@ -13,6 +13,7 @@ import scipy.stats
 ROUNDS = 4
 EXACT = 1e-6  # of a joint's RMS torque: a smaller residual is taken for this much
 OUTLIER = 5.0  # standard deviations, robustly estimated
+NOTICEABLE = 0.02  # of a joint's RMS torque: a smaller residual is no outlier, however exact the others are
 POOR = 0.3  # relative standard deviation above which a parameter counts as not identified by this log
 
 
@@ -63,7 +64,8 @@ def _solve(blocks, deviations):
 def _outliers(equations, residuals):
     found = []
     for joint, residual in enumerate(residuals):
-        far = np.abs(residual - np.median(residual)) > OUTLIER * scipy.stats.median_abs_deviation(residual, scale="normal")
+        least = NOTICEABLE * np.sqrt(np.mean(equations.of_joint(joint)[1] ** 2))
+        far = np.abs(residual - np.median(residual)) > max(OUTLIER * scipy.stats.median_abs_deviation(residual, scale="normal"), least)
         times = equations.time[equations.valid[:, joint]][far]
         found.append((len(times), float(times[0]) if len(times) else None))
     return found

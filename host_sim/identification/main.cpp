@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -58,7 +59,13 @@ void answer(const description::Description& robot) {
   }
 }
 
-// `values`: a JSON file of "name", "source", "parameters" (all links'), "notes", "figures".
+// What is known now is assumed no more.
+void forget_missing_rotors(std::vector<std::string>& assumptions) {
+  const auto names_rotors = [](const std::string& text) { return text.rfind(description::no_rotors, 0) == 0; };
+  assumptions.erase(std::remove_if(assumptions.begin(), assumptions.end(), names_rotors), assumptions.end());
+}
+
+// `values`: a JSON file of "name", "source", "parameters" (all links'), "notes", "rotors_fitted", "fitted", "figures".
 void write_header(description::Description robot, const std::string& values, const std::string& path) {
   const auto json = nlohmann::json::parse(description::read_text(values));
   const auto parameters = json.at("parameters").get<std::vector<double>>();
@@ -72,6 +79,8 @@ void write_header(description::Description robot, const std::string& values, con
   robot.source += json.at("source").get<std::string>();
   for (const auto& note : json.at("notes"))
     robot.notes.push_back(note.get<std::string>());
+  robot.fitted = json.at("fitted").get<std::vector<std::string>>();
+  if (json.at("rotors_fitted").get<bool>()) forget_missing_rotors(robot.assumptions);
   const auto rewritten = description::write_header(path, robot, json.at("figures").get<std::vector<std::string>>());
   std::fputs(description::said_of(path, rewritten).c_str(), stderr);
 }
@@ -89,7 +98,7 @@ int main(int count, char** arguments) {
             [&] { answer(find_robot(robot, tip)); });
   auto header = line.verb("header", "writes the header of the robot with other parameters",
                           [&] { write_header(find_robot(robot, tip), values, path); });
-  header.option("--values", values, "JSON: name, source, parameters, notes, figures").required();
+  header.option("--values", values, "JSON: name, source, parameters, notes, rotors_fitted, fitted, figures").required();
   header.option("-o", path, "the header").required();
   return line.run(count, arguments, [] { return 0; });
 }

@@ -12,6 +12,8 @@ import scipy.interpolate
 
 MOST_ROWS = 400_000
 LEAST_ROWS = 100
+SLOPE, ALIKE = 0.1, 0.5  # a speed's factor is one of the known ones; squared correlation with the derivative
+FAR = 2.0  # of a joint's limit: positions beyond are in another unit
 EVEN = 1e-6  # of the mean step: what deviates less is the same step
 
 
@@ -51,6 +53,7 @@ def read(path, robot):
 
 def _columns(header, joints):
     """Where time, q, qd (perhaps) and tau stand."""
+    _check_separator(header)
     wanted = {"time": ["time"], **{name: [f"{name}{i + 1}" for i in range(joints)] for name in ("q", "qd", "tau")}}
     if header and all(_is_number(name) for name in header):
         raise RecordingError("line 1: no header line; name the columns: time,q1,...,tau1,...")
@@ -64,6 +67,17 @@ def _columns(header, joints):
         raise RecordingError(f"line 1: no column {', '.join(missing)}; needed: time, q1..q{joints}, tau1..tau{joints} and, all or none, "
                              f"qd1..qd{joints}; there are: {', '.join(header) or 'none'}")
     return {name: [header.index(each) for each in names] for name, names in wanted.items()}
+
+
+def _check_separator(header):
+    """Names that stand in one cell are separated by something else."""
+    if len(header) > 2:
+        return
+    text = " ".join(header)
+    for mark, name in ((";", "semicolons"), ("\t", "tabs"), ("|", "bars"), (" ", "blanks")):
+        names = [each for each in text.split(mark) if each]
+        if len(names) > 2 and any(each.strip() in ("time", "q1", "tau1") for each in names):
+            raise RecordingError(f"line 1: the columns are separated by {name}; needed: commas between them, points in the numbers")
 
 
 def _is_number(text):
@@ -111,6 +125,7 @@ def _doubts(groups, robot):
     time, notes = groups["time"][:, 0], []
     if np.median(np.diff(time)) >= 1.0:
         raise RecordingError(f"rows are {np.median(np.diff(time)):g} s apart; time is in seconds: are these milliseconds?")
+    _check_speeds(groups)
     for joint in range(len(robot)):
         q, tau = groups["q"][:, joint], groups["tau"][:, joint]
         if np.ptp(q) == 0.0:
@@ -120,13 +135,33 @@ def _doubts(groups, robot):
         if q.max() > (high if high is not None else 7.0) + wide or q.min() < (low if low is not None else -7.0) - wide:
             hint = "millimetres" if robot.joints[joint]["prismatic"] else "degrees"
             text = f"joint {joint + 1} goes from {q.min():.4g} to {q.max():.4g}, outside the robot's limits; are these {hint}?"
-            if max(abs(q.min()), abs(q.max())) > 20 * max(abs(low or 0.35), abs(high or 0.35)):
+            if np.abs(q).max() > FAR * max(abs(3.5 if each is None else each) for each in (low, high)):
                 raise RecordingError(text + " Positions are in rad or m")
             notes.append(text)
         effort = robot.joints[joint]["effort"]
         if effort is not None and np.abs(tau).max() > 2 * effort:
             notes.append(f"tau{joint + 1} reaches {np.abs(tau).max():.4g} {robot.unit(joint)}, twice the robot's limit and more; on the joint's side?")
     return notes
+
+
+def _check_speeds(groups):
+    """Raises where measured speeds are not the derivatives of positions but so many times as much."""
+    if "qd" not in groups:
+        return
+    derivative = np.gradient(groups["q"], groups["time"][:, 0], axis=0)
+    wrong = ((180.0 / np.pi, "q is in degrees; positions are in rad"), (np.pi / 180.0, "qd is in degrees per second; speeds are in rad/s"),
+             (-1.0, "one of them is negated"), (1e-3, "qd is in millimetres per second; speeds are in m/s"), (1e3, "q is in millimetres; positions are in m"))
+    for joint, (slope, fits) in enumerate(_slopes(groups["qd"], derivative)):
+        for factor, text in wrong:
+            if fits and abs(slope / factor - 1.0) < SLOPE:
+                raise RecordingError(f"q{joint + 1} changes {slope:.4g} times as fast as qd{joint + 1} says: {text}")
+
+
+def _slopes(qd, derivative):
+    """Of the derivative over the speed, and whether one is a multiple of the other, for every joint."""
+    for speed, other in zip(qd.T, derivative.T):
+        product, squares = speed @ other, (speed @ speed, other @ other)
+        yield (product / squares[0], product ** 2 > ALIKE * squares[0] * squares[1]) if min(squares) > 0.0 else (1.0, False)
 
 
 def _even(groups, notes):

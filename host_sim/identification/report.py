@@ -60,11 +60,12 @@ def _fit_row(found):
     fit = found.fit
     return {"kind": "fit", "robot": found.robot.name, "rows": fit.rows, "parameters": len(found.base), "cutoff_Hz": found.smoother.cutoff,
             "rate_Hz": found.smoother.rate, "condition": float(fit.condition), "condition_scaled": float(fit.condition_scaled),
-            "consistency_cost": found.consistent.cost, "rank_gap": [float(value) for value in found.base.gap]}
+            "residual": float(found.residuals().max()), "consistency_cost": found.consistent.cost, "rank_gap": [float(value) for value in found.base.gap]}
 
 
-def text(found, judged):
-    return "\n".join([*_heading(found), "", *_parameters(found), "", *_torques(found, judged), *_notes(found)])
+def text(found, judged, suspicions=()):
+    """suspicions: sentences of what may be wrong with the log."""
+    return "\n".join([*_heading(found), "", *_parameters(found), "", *_torques(found, judged), *_notes(found, suspicions)])
 
 
 def _heading(found):
@@ -99,8 +100,8 @@ def _torques(found, judged):
     return lines
 
 
-def _notes(found):
-    notes = list(found.log.notes)
+def _notes(found, suspicions):
+    notes = [*found.log.notes, *suspicions]
     poor = [i for i in range(len(found.base)) if not identified(found, i)]
     if poor:
         notes.append(f"{len(poor)} base parameters are not identified by this motion (deviation above {100 * least_squares.POOR:g} % of the "
@@ -120,11 +121,26 @@ def _notes(found):
     return ["", *("note: " + note for note in notes)] if notes else []
 
 
-def header_content(found, name, log):
-    """Name and comment of the header."""
-    _, errors = found.errors(found.equations)
-    each = ", ".join(f"{100 * error:.2g}" for error in errors["identified"])
-    return {"name": name, "source": f"; inertial parameters and friction identified from {pathlib.Path(log).name}",
+def header_content(found, name, judged):
+    """Name and comment of the header. Only a log that the fit did not see verifies anything."""
+    fitted, *others = judged.items()
+    return {"name": name, "source": f"; inertial parameters and friction identified from {pathlib.Path(fitted[0]).name}",
             "notes": ["every link is physically consistent; what the data does not determine is near the description that it started from"],
-            "figures": [f"{found.fit.rows} equations, {len(found.base)} base parameters, condition {found.fit.condition:.3g}",
-                        f"RMS of predicted less measured torque, % of the measured torque's RMS, joint by joint: {each}"]}
+            "rotors_fitted": "rotor" in {found.robot.kinds[k] for k in found.free},
+            "fitted": _fitted(found, *fitted), "figures": [_predicted(found, *other) for other in others]}
+
+
+def _fitted(found, log, equations):
+    kinds = {found.robot.kinds[k] for k in found.free}
+    sought = ["masses, centres of mass, inertias"] + ["rotors"] * ("rotor" in kinds) + ["friction"] * ("viscous" in kinds)
+    kept = ["rotors"] * ("rotor" not in kinds) + ["friction"] * ("viscous" not in kinds)
+    poor = [combination(found, i) for i in range(len(found.base)) if not identified(found, i)]
+    lines = [f"{', '.join(sought)}: {len(found.base)} base parameters, of which this motion determines {len(found.base) - len(poor)}; "
+             f"{found.fit.rows} equations, condition {found.fit.condition:.3g}", _predicted(found, log, equations)]
+    lines += [f"not {', '.join(kept)}, which are as before"] if kept else []
+    return lines + ([f"not determined, near what it started from: {'; '.join(poor)}"] if poor else [])
+
+
+def _predicted(found, log, equations):
+    each = ", ".join(f"{100 * error:.2g}" for error in found.residuals(equations))
+    return f"RMS of predicted less measured torque of {pathlib.Path(log).name}, % of the measured torque's RMS, joint by joint: {each}"

@@ -1,4 +1,4 @@
-"""A robot as the library sees it: limits, standard parameters, and the regressor, from the program robot_regressor."""
+"""A robot as the library sees it, from programs: limits, standard parameters, the regressor."""
 
 import json
 import subprocess
@@ -13,16 +13,13 @@ class RobotError(ValueError):
     """The program refused the robot; its own message."""
 
 
-class Robot:
-    """joints: dictionaries of limits (None where there is none); prior: standard parameters; names: "m1", "mx1", ..."""
+class Service:
+    """A program that describes a robot in JSON and answers requests about its states. joints: dictionaries of limits (None where there is none)."""
 
-    def __init__(self, program, robot, tip=""):
-        self.command = [str(program), "--robot", str(robot), *(["--tip", tip] if tip else [])]
-        described = json.loads(self._ask("describe"))
-        self.name, self.joints = described["name"], described["joints"]
-        self.kinds = described["parameters"] * len(self.joints)
-        self.names = [f"{kind}{joint + 1}" for joint in range(len(self.joints)) for kind in described["parameters"]]
-        self.prior = np.array([value for joint in self.joints for value in joint["parameters"]], dtype=float)
+    def __init__(self, command):
+        self.command = command
+        self.described = json.loads(self.tell("describe"))
+        self.name, self.joints = self.described["name"], self.described["joints"]
         self.service = subprocess.Popen([*self.command, "answer"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
 
     def __enter__(self):
@@ -36,16 +33,23 @@ class Robot:
     def __len__(self):
         return len(self.joints)
 
-    def _ask(self, *arguments):
+    def tell(self, *arguments):
+        """Runs the program with these arguments; what it prints. Raises RobotError."""
         done = subprocess.run([*self.command, *arguments], capture_output=True, text=True, check=False)
         if done.returncode != 0:
-            raise RobotError(done.stderr.strip().removeprefix("robot_regressor: "))
+            raise RobotError(done.stderr.strip().split(": ", 1)[-1])
         sys.stderr.write(done.stderr)  # of a header: what was kept, and what was not
         return done.stdout
 
-    def write_header(self, path, values):
-        """values: a JSON file of name, source, parameters, notes, figures."""
-        self._ask("header", "--values", str(values), "-o", str(path))
+    def ask(self, states, columns):
+        """The answer of each state: states x joints x columns."""
+        return np.concatenate([self._ask_some(states[i:i + CHUNK], columns) for i in range(0, len(states), CHUNK)])
+
+    def _ask_some(self, states, columns):
+        self.service.stdin.write(np.int64(len(states)).tobytes() + np.ascontiguousarray(states, dtype=float).tobytes())
+        self.service.stdin.flush()
+        shape = (len(states), len(self), columns)
+        return np.frombuffer(self.service.stdout.read(8 * int(np.prod(shape)))).reshape(shape)
 
     def unit(self, joint):
         return "N" if self.joints[joint]["prismatic"] else "N m"
@@ -55,15 +59,22 @@ class Robot:
         missing = np.broadcast_to(missing, len(self))
         return np.array([other if joint[name] is None else joint[name] for joint, other in zip(self.joints, missing)])
 
+
+class Robot(Service):
+    """prior: standard parameters; names: "m1", "mx1", ..."""
+
+    def __init__(self, program, robot, tip=""):
+        super().__init__([str(program), "--robot", str(robot), *(["--tip", tip] if tip else [])])
+        self.kinds = self.described["parameters"] * len(self.joints)
+        self.names = [f"{kind}{joint + 1}" for joint in range(len(self.joints)) for kind in self.described["parameters"]]
+        self.prior = np.array([value for joint in self.joints for value in joint["parameters"]], dtype=float)
+
+    def write_header(self, path, values):
+        """values: a JSON file of name, source, parameters, notes, rotors_fitted, fitted, figures."""
+        self.tell("header", "--values", str(values), "-o", str(path))
+
     def regressor(self, q, qd, qdd, columns=None):
         """Y (states x joints x columns) and the torque beside Y theta (states x joints): springs, static friction."""
         columns = np.arange(len(self.names)) if columns is None else np.asarray(columns)
-        parts = [self._evaluate(np.hstack([q[i:i + CHUNK], qd[i:i + CHUNK], qdd[i:i + CHUNK]])) for i in range(0, len(q), CHUNK)]
-        return np.concatenate([part[:, :, columns] for part in parts]), np.concatenate([part[:, :, -1] for part in parts])
-
-    def _evaluate(self, states):
-        self.service.stdin.write(np.int64(len(states)).tobytes() + np.ascontiguousarray(states, dtype=float).tobytes())
-        self.service.stdin.flush()
-        shape = (len(states), len(self), len(self.names) + 1)
-        answer = self.service.stdout.read(8 * int(np.prod(shape)))
-        return np.frombuffer(answer).reshape(shape)
+        rows = self.ask(np.hstack([q, qd, qdd]), len(self.names) + 1)
+        return rows[:, :, columns], rows[:, :, -1]

@@ -33,8 +33,9 @@ FLOOR = 1e-3  # of the largest base parameter: smaller ones count as this large
 class Arm:
     """A robot, its motions in a folder, and the simulator of the arm that it is not quite."""
 
-    def __init__(self, robot, simulator, folder, rounds):
-        self.robot, self.simulator, self.folder = robot, simulator, pathlib.Path(folder)
+    def __init__(self, robot, simulator, folder, rounds, described=None):
+        """described: name or table of the robot where it is not its name."""
+        self.robot, self.simulator, self.folder, self.described = robot, simulator, pathlib.Path(folder), described or robot.name
         excitation = excite.Excitation(robot, DURATION, HARMONICS)
         self.write("excitation", excitation, excitation.best(1, rounds)[1])
         self.write("validation", excitation, excitation.best(2, 0)[1])
@@ -52,7 +53,7 @@ class Arm:
     def log(self, motion, rate, counts=0.0, noise=0.0):
         """A recording of the altered arm on a motion; the altered arm's standard parameters."""
         path, truth = self.folder / f"{self.robot.name}-log.csv", self.folder / f"{self.robot.name}-truth.json"
-        subprocess.run([self.simulator, "--robot", self.robot.name, "--motion", self.path(motion, rate), "--log", path, "--truth", truth,
+        subprocess.run([self.simulator, "--robot", self.described, "--motion", self.path(motion, rate), "--log", path, "--truth", truth,
                         "--seed", "3", "--spread", str(SPREAD), "--counts", str(counts), "--noise", str(noise)], check=True)
         return recording.read(path, self.robot), np.array(json.loads(truth.read_text(encoding="utf-8")))
 

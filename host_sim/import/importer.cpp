@@ -111,7 +111,7 @@ Result import_urdf(const std::string& text, const std::string& from, const Optio
     robot.source += " to '" + source.links[static_cast<std::size_t>(source.tool)].name + "', whose frame is the tool's";
   if (!options.gravity)
     robot.assumptions.push_back("gravity of 9.81 m/s^2 along -z of link '" + source.links[0].name + "'");
-  robot.assumptions.push_back("no rotor inertias: a URDF has none");
+  robot.assumptions.push_back(std::string(description::no_rotors) + ": a URDF has none");
   robot.as_published = options.as_published;
   const auto found = other_findings(robot, &source);
   drop_repeated(imported.warnings, found);

@@ -1,11 +1,11 @@
 // simulated_log: the log that an altered arm would leave, by Orocos KDL and the oracle's friction, and its parameters.
 // Nothing of the library's dynamics is used. The truth is written as the standard parameters of each link: m, m c,
 // inertia about the origin (xx yy zz xy xz yz), gear^2 J, viscous, Coulomb forward and backward.
+#include <host_sim/identification/robot_file.hpp>
 #include <host_sim/output/command_line.hpp>
 #include <host_sim/trajectory/files.hpp>
 #include <oracle/from_axial.hpp>
 #include <oracle/kdl_chain.hpp>
-#include <robots/robots.hpp>
 
 #include <Eigen/Dense>
 #include <nlohmann/json.hpp>
@@ -92,14 +92,15 @@ struct Arm {
 Arm altered_arm(const Options& options) {
   Arm arm;
   Random random(options.seed);
-  const bool found = robots::visit_named(options.robot.c_str(), [&](auto robot) {
-    using Robot = typename decltype(robot)::Robot;
-    arm.chain = oracle::of_robot<double, Robot>();
-    for (int i = 0; i < arm.joints(); ++i)
-      alter(arm.chain.links[static_cast<std::size_t>(i)], Robot::chain.links[i].effort_limit,
-            Robot::chain.links[i].speed_limit, options.spread, random);
-  });
-  if (!found) throw std::runtime_error("unknown robot '" + options.robot + "'");
+  const auto robot = host_sim::identification::find_robot(options.robot, "");
+  for (int i = 0; i < robot.size(); ++i) {
+    const axial::LinkParameters& link = robot.links[static_cast<std::size_t>(i)].parameters;
+    arm.chain.links.push_back(oracle::link_from_axial<double>(link, robot.parent(i)));
+    alter(arm.chain.links.back(), link.effort_limit, link.speed_limit, options.spread, random);
+  }
+  arm.chain.base = oracle::pose_from_axial<double>(robot.base);
+  arm.chain.tool = oracle::pose_from_axial<double>(robot.tool);
+  arm.chain.gravity = {robot.gravity.x, robot.gravity.y, robot.gravity.z};
   return arm;
 }
 
@@ -168,7 +169,7 @@ void run(const Options& options) {
 int main(int count, char** arguments) {
   Options options;
   host_sim::CommandLine line("the log of an altered arm by Orocos KDL, and its standard parameters", "simulated_log");
-  line.option("--robot", options.robot).required();
+  line.option("--robot", options.robot, "name or table").required();
   line.option("--motion", options.motion, "set-points: time, q, qd, qdd").required();
   line.option("--log", options.log).required();
   line.option("--truth", options.truth).required();

@@ -17,6 +17,9 @@ physically consistent parameters of every link that have them, and says how sure
   -o HEADER.hpp       writes the identified robot; the file's name becomes its name
   --validate IN_FILE  a second log, which the parameters must predict
   --cutoff NUMBER       of the zero-phase low-pass; default 10 Hz or a tenth of the log's rate; 0: none
+  --residual-limit NUMBER  % of a joint's RMS torque that may stay unexplained, here and in the second log; default 5. Above it no header
+                      is written, the exit status is 1, and exchanged columns, signs, zeros, scales and units of each joint are tried
+                      for the one that mends it
   --keep rotors|friction  as the robot has them, not fitted; may stand twice
   --output FOLDER     report, predicted torques and picture; default output/identify
   --json FILE         the report once more, as an array of objects

@@ -1,0 +1,101 @@
+"""Which single mistake explains a log that the fit does not: every suspect is judged on few rows, the likeliest by a whole fit."""
+
+import dataclasses
+
+import numpy as np
+import scipy.linalg
+
+import smoothing
+import suspects
+
+ROWS = 300  # instants that a suspect is judged on
+FINALISTS = 4  # suspects that get a whole fit, beside negated torques: negative masses fit those as well
+MENDS = 0.4  # of the residual as recorded: what a remedy must at least come to
+SCALES_ALIKE = 0.02  # a torque scaled by this much of -1 is negated
+
+
+class Doubts:
+    """The smoothed rows of a log, on which suspects are tried. columns: base parameters; known: what the prior has."""
+
+    def __init__(self, robot, log, columns, known, cutoff):
+        smoother = smoothing.Smoother(1.0 / log.step, cutoff)
+        motion, kept = smoother.motion(log), smoother.kept(len(log.time))
+        kept = kept[::max(1, len(kept) // ROWS)]
+        self.robot, self.columns, self.known = robot, columns, known
+        self.motion = [each[kept] for each in (motion.q, motion.qd, motion.qdd)]
+        self.tau = smoother.low_pass(log.tau)[kept]
+
+    def score(self, suspect):
+        """Of a suspect: RMS over joints of the residual of the linear fit over the joint's torque."""
+        rows = self._rows(*suspect.undone(self.motion, self.tau))
+        regressor, tau = (np.concatenate(each) for each in zip(*rows))
+        return float(np.sqrt(np.mean(_residual(regressor, tau) ** 2)))
+
+    def _rows(self, motion, tau):
+        """The equations of each joint, over its torque's RMS."""
+        regressor, known = self.robot.regressor(*motion, np.concatenate([self.columns, self.known]))
+        tau = tau - known - regressor[:, :, len(self.columns):] @ self.robot.prior[self.known]
+        valid = np.abs(motion[1]) > smoothing.SLOW * np.abs(motion[1]).max(axis=0)
+        return [(regressor[valid[:, j], j, :len(self.columns)] / size, tau[valid[:, j], j] / size)
+                for j, size in enumerate(np.sqrt(np.mean(tau ** 2, axis=0)) + 1e-300)]
+
+    def scales(self):
+        """Of each joint, the scale of its torque that fits best, a column more of the linear fit: tau / scale = Y theta."""
+        found = []
+        rows = self._rows(self.motion, self.tau)
+        for joint in range(len(self.robot)):
+            column = [tau if j == joint else np.zeros(len(tau)) for j, (_, tau) in enumerate(rows)]
+            tau = np.concatenate([np.zeros(len(each)) if j == joint else each for j, (_, each) in enumerate(rows)])
+            regressor = np.column_stack([np.concatenate([each for each, _ in rows]), -np.concatenate(column)])
+            inverse = scipy.linalg.lstsq(regressor, tau, lapack_driver="gelsy")[0][-1]
+            if suspects.LEAST_SCALE < abs(inverse) < 1.0 / suspects.LEAST_SCALE and abs(inverse + 1.0) > SCALES_ALIKE:
+                found.append(suspects.Suspect("torque scaled", (joint,), 1.0 / float(inverse)))
+        return found
+
+    def ranked(self):
+        """Every suspect, the best score first."""
+        prismatic = [joint["prismatic"] for joint in self.robot.joints]
+        tried = suspects.wirings(len(self.robot)) + suspects.signs(len(self.robot)) + suspects.degrees(prismatic)
+        tried += self.scales() + suspects.zeros(self.robot, self.score)
+        scores = [self.score(each) for each in tried]
+        return [tried[i] for i in np.argsort(scores, kind="stable")]
+
+
+def _residual(regressor, tau):
+    length = np.linalg.norm(regressor, axis=0)
+    scaled = regressor / np.where(length > 0.0, length, 1.0)
+    return tau - scaled @ scipy.linalg.lstsq(scaled, tau, lapack_driver="gelsy")[0]
+
+
+@dataclasses.dataclass
+class Remedy:
+    suspect: suspects.Suspect
+    residual: float  # of the whole fit without the mistake
+
+
+def mended(log, suspect):
+    """The log as it would be without the mistake."""
+    speeds = [] if log.qd is None else [log.qd]
+    motion, tau = suspect.undone([log.q, *speeds], log.tau)
+    return dataclasses.replace(log, q=motion[0], qd=motion[1] if speeds else None, tau=tau)
+
+
+def best_remedy(doubts, log, residual_of):
+    """The best of the finalists; residual_of(log): the residual of a whole fit."""
+    ranked = doubts.ranked()
+    finalists = ranked[:FINALISTS] + [each for each in ranked[FINALISTS:] if each.kind == "torque negated"]
+    return min((Remedy(each, residual_of(mended(log, each))) for each in finalists), key=lambda remedy: remedy.residual)
+
+
+def mends(before, remedy, limit):
+    return remedy.residual <= min(limit, MENDS * before)
+
+
+def sentence(robot, before, remedy, limit):
+    """What is said of a log that does not fit."""
+    units = [robot.unit(joint) for joint in range(len(robot))]
+    if mends(before, remedy, limit):
+        change = f"falls from {100 * before:.3g} % to" if np.isfinite(before) else "is then"
+        return f"{remedy.suspect.sentence(units)}: the residual {change} {100 * remedy.residual:.2g} %"
+    return ("no single exchange of columns, sign, zero, scale or unit of a joint mends it (the best one leaves "
+            f"{100 * remedy.residual:.3g} %); is it this robot, its gravity, its payload? is something flexible or in contact?")
