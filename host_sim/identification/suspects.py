@@ -1,5 +1,5 @@
 """Single mistakes of wiring, signs, zeros and units that make positions and torques those of another robot, and the search for the one that
-explains them: ./axial identify asks it of a motion, ./axial commission of poses. Joints count from 0 here and from 1 in sentences.
+explains them, as ./axial identify asks. Joints count from 0 here and from 1 in sentences.
 """
 
 import dataclasses

@@ -66,12 +66,21 @@ def random_table(seed, joints=4):
 
 
 def planted(log, mistake):
-    """The log as it would be with the mistake."""
-    if mistake.kind == "degrees":
-        turning = np.array([180.0 / np.pi if joint in mistake.joints else 1.0 for joint in range(log.q.shape[1])])
-        return dataclasses.replace(log, q=turning * log.q)
-    inverse = {"zero off": -mistake.value, "torque scaled": 1.0 / mistake.value if mistake.value else 0.0}
-    return doubts.mended(log, dataclasses.replace(mistake, value=inverse.get(mistake.kind, 0.0)))
+    """The log as it would be with the mistake; written apart from what undoes one."""
+    q, tau, joints = log.q.copy(), log.tau.copy(), list(mistake.joints)
+    moved, measured = {"torques exchanged": ([], [tau]), "positions exchanged": ([q], []), "drives exchanged": ([q], [tau]),
+                       "torque negated": ([], [tau]), "position negated": ([q], []), "axis turned": ([q], [tau]), "degrees": ([q], []),
+                       "torque scaled": ([], [tau]), "zero off": ([q], [])}[mistake.kind]
+    for values in moved + measured:
+        if len(joints) == 2 and mistake.kind.endswith("exchanged"):
+            first = values[:, joints[0]].copy()
+            values[:, joints[0]] = values[:, joints[1]]
+            values[:, joints[1]] = first
+        elif mistake.kind == "zero off":
+            values[:, joints] += mistake.value
+        else:
+            values[:, joints] *= {"degrees": 180.0 / np.pi, "torque scaled": mistake.value}.get(mistake.kind, -1.0)
+    return dataclasses.replace(log, q=q, tau=tau)
 
 
 def write_log(path, log):
@@ -138,6 +147,15 @@ class Mistakes(unittest.TestCase):
                 text = verdict(robot, planted(log, mistake))
                 self.assertIn(said, text)
                 self.assertRegex(text, r"the residual (falls from [0-9.e+]+ % to|is then) [0-4]\.")
+
+    def test_that_a_log_does_not_tell_apart_are_all_named(self):
+        """Mirrored, a SCARA is a SCARA: turning the one axis is turning the other and the mirror."""
+        robot, _, log, _ = Arms.of("scara")
+        for joint in (0, 1):
+            text = verdict(robot, planted(log, Suspect("axis turned", (joint,))))
+            for named in ("the axis of joint 1 looks turned around", "the axis of joint 2 looks turned around", "this log does not tell which"):
+                self.assertIn(named, text)
+        self.assertNotIn("does not tell", verdict(robot, planted(log, Suspect("torques exchanged", (1, 2)))))
 
     def test_that_are_none_are_not_named(self):
         for name in ("planar2r", "scara", "scara_rrpr", "puma560", "panda", "random-1", "random-2", "random-3"):

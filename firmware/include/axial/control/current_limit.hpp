@@ -210,8 +210,7 @@ template <class S, class T>
   }
   state.last = tau;
   if (bad >= 0) return {Status::Code::not_finite, bad};
-  constexpr int code = static_cast<int>(Status::Code::current_limit);
-  return {static_cast<Status::Code>(code & ~(limited >> 31)), limited};
+  return status_of_first(Status::Code::current_limit, limited);
 }
 
 }  // namespace axial

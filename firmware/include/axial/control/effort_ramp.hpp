@@ -48,8 +48,7 @@ struct EffortRamp {
     for (int i = 0; i < joint_count<S>; ++i)
       joint = first_found(joint, detail::Step<T>::limit(tau[i], last[i], step[i]), i);
     last = tau;
-    constexpr int limited = static_cast<int>(Status::Code::effort_rate);
-    return {static_cast<Status::Code>(limited & ~(joint >> 31)), joint};
+    return status_of_first(Status::Code::effort_rate, joint);
   }
 };
 

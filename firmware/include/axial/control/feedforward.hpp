@@ -31,8 +31,7 @@ constexpr Status clamp_efforts(EffortsOf<S, T>& tau) {
     const int outside = LimitsFor<S, T>::clamp(LimitsFor<S, T>::joint(i).effort, tau[i]);
     joint = (joint & ~outside) | (i & outside);
   }
-  constexpr int limited = static_cast<int>(Status::Code::effort_limit);
-  return {static_cast<Status::Code>(limited & ~(joint >> 31)), joint};
+  return status_of_first(Status::Code::effort_limit, joint);
 }
 
 template <class S, class T>

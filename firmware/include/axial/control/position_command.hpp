@@ -93,8 +93,7 @@ template <class S, class T>
     limited = first_found(limited, far | outside, i);
     state.last[i] = command;
   }
-  constexpr int code = static_cast<int>(Status::Code::command_limit);
-  return {state.last, {static_cast<Status::Code>(code & ~(limited >> 31)), limited}};
+  return {state.last, status_of_first(Status::Code::command_limit, limited)};
 }
 
 }  // namespace axial

@@ -25,6 +25,9 @@ RotorSpin(H, R) -> RotorSpin<H, R>;
 
 namespace detail {
 
+template <>
+inline constexpr bool rotors_included<RotorDynamics> = true;
+
 // Sum of gear J x z over the rotors on link I, from joint J on.
 template <int J, class Links, class I, class X>
 AXIAL_INLINE constexpr auto spin_on(const Links& links, I i, const X& x) {

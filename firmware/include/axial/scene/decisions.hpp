@@ -33,6 +33,10 @@ using Decided = std::conditional_t<std::is_convertible_v<B, bool>, bool, B>;
 
 /// A status of a code and a joint, as numbers.
 AXIAL_INLINE constexpr Status status_from(int code, int joint) { return {static_cast<Status::Code>(code), joint}; }
+/// A code about the first joint that was found, or ok where none was (-1); without a branch.
+AXIAL_INLINE constexpr Status status_of_first(Status::Code code, int joint) {
+  return status_from(static_cast<int>(code) & ~(joint >> 31), joint);
+}
 /// `found` where it reports something, about no joint; else `otherwise`.
 AXIAL_INLINE constexpr Status first_trouble(const Status& found, const Status& otherwise) {
   const int unsound = -static_cast<int>(!found.ok());  // all ones: about no joint, and no other code

@@ -125,6 +125,12 @@ struct RotorInertia : Feature<RotorInertia> {};
 /// its carrier (dynamics/rotor_dynamics.hpp, which axial.hpp includes; doc/guides/rotors.md).
 struct RotorDynamics : Feature<RotorDynamics> {};
 
+namespace detail {
+/// Whether what computes RotorDynamics is included, or is not wanted (void).
+template <class Wanted>
+inline constexpr bool rotors_included = std::is_void_v<Wanted>;
+}  // namespace detail
+
 /// Friction as the links declare it, on the joint side: viscous, Coulomb, Stribeck; 0 at rest.
 struct Friction : Feature<Friction> {};
 
