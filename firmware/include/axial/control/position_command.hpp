@@ -87,10 +87,10 @@ template <class S, class T>
   for (int i = 0; i < joint_count<S>; ++i) {
     const auto& reach = detail::LimitsFor<S, T>::joint(i);
     T offset = tau[i] / loop.stiffness[i];
-    const bool far = detail::bring_inside(offset, T(-loop.largest_offset[i]), loop.largest_offset[i]);
+    const bool ahead = detail::bring_inside(offset, T(-loop.largest_offset[i]), loop.largest_offset[i]);
     T command = q_desired[i] + offset;
     const bool outside = detail::bring_inside(command, reach.exact_min, reach.exact_max);
-    limited = first_found(limited, far | outside, i);
+    limited = first_found(limited, ahead | outside, i);
     state.last[i] = command;
   }
   return {state.last, status_of_first(Status::Code::command_limit, limited)};
