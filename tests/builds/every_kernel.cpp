@@ -46,7 +46,8 @@ bool differentiated(const Inputs<S, T>& in = {}) {
   const auto along = inverse_dynamics_along<S>(x, x, x, {x, x, x}, in);
   const auto driven = forward_dynamics_along<S>(x, x, x, {x, x, x}, in);
   const auto y = torque_regressor<S>(x, x, x, in);
-  return check_finite(inverse.tau, along.tau).ok() && forward.qdd.status.ok() && driven.qdd.status.ok() &&
+  const auto rates = torque_rates<S>(x, x, x, x, x, in);
+  return check_finite(inverse.tau, along.tau, rates.taudd).ok() && forward.qdd.status.ok() && driven.qdd.status.ok() &&
          y(0, 0, InertialParameter::xx) == along.dtau[0];
 }
 

@@ -4,6 +4,7 @@
 
 #include <axial/closed_form/scara.hpp>
 #include <axial/dynamics/base_wrench.hpp>
+#include <axial/dynamics/elastic_feedforward.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/forward_dynamics_along.hpp>
 #include <axial/dynamics/forward_dynamics_derivatives.hpp>
@@ -11,11 +12,19 @@
 #include <axial/dynamics/inverse_dynamics_derivatives.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/separated_torque.hpp>
+#include <axial/dynamics/torque_rates.hpp>
 #include <axial/dynamics/torque_regressor.hpp>
 
 #include <axial/options/begin.hpp>
 
 namespace axial {
+
+/// Third and fourth derivatives of joint positions by time.
+template <class S, class T>
+struct HigherDerivatives {
+  Joints<robot_of<S>, T> q3{};  ///< rad/s^3 or m/s^3
+  Joints<robot_of<S>, T> q4{};  ///< rad/s^4 or m/s^4
+};
 
 /// The algorithms by name. Each has `name` and `run<S>(q, qd, x, in)`, x being accelerations or efforts, over any
 /// number system.
@@ -48,6 +57,26 @@ struct InverseDynamicsAlong {
   template <class S, class J, class D, class In>
   static constexpr auto run(const J& q, const J& qd, const J& qdd, const D& direction, const In& in) {
     return axial::inverse_dynamics_along<S>(q, qd, qdd, direction, in);
+  }
+};
+
+/// axial::torque_rates() with the second derivative: higher derivatives besides.
+struct TorqueRates {
+  static constexpr const char* name = "torque_rates";  ///< in files, tables and JSON
+  /// Runs it for the scene S.
+  template <class S, class J, class D, class In>
+  static constexpr auto run(const J& q, const J& qd, const J& qdd, const D& higher, const In& in) {
+    return axial::torque_rates<S>(q, qd, qdd, higher.q3, higher.q4, in);
+  }
+};
+
+/// axial::elastic_feedforward(): higher derivatives besides.
+struct ElasticFeedforward {
+  static constexpr const char* name = "elastic_feedforward";  ///< in files, tables and JSON
+  /// Runs it for the scene S.
+  template <class S, class J, class D, class In>
+  static constexpr auto run(const J& q, const J& qd, const J& qdd, const D& higher, const In& in) {
+    return axial::elastic_feedforward<S>(q, qd, qdd, higher.q3, higher.q4, in);
   }
 };
 
@@ -193,6 +222,8 @@ struct ClosedForm {
 inline constexpr InverseDynamics inverse_dynamics;
 inline constexpr InverseDynamicsDerivatives inverse_dynamics_derivatives;
 inline constexpr InverseDynamicsAlong inverse_dynamics_along;
+inline constexpr TorqueRates torque_rates;
+inline constexpr ElasticFeedforward elastic_feedforward;
 inline constexpr TorqueRegressor torque_regressor;
 inline constexpr Bias bias;
 inline constexpr Gravity gravity;

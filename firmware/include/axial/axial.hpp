@@ -19,6 +19,7 @@
 #include <axial/control/two_rate.hpp>
 #include <axial/dynamics/base_wrench.hpp>
 #include <axial/dynamics/check_finite.hpp>
+#include <axial/dynamics/elastic_feedforward.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/forward_dynamics_along.hpp>
 #include <axial/dynamics/forward_dynamics_derivatives.hpp>
@@ -32,6 +33,7 @@
 #include <axial/dynamics/separation.hpp>
 #include <axial/dynamics/task_space_inertia.hpp>
 #include <axial/dynamics/tool_motion.hpp>
+#include <axial/dynamics/torque_rates.hpp>
 #include <axial/dynamics/torque_regressor.hpp>
 #include <axial/links/model.hpp>
 #include <axial/scene/consistency.hpp>

@@ -87,6 +87,15 @@ constexpr void need_all(const AccelerationsAlong<S, Counting>& result) {
   need_all(result.qdd), need_all(result.dqdd);
 }
 
+template <class S>
+constexpr void need_all(const TorqueRates<S, Counting>& result) {
+  need_all(result.tau), need_all(result.taud), need_all(result.taudd);
+}
+template <class S>
+constexpr void need_all(const ElasticFeedforward<S, Counting>& result) {
+  need_all(result.tau_m), need_all(result.theta), need_all(result.thetad), need_all(result.tau_l);
+}
+
 // Run-time inputs count as such.
 constexpr void traced(Trace& trace, Counting& value) { value = Counting(trace); }
 template <class... Parts>
@@ -115,6 +124,10 @@ constexpr void traced(Trace& trace, MotionDirection<S, Counting>& by) {
 template <class S>
 constexpr void traced(Trace& trace, StateDirection<S, Counting>& by) {
   traced_all(trace, by.dq, by.dqd, by.dtau);
+}
+template <class S>
+constexpr void traced(Trace& trace, HigherDerivatives<S, Counting>& by) {
+  traced_all(trace, by.q3, by.q4);
 }
 template <class S>
 constexpr void traced(Trace& trace, Separated<S, Counting>& s) {
@@ -175,6 +188,17 @@ template <class S>
 template <class S>
 [[nodiscard]] constexpr Operations cost(algorithm::ForwardDynamicsAlong algorithm) {
   return detail::counted<S>(algorithm, StateDirection<robot_of<S>, Counting>{});
+}
+///@}
+/// The same along a path with its third and fourth derivative.
+///@{
+template <class S>
+[[nodiscard]] constexpr Operations cost(algorithm::TorqueRates algorithm) {
+  return detail::counted<S>(algorithm, HigherDerivatives<S, Counting>{});
+}
+template <class S>
+[[nodiscard]] constexpr Operations cost(algorithm::ElasticFeedforward algorithm) {
+  return detail::counted<S>(algorithm, HigherDerivatives<S, Counting>{});
 }
 ///@}
 /// The same where the terms come from a separate() that was paid for before.

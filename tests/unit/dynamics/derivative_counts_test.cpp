@@ -20,6 +20,15 @@ constexpr int forward() {
   return cost<R>(algorithm::forward_dynamics_derivatives).total();
 }
 
+struct ElasticPuma {
+  static constexpr auto chain = [] {
+    auto chain = robots::Puma560::chain;
+    for (auto& link : chain.links)
+      link.stiffness = 12000.0;
+    return chain;
+  }();
+};
+
 // One of the results alone.
 template <class Wanted>
 struct Alone {
@@ -52,6 +61,14 @@ TEST(DerivativeCounts, AlongADirectionWithWhatIsDifferentiated) {
   EXPECT_EQ(cost<robots::Scara>(algorithm::forward_dynamics_along).total(), 76);
   EXPECT_EQ(cost<robots::Puma560>(algorithm::forward_dynamics_along).total(), 1312);
   EXPECT_EQ(cost<robots::Panda>(algorithm::forward_dynamics_along).total(), 2348);
+}
+TEST(DerivativeCounts, OfTorqueRatesAndElasticJoints) {
+  EXPECT_EQ(cost<robots::Scara>(algorithm::torque_rates).total(), 117);
+  EXPECT_EQ(cost<robots::Puma560>(algorithm::torque_rates).total(), 1516);
+  EXPECT_EQ(cost<robots::Panda>(algorithm::torque_rates).total(), 2389);
+  EXPECT_EQ(cost<robots::ModelGeneral6r>(algorithm::torque_rates).total(), 2796);
+  EXPECT_EQ(cost<ElasticPuma>(algorithm::elastic_feedforward).total(), 1534);
+  EXPECT_LE(1534, 5 * cost<robots::Puma560>(algorithm::inverse_dynamics).total());
 }
 TEST(DerivativeCounts, OfTheTorqueRegressor) {
   EXPECT_EQ(cost<robots::Scara>(algorithm::torque_regressor).total(), 48);

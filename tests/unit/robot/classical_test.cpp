@@ -113,8 +113,13 @@ constexpr bool same_costs() {
 
 /// A link about whose drive everything is said.
 constexpr auto driven = [](auto link) {
-  return link.rotor_inertia(1e-4, 50).viscous(0.5).coulomb(0.3, -0.2).stribeck(0.6, 0.1).smooth_speed(0.01).spring(7,
-                                                                                                                   0.5);
+  return link.rotor_inertia(1e-4, 50)
+      .viscous(0.5)
+      .coulomb(0.3, -0.2)
+      .stribeck(0.6, 0.1)
+      .smooth_speed(0.01)
+      .spring(7, 0.5)
+      .stiffness(9);
 };
 
 }  // namespace
@@ -171,7 +176,7 @@ TEST(ClassicalChain, DriveLimitsBaseAndOffsetsCarryOver) {
                 p.coulomb_backward == r.coulomb_backward && p.static_friction == r.static_friction &&
                 p.stribeck_speed == r.stribeck_speed && p.smooth_speed == r.smooth_speed &&
                 p.spring_stiffness == r.spring_stiffness && p.position_min == r.position_min &&
-                p.position_max == r.position_max);
+                p.position_max == r.position_max && p.stiffness == 9 && r.stiffness == 9);
   static_assert(c.gravity.y == m.gravity.y && same(c.base.pose, m.base.pose) && c.base_body.mass == 7.0 &&
                 c.has_base_body);
 }

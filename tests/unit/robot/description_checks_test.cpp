@@ -100,6 +100,7 @@ TEST(DescriptionChecks, DrivesAndFrictionTakeEnergyOut) {
   expect_between(&LinkParameters::smooth_speed, 1e-9, below(1e-9), Problem::smooth_speed_is_too_small);
   expect_between(&LinkParameters::spring_stiffness, -1.0, inf, Problem::spring_is_not_finite);
   expect_between(&LinkParameters::spring_rest, -1.0, inf, Problem::spring_is_not_finite);
+  expect_between(&LinkParameters::stiffness, 1e-300, 0.0, Problem::stiffness_is_not_positive);
   const auto stribeck = [](double forward, double backward, double effort, double speed) {
     return after([&](auto& p) {
       p.coulomb_forward = forward, p.coulomb_backward = backward, p.static_friction = effort, p.stribeck_speed = speed;

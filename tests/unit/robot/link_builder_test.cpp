@@ -18,8 +18,8 @@ std::vector<double> fields(const LinkParameters& p) {
   all.insert(all.end(), p.rotor_axis, p.rotor_axis + 3);
   all.push_back(double(p.rotor_carrier));
   all.insert(all.end(), {p.rotor_inertia, p.gear, p.viscous, p.coulomb_forward, p.coulomb_backward, p.static_friction,
-                         p.stribeck_speed, p.smooth_speed, p.spring_stiffness, p.spring_rest, p.position_min,
-                         p.position_max, p.speed_limit, p.acceleration_limit, p.effort_limit});
+                         p.stribeck_speed, p.smooth_speed, p.spring_stiffness, p.spring_rest, p.stiffness,
+                         p.position_min, p.position_max, p.speed_limit, p.acceleration_limit, p.effort_limit});
   all.insert(all.end(), w.added_mass, w.added_mass + 3);
   all.insert(all.end(), w.added_inertia, w.added_inertia + 3);
   all.push_back(w.displaced_mass);
@@ -93,6 +93,7 @@ TEST(LinkBuilder, DrivesWriteTheirOwnFields) {
   EXPECT_ONLY(smooth_speed(2), p.smooth_speed = 2);
   EXPECT_ONLY(spring(2), p.spring_stiffness = 2);
   EXPECT_ONLY(spring(2, 3), p.spring_stiffness = 2, p.spring_rest = 3);
+  EXPECT_ONLY(stiffness(2), p.stiffness = 2);
 }
 
 TEST(LinkBuilder, LimitsWriteTheirOwnFields) {

@@ -1,6 +1,7 @@
-// Joint values along a direction, and links over which Newton and Euler's recursion differentiates itself.
+// Joint values along a direction, and Newton and Euler's recursion over dual numbers.
 #pragma once
 
+#include <axial/dynamics/differentiated_links.hpp>
 #include <axial/dynamics/friction_slope.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/spatial/dual_screw.hpp>
@@ -23,33 +24,6 @@ struct DualValues {
 };
 template <class Values, class Slopes>
 DualValues(const Values&, const Slopes&) -> DualValues<Values, Slopes>;
-
-/// A link of a table that keeps dual numbers; its constants are plain ones.
-template <class Link>
-struct DualLink : Link {
-  /// The form in which this view keeps a result.
-  template <class V>
-  AXIAL_INLINE static constexpr auto shape(const V& v) {
-    using T = typename Link::Scalar;
-    return v.template dense<Dual<T, T>>();
-  }
-};
-/// Links of a table that keep dual numbers.
-template <class Links>
-struct DualTable : Links {
-  using Dense = Dual<typename Links::Scalar, typename Links::Scalar>;  ///< what kernels keep
-  AXIAL_INLINE constexpr auto link(int i) const {
-    return DualLink<decltype(Links::link(i))>{Links::link(i)};
-  }  ///< link i as algorithms see it
-};
-/// Links that may keep dual numbers: those that the compiler knows keep whatever type comes.
-template <class Links>
-AXIAL_INLINE constexpr auto dual_links(const Links& links) {
-  if constexpr (Links::unrolled)
-    return links;
-  else
-    return DualTable<Links>{links};
-}
 
 /// z-screw of a joint that moves along a direction.
 template <class Screw, class D>
@@ -77,7 +51,8 @@ AXIAL_INLINE constexpr auto dual_screws(const Plain& plain, const Links& links, 
 template <class Links, class Input, class Q, class V, class A, class Each>
 AXIAL_INLINE constexpr void run_along(const Links& plain, const Input& in, const Q& q, const V& qd, const A& qdd,
                                       const Each& each) {
-  auto links = dual_links(plain);
+  using T = typename Links::Scalar;
+  auto links = differentiated<Dual<T, T>>(plain);
   rnea::bear(links, in, q, dual_screws(plain, links, in, q), qd, qdd,
              [&](auto i, const auto&, const auto& effort) AXIAL_INLINE { each(i, effort); });
 }

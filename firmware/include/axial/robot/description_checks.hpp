@@ -81,6 +81,7 @@ constexpr Problem friction_problem(const LinkParameters& p) {
   if (p.static_friction != 0.0 && p.stribeck_speed < least_speed) return Problem::stribeck_speed_is_too_small;
   if (p.smooth_speed != 0.0 && p.smooth_speed < least_speed) return Problem::smooth_speed_is_too_small;
   if (!finite(p.spring_stiffness) || !finite(p.spring_rest)) return Problem::spring_is_not_finite;
+  if (!(p.stiffness > 0.0)) return Problem::stiffness_is_not_positive;
   return Problem::none;
 }
 

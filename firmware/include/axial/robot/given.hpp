@@ -28,6 +28,7 @@ enum class Quantity : unsigned char {
   stribeck,
   smooth_speed,
   spring,
+  stiffness,
   position_limits,
   speed_limit,
   acceleration_limit,

@@ -98,6 +98,10 @@ class LinkBuilder {
   constexpr Self spring(double stiffness, double rest_position = 0.0) const {
     return with(Quantity::spring, [&](auto& p) { p.spring_stiffness = stiffness, p.spring_rest = rest_position; });
   }
+  /// Stiffness of the transmission between drive and link (harmonic drive, belt), on the joint side, N m/rad or N/m.
+  constexpr Self stiffness(double value) const {
+    return with(Quantity::stiffness, [&](auto& p) { p.stiffness = value; });
+  }
 
   /// Position limits, rad or m.
   constexpr Self position_limits(double min, double max) const {

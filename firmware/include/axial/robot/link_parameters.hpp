@@ -45,6 +45,7 @@ struct LinkParameters {
   double smooth_speed = 0.0;              ///< rad/s or m/s, below which dry friction goes through 0 smoothly; 0: a step
   double spring_stiffness = 0.0;          ///< N m/rad or N/m, of a spring across the joint
   double spring_rest = 0.0;               ///< rad or m, where the spring exerts nothing
+  double stiffness = unlimited;           ///< N m/rad or N/m, between drive and link; unlimited: rigid
   double position_min = -unlimited;       ///< rad or m
   double position_max = unlimited;        ///< rad or m
   double speed_limit = unlimited;         ///< rad/s or m/s

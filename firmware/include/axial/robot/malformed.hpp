@@ -40,6 +40,7 @@ template <class Of> void stribeck_effort_is_below_coulomb_give_the_larger() {}  
 template <class Of> void stribeck_speed_is_too_small_give_1e_minus_9_or_more() {}  ///< axial: the speed of stribeck() must be at least 1e-9 rad/s or m/s
 template <class Of> void smooth_speed_is_too_small_give_1e_minus_9_or_more() {}  ///< axial: smooth_speed of a link must be at least 1e-9 rad/s or m/s; leave it out for a step
 template <class Of> void spring_is_not_finite_give_stiffness_and_rest_position() {}  ///< axial: spring of a link is not finite; give spring(stiffness, rest_position)
+template <class Of> void stiffness_is_not_positive_give_more_than_0() {}  ///< axial: stiffness of a link's transmission must be > 0; leave it out where the joint is rigid
 template <class Of> void position_limits_are_upside_down_give_min_below_max() {}  ///< axial: position_limits of a link are upside down; give position_limits(min, max) with min < max
 template <class Of> void position_limits_deg_of_a_slide_give_position_limits_in_metres() {}  ///< axial: position_limits_deg() of a prismatic joint; give position_limits(min, max) in metres
 template <class Of> void speed_limit_is_not_positive_give_more_than_0() {}  ///< axial: speed_limit of a link must be > 0
@@ -89,6 +90,7 @@ template <class Of> void coulomb_is_given_twice_keep_one() {}  ///< axial: coulo
 template <class Of> void stribeck_is_given_twice_keep_one() {}  ///< axial: stribeck of a link is given twice; keep one, or .accept(axial::as_published)
 template <class Of> void smooth_speed_is_given_twice_keep_one() {}  ///< axial: smooth_speed of a link is given twice; keep one, or .accept(axial::as_published)
 template <class Of> void spring_is_given_twice_keep_one() {}  ///< axial: spring of a link is given twice; keep one, or .accept(axial::as_published)
+template <class Of> void stiffness_is_given_twice_keep_one() {}  ///< axial: stiffness of a link is given twice; keep one, or .accept(axial::as_published)
 template <class Of> void position_limits_are_given_twice_keep_one() {}  ///< axial: position_limits of a link are given twice; keep one, or .accept(axial::as_published)
 template <class Of> void speed_limit_is_given_twice_keep_one() {}  ///< axial: speed_limit of a link is given twice; keep one, or .accept(axial::as_published)
 template <class Of> void acceleration_limit_is_given_twice_keep_one() {}  ///< axial: acceleration_limit of a link is given twice; keep one, or .accept(axial::as_published)

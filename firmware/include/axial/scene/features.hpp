@@ -137,6 +137,9 @@ struct Friction : Feature<Friction> {};
 /// Springs across the joints as the links declare them: the drive exerts stiffness (q - rest position) besides.
 struct JointSprings : Feature<JointSprings> {};
 
+/// Transmissions as elastic as the links declare them: elastic_feedforward() asks for it, others take joints as rigid.
+struct ElasticJoints : Feature<ElasticJoints> {};
+
 /// Force that the environment exerts on the last link: axes and origin of its frame, input `tip_wrench`.
 struct TipWrench : Feature<TipWrench> {
   /// Its run-time input.

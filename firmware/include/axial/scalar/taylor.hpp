@@ -1,0 +1,115 @@
+// Truncated Taylor numbers: a quantity with its first and second derivative by time. A kernel of values, run over them,
+// differentiates itself twice; what does not change stays a plain number, by type.
+#pragma once
+
+#include <axial/scalar/rounding.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+
+/// value + linear t + quadratic t^2, cut off behind: the second derivative is twice `quadratic`, which saves products a
+/// factor 2. Each may be a structural scalar.
+template <class V, class L, class Q>
+struct Taylor {
+  V value{};      ///< in its own unit
+  L linear{};     ///< first derivative: that unit per second
+  Q quadratic{};  ///< half of the second derivative: that unit per second squared
+};
+template <class V, class L, class Q>
+Taylor(V, L, Q) -> Taylor<V, L, Q>;
+
+/// A Taylor number as a number of kernels; constants do not change.
+template <class V, class L, class Q>
+struct NumberTraits<Taylor<V, L, Q>> {
+  static constexpr bool is_number = true;  ///< it is a number
+  /// the nearest V
+  AXIAL_INLINE static constexpr Taylor<V, L, Q> constant(double value) {
+    return {NumberTraits<V>::constant(value), {}, {}};
+  }
+};
+
+/// The coefficients of any scalar: zero by type where it does not change.
+///@{
+template <class X>
+AXIAL_INLINE constexpr const X& value_at_0(const X& x) {
+  return x;
+}
+template <class V, class L, class Q>
+AXIAL_INLINE constexpr const V& value_at_0(const Taylor<V, L, Q>& x) {
+  return x.value;
+}
+template <class X>
+AXIAL_INLINE constexpr Zero linear_of(const X&) {
+  return {};
+}
+template <class V, class L, class Q>
+AXIAL_INLINE constexpr const L& linear_of(const Taylor<V, L, Q>& x) {
+  return x.linear;
+}
+template <class X>
+AXIAL_INLINE constexpr Zero quadratic_of(const X&) {
+  return {};
+}
+template <class V, class L, class Q>
+AXIAL_INLINE constexpr const Q& quadratic_of(const Taylor<V, L, Q>& x) {
+  return x.quadratic;
+}
+///@}
+
+/// A value with its coefficients; the value alone where both are zero by type.
+template <class V, class L, class Q>
+AXIAL_INLINE constexpr auto with_rates(const V& value, const L& linear, const Q& quadratic) {
+  if constexpr (is_zero_v<L> && is_zero_v<Q>)
+    return value;
+  else
+    return Taylor{value, linear, quadratic};
+}
+
+namespace detail {
+template <class X>
+inline constexpr bool is_taylor_v = false;
+template <class V, class L, class Q>
+inline constexpr bool is_taylor_v<Taylor<V, L, Q>> = true;
+template <class X>
+struct MayMeetTaylor : std::bool_constant<is_number_v<X>> {};
+// Of what has no Taylor number nothing else is asked: traits of other numbers may stand behind their operators.
+template <class A, class B>
+using IfOneIsTaylor = std::enable_if_t<
+    std::conjunction_v<std::bool_constant<is_taylor_v<A> || is_taylor_v<B>>, MayMeetTaylor<A>, MayMeetTaylor<B>>, int>;
+}  // namespace detail
+
+/// Arithmetic of Taylor numbers among themselves and with plain ones.
+///@{
+template <class A, class B, detail::IfOneIsTaylor<A, B> = 0>
+AXIAL_INLINE constexpr auto operator+(const A& a, const B& b) {
+  return with_rates(value_at_0(a) + value_at_0(b), linear_of(a) + linear_of(b), quadratic_of(a) + quadratic_of(b));
+}
+template <class A, class B, detail::IfOneIsTaylor<A, B> = 0>
+AXIAL_INLINE constexpr auto operator-(const A& a, const B& b) {
+  return with_rates(value_at_0(a) - value_at_0(b), linear_of(a) - linear_of(b), quadratic_of(a) - quadratic_of(b));
+}
+template <class A, class B, detail::IfOneIsTaylor<A, B> = 0>
+AXIAL_INLINE constexpr auto operator*(const A& a, const B& b) {  // Leibniz's rule
+  return with_rates(value_at_0(a) * value_at_0(b), linear_of(a) * value_at_0(b) + value_at_0(a) * linear_of(b),
+                    quadratic_of(a) * value_at_0(b) + linear_of(a) * linear_of(b) + value_at_0(a) * quadratic_of(b));
+}
+template <class V, class L, class Q>
+AXIAL_INLINE constexpr auto operator-(const Taylor<V, L, Q>& x) {
+  return with_rates(-x.value, -x.linear, -x.quadratic);
+}
+///@}
+
+/// Plain numbers and structural scalars become Taylor numbers where a loop keeps one type for all links.
+template <class V, class L, class Q>
+struct Holding<Taylor<V, L, Q>> {
+  /// X with its coefficients, if it has any.
+  template <class X>
+  AXIAL_INLINE static constexpr Taylor<V, L, Q> of(const X& x) {
+    return {Holding<V>::of(value_at_0(x)), Holding<L>::of(linear_of(x)), Holding<Q>::of(quadratic_of(x))};
+  }
+};
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>
