@@ -222,10 +222,6 @@ REFUSALS = (
     Refusal("momenta and the observer with `RotorDynamics`",
             "axial: momenta have no rotors as bodies; take RotorDynamics out of this scene",
             lambda c: _spins(c) and not is_fixed(c), {"also": ("RotorDynamics",)}, MOMENTA),
-    Refusal("the effort of one joint with `RotorDynamics`",
-            "axial: the effort of one joint has no rotors as bodies; take RotorDynamics out of the scene, or the joint's effort of "
-            "inverse_dynamics or gravity_torque", lambda c: _spins(c) and not is_fixed(c), {"also": ("RotorDynamics",)},
-            ("JointTorque",)),
     Refusal("`base_wrench` with `RotorDynamics`",
             "axial: base_wrench has no rotors as bodies; take RotorDynamics out of the scene",
             lambda c: _spins(c) and not is_fixed(c), {"also": ("RotorDynamics",)}, ("BaseWrench",)),

@@ -317,3 +317,19 @@ TEST(RotorDynamicsOfARobot, ABatchAnswersAsItsStates) {
   EXPECT_LE(oracle::relative_error(compact, property::vector(tau)), 1e-14);
   EXPECT_LE(oracle::relative_error(undone, s.qdd), 1e-10);
 }
+
+TEST(RotorDynamicsOfARobot, TheEffortOfOneJointIsThatOfAll) {
+  using S = Scene<Wrist, Gravity, RotorInertia, RotorDynamics>;
+  using Compact = Scene<Wrist, Gravity, RotorInertia, RotorDynamics, Looped>;
+  oracle::RandomChains random(37);
+  const Sample s = sample(random, 6);
+  const auto q = joints<Wrist, double>(s.q), qd = joints<Wrist, double>(s.qd), qdd = joints<Wrist, double>(s.qdd);
+  const auto tau = inverse_dynamics<S>(q, qd, qdd);
+  const double scale = oracle::largest(property::vector(tau));
+  EXPECT_NEAR((joint_torque<S, 0>(q, qd, qdd)), tau[0], 1e-14 * scale);
+  EXPECT_NEAR((joint_torque<S, 2>(q, qd, qdd)), tau[2], 1e-14 * scale);
+  EXPECT_NEAR((joint_torque<S, 5>(q, qd, qdd)), tau[5], 1e-14 * scale);
+  EXPECT_NEAR((joint_torque<Compact, 0>(q, qd, qdd)), tau[0], 1e-14 * scale);
+  EXPECT_NEAR((joint_torque<Compact, 3>(q, qd, qdd)), tau[3], 1e-14 * scale);
+  EXPECT_NEAR((gravity_torque<S, 1>(q)), gravity_torque<S>(q)[1], 1e-14 * scale);
+}

@@ -10,18 +10,28 @@ namespace rnea {
 
 // Force that joint I bears, from the tips of its own branch: recursion over a tree of types.
 /// Force that joint I bears, from the tips of its own branch.
-template <class Links, class Input, class Screws, class Motions, class Water>
+template <class Links, class Input, class Screws, class Motions, class Water, class Spins>
 struct Branch {
   const Links& links;      ///< of the scene
   const Input& in;         ///< run-time inputs
   const Screws& screws;    ///< z-screw of each joint
   const Motions& motions;  ///< motion of each link
   const Water& water;      ///< immersion of each link, or Dry
+  const Spins& spins;      ///< of the rotors on each link, where the scene names RotorDynamics
+
+  /// Of link i by itself: N m and N, in its frame.
+  template <class I>
+  AXIAL_INLINE constexpr auto own(I i) const {
+    if constexpr (Links::Scene::template has<RotorDynamics>)
+      return with_spin(links.link(i), own_force(links, in, motions, water, i), spins[i], motions[i]);
+    else
+      return own_force(links, in, motions, water, i);
+  }
 
   /// Of link I and all that it carries: N m and N, in its frame.
   template <int I>
   AXIAL_INLINE constexpr auto force(Index<I> i) const {
-    return detail::loaded(own_force(links, in, motions, water, i), children<I, I + 1>());
+    return detail::loaded(own(i), children<I, I + 1>());
   }
   /// What the children of link I, from link C on, send to it, in its frame.
   template <int I, int C>
@@ -35,9 +45,9 @@ struct Branch {
   }
   /// In the looped form: a child has a larger index than its parent.
   AXIAL_INLINE constexpr auto force(int joint) const {
-    Row<std::decay_t<decltype(own_force(links, in, motions, water, 0))>, Links::capacity> total;
+    Row<std::decay_t<decltype(own(0))>, Links::capacity> total;
     for (int i = joint; i < links.size(); ++i)
-      total[i] = own_force(links, in, motions, water, i);
+      total[i] = own(i);
     for (int i = links.size(); --i > joint;) {
       const int parent = links.parent_index(i);
       if (parent >= joint) total[parent] = total[parent] + sent_force(links, screws, i, total[i]);
@@ -46,22 +56,39 @@ struct Branch {
   }
 };
 
+/// Spins of the rotors on all links; nothing where the scene does not name RotorDynamics.
+template <class Links, class V, class A>
+AXIAL_INLINE constexpr auto spins_of(const Links& links, const V& qd, const A& qdd) {
+  if constexpr (Links::Scene::template has<RotorDynamics>)
+    return rotor_spins(links, qd, qdd);
+  else
+    return NoMotion{};
+}
+
+/// Effort of joint i that bears its branch, and drives its rotor.
+template <class Branch, class I, class Q, class V, class A>
+AXIAL_INLINE constexpr auto effort_with_rotor(const Branch& branch, I i, const Q& q, const V& qd, const A& qdd) {
+  auto effort = joint_effort(branch.links, i, branch.force(i), q, qd, qdd);
+  if constexpr (std::decay_t<decltype(branch.links)>::Scene::template has<RotorDynamics>)
+    return effort + effort_on_rotor(branch.links, branch.in, i, branch.motions);
+  else
+    return effort;
+}
+
 /// Effort of one joint over any form of links, N m or N; joint values as kernels read them.
 template <class Links, class Input, class I, class Q, class V, class A>
 AXIAL_INLINE constexpr auto run_joint(const Links& links, const Input& in, I joint, const Q& q, const V& qd,
                                       const A& qdd) {
-  static_assert(!Links::Scene::template has<RotorDynamics>,
-                "axial: the effort of one joint has no rotors as bodies; take RotorDynamics out of the scene, or the "
-                "joint's effort of inverse_dynamics or gravity_torque");
   auto screws = joint_screws(links, in, q);
   auto motions = link_motions(links, in, screws, qd, qdd);
   auto water = immersions(links, in, screws, qd);
-  const Branch<Links, Input, decltype(screws), decltype(motions), decltype(water)> branch{links, in, screws, motions,
-                                                                                          water};
+  const auto spins = spins_of(links, qd, qdd);
+  const Branch<Links, Input, decltype(screws), decltype(motions), decltype(water), decltype(spins)> branch{
+      links, in, screws, motions, water, spins};
   if constexpr (Links::unrolled)
-    return joint_effort(links, joint, branch.force(joint), q, qd, qdd);
+    return effort_with_rotor(branch, joint, q, qd, qdd);
   else
-    return joint_effort(links, int{joint}, branch.force(int{joint}), q, qd, qdd);
+    return effort_with_rotor(branch, int{joint}, q, qd, qdd);
 }
 
 /// Whether a scene's robot has a joint of that index.
