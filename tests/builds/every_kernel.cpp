@@ -46,9 +46,14 @@ bool differentiated(const Inputs<S, T>& in = {}) {
   const auto along = inverse_dynamics_along<S>(x, x, x, {x, x, x}, in);
   const auto driven = forward_dynamics_along<S>(x, x, x, {x, x, x}, in);
   const auto y = torque_regressor<S>(x, x, x, in);
-  const auto rates = torque_rates<S>(x, x, x, x, x, in);
-  return check_finite(inverse.tau, along.tau, rates.taudd).ok() && forward.qdd.status.ok() && driven.qdd.status.ok() &&
+  return check_finite(inverse.tau, along.tau).ok() && forward.qdd.status.ok() && driven.qdd.status.ok() &&
          y(0, 0, InertialParameter::xx) == along.dtau[0];
+}
+
+template <class S, class T>
+bool rated() {
+  const Joints<robot_of<S>, T> x{};
+  return check_finite(torque_rates<S>(x, x, x, x, x).taudd).ok();
 }
 
 template <class S, class T>
@@ -160,9 +165,10 @@ bool in_floating_point() {
   return all_of<Planar2r, float>() && all_of<Planar2r, double>() && all_of<TwoArm, float>() &&
          all_of<Loaded<Scara>, float>() && all_of<Loaded<Scara, Looped>, double>() &&
          separated<Scara, float>({}, {}, {}) && simulated<Planar2r, float>() && simulated<Planar2r, double>() &&
-         differentiated<Planar2r, float>() && differentiated<Loaded<Scara, Looped>, double>() && modelled<float>() &&
-         modelled<double>() && counted<Scara>() && in_batches<Planar2r, float>() &&
-         in_batches<Loaded<Scara, Looped>, double>() &&
+         differentiated<Planar2r, float>() && rated<Planar2r, float>() &&
+         rated<Scene<Scara, Gravity, RotorInertia, Looped>, double>() &&
+         differentiated<Loaded<Scara, Looped>, double>() && modelled<float>() && modelled<double>() &&
+         counted<Scara>() && in_batches<Planar2r, float>() && in_batches<Loaded<Scara, Looped>, double>() &&
          check_finite(
              closed_form::scara_torque<Scara>(Joints<Scara, float>{}, Joints<Scara, float>{}, Joints<Scara, float>{}))
              .ok();

@@ -40,6 +40,7 @@ struct WithoutMotors<Scene<Robot, Features...>> : LinkSide<Scene<Robot>, Feature
 /// Whether a type is a scene, and no bare robot.
 template <class S>
 inline constexpr bool is_scene = false;
+/// A scene is one.
 template <class Robot, class... Features>
 inline constexpr bool is_scene<Scene<Robot, Features...>> = true;
 
@@ -47,7 +48,7 @@ inline constexpr bool is_scene<Scene<Robot, Features...>> = true;
 template <class Robot>
 constexpr bool is_elastic() {
   for (const auto& link : Robot::chain.links)
-    if (axial::detail::is_bounded(link.stiffness)) return true;
+    if (link.stiffness < LinkParameters::unlimited) return true;
   return false;
 }
 

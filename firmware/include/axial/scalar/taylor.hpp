@@ -79,26 +79,27 @@ using IfOneIsTaylor = std::enable_if_t<
     std::conjunction_v<std::bool_constant<is_taylor_v<A> || is_taylor_v<B>>, MayMeetTaylor<A>, MayMeetTaylor<B>>, int>;
 }  // namespace detail
 
-/// Arithmetic of Taylor numbers among themselves and with plain ones.
-///@{
+/// Sum of Taylor numbers, or of one and a plain number.
 template <class A, class B, detail::IfOneIsTaylor<A, B> = 0>
 AXIAL_INLINE constexpr auto operator+(const A& a, const B& b) {
   return with_rates(value_at_0(a) + value_at_0(b), linear_of(a) + linear_of(b), quadratic_of(a) + quadratic_of(b));
 }
+/// Difference of Taylor numbers, or of one and a plain number.
 template <class A, class B, detail::IfOneIsTaylor<A, B> = 0>
 AXIAL_INLINE constexpr auto operator-(const A& a, const B& b) {
   return with_rates(value_at_0(a) - value_at_0(b), linear_of(a) - linear_of(b), quadratic_of(a) - quadratic_of(b));
 }
+/// Product of Taylor numbers, or of one and a plain number: Leibniz's rule.
 template <class A, class B, detail::IfOneIsTaylor<A, B> = 0>
-AXIAL_INLINE constexpr auto operator*(const A& a, const B& b) {  // Leibniz's rule
+AXIAL_INLINE constexpr auto operator*(const A& a, const B& b) {
   return with_rates(value_at_0(a) * value_at_0(b), linear_of(a) * value_at_0(b) + value_at_0(a) * linear_of(b),
                     quadratic_of(a) * value_at_0(b) + linear_of(a) * linear_of(b) + value_at_0(a) * quadratic_of(b));
 }
+/// A Taylor number with the other sign.
 template <class V, class L, class Q>
 AXIAL_INLINE constexpr auto operator-(const Taylor<V, L, Q>& x) {
   return with_rates(-x.value, -x.linear, -x.quadratic);
 }
-///@}
 
 /// Plain numbers and structural scalars become Taylor numbers where a loop keeps one type for all links.
 template <class V, class L, class Q>
