@@ -50,10 +50,21 @@ bool differentiated(const Inputs<S, T>& in = {}) {
          y(0, 0, InertialParameter::xx) == along.dtau[0];
 }
 
-template <class S, class T>
+struct Harmonic {
+  static constexpr auto chain =
+      axial::chain(gravity(0.0, -9.81, 0.0), revolute().mass(1).com(0.5, 0, 0).stiffness(4000.0));
+};
+template <class R, class T, class... Form>
 bool rated() {
-  const Joints<robot_of<S>, T> x{};
-  return check_finite(torque_rates<S>(x, x, x, x, x).taudd).ok();
+  using S = Scene<R, Gravity, RotorInertia, Form...>;
+  const Joints<R, T> x{};
+  return check_finite(torque_rates<S>(x, x, x, x).taud, torque_rates<S>(x, x, x, x, x).taudd).ok();
+}
+template <class T, class... Form>
+bool elastic_joints() {
+  using S = Scene<Harmonic, Gravity, RotorInertia, Friction, ElasticJoints, Form...>;
+  const Joints<Harmonic, T> x{};
+  return check_finite(elastic_feedforward<S>(x, x, x, x, x).tau_m).ok();
 }
 
 template <class S, class T>
@@ -165,8 +176,8 @@ bool in_floating_point() {
   return all_of<Planar2r, float>() && all_of<Planar2r, double>() && all_of<TwoArm, float>() &&
          all_of<Loaded<Scara>, float>() && all_of<Loaded<Scara, Looped>, double>() &&
          separated<Scara, float>({}, {}, {}) && simulated<Planar2r, float>() && simulated<Planar2r, double>() &&
-         differentiated<Planar2r, float>() && rated<Planar2r, float>() &&
-         rated<Scene<Scara, Gravity, RotorInertia, Looped>, double>() &&
+         differentiated<Planar2r, float>() && rated<Planar2r, float>() && rated<Scara, double, Looped>() &&
+         elastic_joints<float>() && elastic_joints<double, Looped>() &&
          differentiated<Loaded<Scara, Looped>, double>() && modelled<float>() && modelled<double>() &&
          counted<Scara>() && in_batches<Planar2r, float>() && in_batches<Loaded<Scara, Looped>, double>() &&
          check_finite(

@@ -52,17 +52,12 @@ constexpr bool is_elastic() {
   return false;
 }
 
-/// 1/K of every joint, rad/(N m) or m/N; 0 of a rigid one.
-template <class T, int N>
-struct Compliances {
-  T values[N] = {};  ///< one per joint
-};
-/// Those of a robot.
+/// 1/K of every joint of a robot, rad/(N m) or m/N; 0 of a rigid one.
 template <class Robot, class T>
 inline constexpr auto compliances = [] {
-  Compliances<T, Robot::chain.size> result;
+  Row<T, Robot::chain.size> result;
   for (int i = 0; i < Robot::chain.size; ++i)
-    result.values[i] = NumberTraits<T>::constant(1.0 / Robot::chain.links[i].stiffness);
+    result[i] = NumberTraits<T>::constant(1.0 / Robot::chain.links[i].stiffness);
   return result;
 }();
 /// That of joint i: known to the compiler where the links are.
@@ -71,9 +66,9 @@ AXIAL_INLINE constexpr auto compliance(I i) {
   using Robot = typename Links::Scene::Robot;
   using T = typename Links::Scalar;
   if constexpr (Links::unrolled)
-    return literal<T>([] { return compliances<Robot, double>.values[I::value]; });
+    return literal<T>([] { return compliances<Robot, double>[I::value]; });
   else
-    return T(compliances<Robot, Lane<T>>.values[i]);
+    return T(compliances<Robot, Lane<T>>[i]);
 }
 
 /// Spong 1987: theta = q + tau_l / K, tau_m = B theta-dd + tau_l, for joint i with the Taylor number of its torque.
