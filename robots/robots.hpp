@@ -1,16 +1,20 @@
 // All robots of this folder, their names, and a walk over them that compiles on a microcontroller too.
 #pragma once
 
+#include <robots/gripper.hpp>
 #include <robots/indy7.hpp>
+#include <robots/palletiser.hpp>
 #include <robots/panda.hpp>
 #include <robots/panda_slow.hpp>
 #include <robots/planar2r.hpp>
 #include <robots/puma560.hpp>
 #include <robots/roarm_m2.hpp>
 #include <robots/scara.hpp>
+#include <robots/scara_quill.hpp>
 #include <robots/scara_rrpr.hpp>
 #include <robots/torso.hpp>
 #include <robots/two_arm.hpp>
+#include <robots/wrist_arm.hpp>
 
 namespace robots {
 
@@ -43,6 +47,9 @@ using All = List<Scara, ScaraRrpr, Puma560, Panda, Planar2r>;
 using Trees = List<TwoArm, Torso>;
 /// Serial arms on which others published bounds of fixed-point errors, at the limits of that comparison.
 using Published = List<Indy7, RoarmM2, PandaSlow>;
+
+/// Robots whose joints share drives.
+using SharedDrives = List<ScaraQuill, Palletiser, WristArm, Gripper>;
 
 /// Calls visit(Named<R>{}) for every robot of All, in order.
 template <class Visit>

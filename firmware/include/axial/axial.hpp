@@ -19,6 +19,7 @@
 #include <axial/control/two_rate.hpp>
 #include <axial/dynamics/base_wrench.hpp>
 #include <axial/dynamics/check_finite.hpp>
+#include <axial/dynamics/driven.hpp>
 #include <axial/dynamics/elastic_feedforward.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/forward_dynamics_along.hpp>

@@ -1,6 +1,7 @@
 // Checks of run-time requests against what a robot declares.
 #pragma once
 
+#include <axial/links/driven_links.hpp>
 #include <axial/links/soundness.hpp>
 #include <axial/scalar/finite.hpp>
 #include <axial/scene/joints.hpp>
@@ -116,10 +117,25 @@ constexpr Status::Code violation(const L& l, const Q& q, const T& qd, const T& q
   return For::allows(l.speed, qd) ? Code::acceleration_limit : Code::speed_limit;
 }
 
+/// What drives make of joints that they share, held against the limits of those; names the drive that the joint owns,
+/// or the first that moves it.
+template <class S, class T, class Check>
+constexpr Status check_shared(const Check& joints_status) {
+  if constexpr (shares_drives_in<typename scene_of<S>::Robot>) {
+    using Links = decltype(links_of<S, T>());
+    Status status = joints_status(Links{});
+    if (status.joint >= 0) status.joint = Links::matrix.mover_of(status.joint);
+    return status;
+  } else {
+    return {};
+  }
+}
+
 }  // namespace detail
 
 /// First joint with which something is wrong in a request, and what: not finite, outside the declared limits, or an
-/// angle of so many turns that its sine is not exact (angle_range), where the limits allow one.
+/// angle of so many turns that its sine is not exact (angle_range), where the limits allow one. Where joints share
+/// drives, limits of drives first, then those of the joints; a drive is named.
 template <class S, class T, detail::if_one_state<T> = 0>
 [[nodiscard]] constexpr Status check_request(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                              const Accelerations<robot_of<S>, T>& qdd) {
@@ -129,7 +145,9 @@ template <class S, class T, detail::if_one_state<T> = 0>
     if (!(For::reaches(l, q[i]) && For::allows(l.speed, qd[i]) && For::allows(l.acceleration, qdd[i])))
       return {detail::violation<For>(l, q[i], qd[i], qdd[i]), i};
   }
-  return {};
+  return detail::check_shared<S, T>([&](auto links) {
+    return check_request<typename decltype(links)::JointScene>(links.positions(q), links.rates(qd), links.rates(qdd));
+  });
 }
 
 /// First joint whose position is not finite or outside the declared limits, and which of the two, as check_request().
@@ -138,7 +156,8 @@ template <class S, class T, detail::if_one_state<T> = 0>
   using For = detail::LimitsFor<S, T>;
   for (int i = 0; i < joint_count<S>; ++i)
     if (!For::reaches(For::joint(i), q[i])) return {detail::violation<For>(For::joint(i), q[i], T{}, T{}), i};
-  return {};
+  return detail::check_shared<S, T>(
+      [&](auto links) { return check_position<typename decltype(links)::JointScene>(links.positions(q)); });
 }
 
 /// A desired motion, and what was wrong with it.

@@ -175,12 +175,16 @@ AXIAL_INLINE constexpr auto solve(const Links& links, Matrix& m, X& x) {
 template <class Links, class Input, class Q, class V, class Tau, class A>
 AXIAL_INLINE constexpr auto run_solve(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
                                       A& qdd) {
-  auto screws = joint_screws(links, in, q);
-  rnea::efforts(links, in, q, screws, qd, NoMotion{}, qdd);
-  for_each_link(links, [&](auto i) AXIAL_INLINE { qdd[i] = tau[i] - qdd[i]; });
-  MassMatrix<typename Links::Scene::Robot, typename Links::Scalar> m{};
-  entries(links, in, screws, m);
-  return solve(links, m, qdd);
+  if constexpr (is_driven<Links>) {
+    return DrivenKernels<Links>::accelerations(links, in, q, qd, tau, qdd);
+  } else {
+    auto screws = joint_screws(links, in, q);
+    rnea::efforts(links, in, q, screws, qd, NoMotion{}, qdd);
+    for_each_link(links, [&](auto i) AXIAL_INLINE { qdd[i] = tau[i] - qdd[i]; });
+    MassMatrix<typename Links::Scene::Robot, typename Links::Scalar> m{};
+    entries(links, in, screws, m);
+    return solve(links, m, qdd);
+  }
 }
 
 }  // namespace crba

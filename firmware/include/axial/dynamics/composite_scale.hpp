@@ -88,11 +88,18 @@ AXIAL_INLINE constexpr auto scale_of(const Link&, const Body& body) {
     return composite_scale(body);
 }
 
+namespace detail {
+/// Likewise of drives that joints share: driven_links.hpp.
+template <class Scene>
+constexpr bool every_drive_is_resisted();
+}  // namespace detail
+
 /// True where every joint of a robot has something outboard that resists it: its own inertia about the axis (or mass
 /// along it), any mass or inertia further out, a rotor or a payload that the scene names.
 template <class S>
 [[nodiscard]] constexpr bool every_joint_is_resisted() {
   using Scene = scene_of<S>;
+  if constexpr (detail::shares_drives_in<typename Scene::Robot>) return detail::every_drive_is_resisted<Scene>();
   const auto& links = detail::robot_constants<typename Scene::Robot>.links;
   constexpr int n = Scene::Robot::chain.size;
   bool moves_something[n] = {};

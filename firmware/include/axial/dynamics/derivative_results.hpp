@@ -116,6 +116,8 @@ namespace detail {
 // Scenes that derivatives are offered for.
 template <class Scene>
 constexpr void check_derivable() {
+  static_assert(!shares_drives_in<typename Scene::Robot>,
+                "axial: derivatives do not know joints that share drives; call it for axial::JointCoordinates<Robot>");
   static_assert(!Scene::template has<BaseMotion> && !Scene::template has<FloatingBase>,
                 "axial: derivatives are those of a base at rest; take BaseMotion and FloatingBase out of the scene");
   static_assert(!Scene::template has<Underwater>, "axial: derivatives have no water; take Underwater out of the scene");

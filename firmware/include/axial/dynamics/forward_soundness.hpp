@@ -69,11 +69,15 @@ AXIAL_INLINE constexpr void collect_position(Soundness<T>& all, const Links& lin
 /// Collects what forward dynamics is asked of. Efforts need no look: each is a term of its joint's acceleration.
 template <class Links, class Input, class Q, class V>
 AXIAL_INLINE constexpr auto collected_request(const Links& links, const Input& in, const Q& q, const V& qd) {
-  Soundness<typename Links::Scalar> all;
-  for_each_link(links, [&](auto i) AXIAL_INLINE { collect_position(all, links, in, q, i); });
-  for_each_link(links, [&](auto i) AXIAL_INLINE { all.number(qd[i]); });
-  collect_inputs<typename Links::Scene>(all, in);
-  return all;
+  if constexpr (is_driven<Links>) {
+    return collected_request(links.joints(), in, links.positions(q), links.rates(qd));
+  } else {
+    Soundness<typename Links::Scalar> all;
+    for_each_link(links, [&](auto i) AXIAL_INLINE { collect_position(all, links, in, q, i); });
+    for_each_link(links, [&](auto i) AXIAL_INLINE { all.number(qd[i]); });
+    collect_inputs<typename Links::Scene>(all, in);
+    return all;
+  }
 }
 
 /// The status of an answer that a solver calls `solved`: what is not finite, and angles without exact sines, come
@@ -81,7 +85,10 @@ AXIAL_INLINE constexpr auto collected_request(const Links& links, const Input& i
 template <class Links, class T, class A>
 AXIAL_INLINE constexpr auto sound_status(const Links& links, Soundness<T> all, const A& qdd,
                                          const StatusOf<T>& solved) {
-  for_each_link(links, [&](auto i) AXIAL_INLINE { all.number(qdd[i]); });
+  if constexpr (is_driven<Links>)
+    links.each_drive([&](auto k) AXIAL_INLINE { all.number(qdd[k]); });
+  else
+    for_each_link(links, [&](auto i) AXIAL_INLINE { all.number(qdd[i]); });
   if constexpr (Links::Scene::template has<FloatingBase>) collect(all, qdd.base_acceleration);
   return first_trouble(all.status(), solved);
 }

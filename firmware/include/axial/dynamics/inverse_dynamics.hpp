@@ -200,8 +200,12 @@ AXIAL_INLINE constexpr void efforts(const Links& links, const Input& in, const Q
 /// The same from q itself, whatever the form in which joint values stand.
 template <class Links, class Input, class Q, class V, class A, class Tau>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Tau& tau) {
-  auto at = links.read(q);
-  efforts(links, in, at, joint_screws(links, in, at), links.read(qd), links.read(qdd), tau);
+  if constexpr (is_driven<Links>) {
+    DrivenKernels<Links>::efforts(links, in, q, qd, qdd, tau);
+  } else {
+    auto at = links.read(q);
+    efforts(links, in, at, joint_screws(links, in, at), links.read(qd), links.read(qdd), tau);
+  }
 }
 
 }  // namespace rnea

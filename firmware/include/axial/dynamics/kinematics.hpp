@@ -16,9 +16,9 @@ using WorldPose = Pose<Mat3<Vec3<T>>, Vec3<T>>;
 /// Poses in the world (m, rotation matrices): of every link's frame, and of the tool.
 template <class S, class T>
 struct ForwardKinematics {
-  WorldPose<T> frames[joint_count<S>];  ///< of every link
-  WorldPose<T> tool;                    ///< of the tool
-  StatusOf<T> status{};                 ///< whether they are poses, see forward_kinematics()
+  WorldPose<T> frames[link_count<S>];  ///< of every link
+  WorldPose<T> tool;                   ///< of the tool
+  StatusOf<T> status{};                ///< whether they are poses, see forward_kinematics()
 };
 
 /// Geometric Jacobian of the tool's origin: column j is the motion (angular; linear), in world axes, that a unit speed
@@ -84,12 +84,16 @@ AXIAL_INLINE constexpr auto status_at(const Links& links, const Input& in, const
 /// Writes the poses of all frames and of the tool.
 template <class Links, class Input, class Q, class Result>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Result& result) {
-  auto poses = frames(links, in, links.read(q));
-  for_each_link(links, [&](auto i) AXIAL_INLINE { result.frames[i] = links.stored(poses[i]); });
-  result.tool = links.stored(poses[links.last()] * tool_of(links, in));
-  result.status = status_at(
-      links, in, q, [&](auto i) { return result.frames[i].position; }, result.tool.position);
-  judge_tool(result.status, links, in);
+  if constexpr (is_driven<Links>) {
+    run(links.joints(), in, links.positions(q), result);
+  } else {
+    auto poses = frames(links, in, links.read(q));
+    for_each_link(links, [&](auto i) AXIAL_INLINE { result.frames[i] = links.stored(poses[i]); });
+    result.tool = links.stored(poses[links.last()] * tool_of(links, in));
+    result.status = status_at(
+        links, in, q, [&](auto i) { return result.frames[i].position; }, result.tool.position);
+    judge_tool(result.status, links, in);
+  }
 }
 
 /// Motion of a point at `arm` (m) from a revolute joint's axis, at 1 rad/s.
@@ -119,18 +123,30 @@ AXIAL_INLINE constexpr void columns(const Links& links, const Poses& poses, K k,
 /// Columns for the tool's origin.
 template <class Links, class Input, class Q, class Result>
 AXIAL_INLINE constexpr void tool_columns(const Links& links, const Input& in, const Q& q, Result& jacobian) {
-  auto poses = frames(links, in, links.read(q));
-  auto tool = poses[links.last()] * tool_of(links, in);
-  columns(links, poses, links.last(), links.link(links.last()).sum(quantity::Length{}, tool.position), jacobian);
-  jacobian.status = status_at(links, in, q, [&](auto i) { return jacobian[i]; });
-  judge_tool(jacobian.status, links, in);
+  if constexpr (is_driven<Links>) {
+    Jacobian<typename Links::JointRobot, typename Links::Scalar> by_joints{};
+    tool_columns(links.joints(), in, links.positions(q), by_joints);
+    DrivenKernels<Links>::columns(links, by_joints, jacobian);
+  } else {
+    auto poses = frames(links, in, links.read(q));
+    auto tool = poses[links.last()] * tool_of(links, in);
+    columns(links, poses, links.last(), links.link(links.last()).sum(quantity::Length{}, tool.position), jacobian);
+    jacobian.status = status_at(links, in, q, [&](auto i) { return jacobian[i]; });
+    judge_tool(jacobian.status, links, in);
+  }
 }
 /// Columns for the origin of link k's frame.
 template <class Links, class Input, class K, class Q, class Result>
 AXIAL_INLINE constexpr void link_columns(const Links& links, const Input& in, K k, const Q& q, Result& jacobian) {
-  auto poses = frames(links, in, links.read(q));
-  columns(links, poses, k, poses[k].position, jacobian);
-  jacobian.status = status_at(links, in, q, [&](auto i) { return jacobian[i]; });
+  if constexpr (is_driven<Links>) {
+    Jacobian<typename Links::JointRobot, typename Links::Scalar> by_joints{};
+    link_columns(links.joints(), in, k, links.positions(q), by_joints);
+    DrivenKernels<Links>::columns(links, by_joints, jacobian);
+  } else {
+    auto poses = frames(links, in, links.read(q));
+    columns(links, poses, k, poses[k].position, jacobian);
+    jacobian.status = status_at(links, in, q, [&](auto i) { return jacobian[i]; });
+  }
 }
 
 }  // namespace kinematics
@@ -173,7 +189,7 @@ template <class S, class T>
 template <class S, int Link, class T>
 [[nodiscard]] constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q,
                                                           const Inputs<S, T>& in = {}) {
-  static_assert(Link >= 0 && Link < joint_count<S>,
+  static_assert(Link >= 0 && Link < link_count<S>,
                 "axial: the robot has no such link; links are counted from 0, base outwards");
   Jacobian<robot_of<S>, T> result{};
   if constexpr (scene_of<S>::template has<Looped>)

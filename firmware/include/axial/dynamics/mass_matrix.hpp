@@ -150,7 +150,10 @@ AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const S
 /// The same from q itself, whatever the form in which joint values stand.
 template <class Links, class Input, class Q, class Matrix>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Matrix& m) {
-  entries(links, in, joint_screws(links, in, links.read(q)), m);
+  if constexpr (is_driven<Links>)
+    DrivenKernels<Links>::matrix_at(links, in, q, m);
+  else
+    entries(links, in, joint_screws(links, in, links.read(q)), m);
 }
 
 }  // namespace crba

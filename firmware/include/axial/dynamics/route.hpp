@@ -65,7 +65,12 @@ constexpr RouteCost unrolled_cost() {
 
 template <class Scene>
 constexpr Route chosen_route() {
-  if constexpr (Scene::template has<ArticulatedBody> || Scene::template has<FloatingBase>) {
+  if constexpr (shares_drives_in<typename Scene::Robot>) {
+    static_assert(!Scene::template has<ArticulatedBody> && !Scene::template has<SplitArticulatedBody>,
+                  "axial: joints that share drives are solved by composite bodies; take ArticulatedBody or "
+                  "SplitArticulatedBody out");
+    return Route::composite_body;
+  } else if constexpr (Scene::template has<ArticulatedBody> || Scene::template has<FloatingBase>) {
     return Route::articulated_body;
   } else if constexpr (Scene::template has<SplitArticulatedBody>) {
     return Route::split_articulated_body;

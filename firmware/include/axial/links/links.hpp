@@ -203,10 +203,29 @@ inline constexpr bool regroups_all = std::is_same_v<Parameters, BaseParametersAn
                                      (std::is_same_v<Parameters, BaseParameters> &&
                                       has_no_rotor<typename Scene::Robot>() && !Scene::template has<BaseMotion> &&
                                       !Scene::template has<FloatingBase>);
+template <class Robot>
+inline constexpr bool shares_drives_in = false;
+template <class R>
+inline constexpr bool shares_drives_in<DriveCoordinates<R>> = true;
 template <class Scene, class Parameters, class Recursion>
 using with_axial_masses = std::conditional_t<regroups_all<Scene, Parameters> && knows_axial_masses<Scene, Recursion>,
                                              BaseParametersAndAxialMasses, Parameters>;
 }  // namespace detail
+
+/// Whether links stand for joints that share drives (driven_links.hpp), and what kernels do then.
+///@{
+template <class Links>
+inline constexpr bool is_driven = false;
+template <class Links>
+struct DrivenKernels;
+///@}
+/// Stops the compiler where such links reach a kernel without: at once, being a class.
+template <class Links>
+struct KnowsDrives {
+  static_assert(!is_driven<Links>,
+                "axial: this function does not know joints that share drives; call it for "
+                "axial::JointCoordinates<Robot> with joint_positions<Robot>(u) and map efforts by drive_efforts()");
+};
 
 /// The door for number systems: what kernels of a recursion walk over for a scene and numbers T. Here for numbers that
 /// carry their own scale; a number system with formats specialises it.
@@ -215,6 +234,8 @@ struct LinksOf {
   using T = typename detail::Substitute<Number>::type;  ///< the number
   using Robot = typename Scene::Robot;                  ///< of the scene
 
+  static_assert(!detail::shares_drives_in<Robot>,
+                "axial: joints of this robot share drives: add #include <axial/dynamics/driven.hpp>");
   /// the links, in the form that the scene asks for
   AXIAL_INLINE static constexpr auto links() {
     if constexpr (Scene::template has<Looped>) {

@@ -5,7 +5,9 @@
 
 #include <axial/robot/base_body.hpp>
 #include <axial/robot/chain_parameters.hpp>
+#include <axial/robot/couplings.hpp>
 #include <axial/robot/description_checks.hpp>
+#include <axial/robot/drive_coordinates.hpp>
 
 #include <utility>
 
@@ -86,6 +88,11 @@ struct ChainBuilder {
   }
 
   constexpr void add(const Acceptance&) {}
+  /// screw_spline(), differential() or drive_ratios().
+  template <class Transmission>
+  constexpr void add(const Transmission& transmission) {
+    if (!couple(transmission, chain.links, next)) note(Broken::robot, Problem::transmission_is_misplaced);
+  }
   constexpr void add(const Link& link) {
     note(next, link_problem(link.parameters(), link.given(), next, accepted));
     chain.links[next++] = link.parameters();
@@ -124,12 +131,21 @@ struct ChainBuilder {
     chain.base_body = body.parameters();
     chain.has_base_body = true;
   }
+  /// When all parts are there.
+  constexpr void check_drives() {
+    if (!chain.shares_drives()) return;
+    for (int i = 0; i < N; ++i)
+      note(i, shared_drives_problem(chain.links, i));
+    if (!drive_matrix_of(chain.links).moves_all())
+      note(Broken::robot, Problem::drives_do_not_move_the_joints_independently);
+  }
 };
 
 }  // namespace detail
 
 /// Builds a robot from links (from the base outwards) and, in any order, gravity(), base(), base_body(),
-/// tool(), payload_limit(), tip_wrench_limit() and accept(as_published).
+/// tool(), payload_limit(), tip_wrench_limit() and accept(as_published). Transmissions stand behind their links:
+/// screw_spline(), differential(), drive_ratios() (couplings.hpp).
 /// A description that cannot be right (not finite, negative mass, limits upside down, no link, an inertia that no body
 /// has, degrees for radians, millimetres for metres, a quantity given twice, ...) does not compile: the message names
 /// link, quantity and remedy. doc/guides/conventions.md has the rules.
@@ -142,6 +158,7 @@ constexpr auto chain(const Parts&... parts) {
   static_assert(count > 0, "axial: a chain needs at least one link; add axial::revolute() or axial::prismatic()");
   detail::ChainBuilder<(count > 0 ? count : 1)> builder{detail::accepts<Parts...>};
   (builder.add(parts), ...);
+  builder.check_drives();
   const auto stop = detail::Stops<count>::of(builder.broken);
   if (stop != nullptr) stop();  // here, not further down: no trace of calls stands before the compiler's message
   return builder.chain;

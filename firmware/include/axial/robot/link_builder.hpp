@@ -22,7 +22,14 @@ class LinkBuilder {
  protected:
   using Quantity = detail::Quantity;  ///< what a call names
 
-  /// A copy that `change`, called with its fields, has changed: it names a quantity.
+  /// A copy that `change`, called with its fields, has changed.
+  template <class Change>
+  constexpr Self changed(Change change) const {
+    Self copy = static_cast<const Self&>(*this);
+    change(copy.p_);
+    return copy;
+  }
+  /// The same of a quantity that is named once.
   template <class Change>
   constexpr Self with(Quantity quantity, Change change) const {
     Self changed = static_cast<const Self&>(*this);
@@ -125,6 +132,32 @@ class LinkBuilder {
   /// Largest effort, N m or N.
   constexpr Self effort_limit(double max) const {
     return with(Quantity::effort_limit, [&](auto& p) { p.effort_limit = max; });
+  }
+
+  /// Its joint is moved by the drive of joint k besides its own: q = own drive + ratio drive_k. Of its own index: how
+  /// far its own drive moves it. Several calls add up. doc/guides/drives.md.
+  constexpr Self driven_by(int k, double ratio = 1.0) const {
+    return changed([&](auto& p) { p.drives.name(k, ratio); });
+  }
+  /// Its joint has no drive of its own: driven_by() says what moves it.
+  constexpr Self passive() const {
+    return changed([](auto& p) { p.drives.complete = true; });
+  }
+  /// Its joint has no drive and moves as joint k does: q = ratio q_k + offset (rad or m), whatever drives joint k. What
+  /// keeps a rod of a parallelogram parallel, the second finger of a gripper.
+  constexpr Self mimic(int k, double ratio = 1.0, double offset = 0.0) const {
+    return changed([&](auto& p) {
+      p.drives.name(k, ratio), p.drives.follows = p.drives.complete = true, p.drives.offset = offset;
+    });
+  }
+  /// Limits of its own drive where other joints share it: position (rad or m), speed and acceleration. Its effort
+  /// limit, rotor and friction are the drive's in any case; a joint's own limits hold besides.
+  constexpr Self drive_limits(double min, double max, double speed = LinkParameters::unlimited,
+                              double acceleration = LinkParameters::unlimited) const {
+    return changed([&](auto& p) {
+      p.drive_min = min, p.drive_max = max;
+      p.drive_speed_limit = speed, p.drive_acceleration_limit = acceleration;
+    });
   }
 
   /// Keeps numbers that no robot should have, as their source gives them (doc/guides/conventions.md, "What does not

@@ -11,6 +11,23 @@ namespace axial {
 /// How a joint moves its link: about or along its z axis.
 enum class JointType : unsigned char { revolute, prismatic };
 
+/// Which drives move a joint, where that is not one of its own alone. Drives are numbered by the joints that own them
+/// (robot/drive_matrix.hpp).
+struct JointDrives {
+  static constexpr int most = 6;  ///< drives of one joint
+  int count = 0;                  ///< how many are named; an own drive that is not counts once, unless `complete`
+  int of[most] = {};              ///< index of the joint that owns the drive, or of the one that this joint follows
+  double ratio[most] = {};        ///< rad or m of the joint a unit of the drive
+  double offset = 0.0;            ///< rad or m of a joint that follows another
+  bool follows = false;           ///< moves as joint of[0] does: ratio[0] q + offset
+  bool complete = false;          ///< nothing but what is named moves the joint
+
+  constexpr void name(int drive, double units) {
+    if (count < most) of[count] = drive, ratio[count] = units;
+    ++count;
+  }
+};
+
 /// What a link is, in SI units and radians. Frame i is fixed to link i, its z axis is joint i's axis; the transform
 /// from frame i-1 to frame i is Rx(alpha) Tx(a) Rz(theta) Tz(d) (modified Denavit-Hartenberg); in a tree it starts from
 /// the parent's frame, and Rz(gamma) Tz(b) may come before it. All fields are inputs as written by the author of the
@@ -51,7 +68,12 @@ struct LinkParameters {
   double speed_limit = unlimited;         ///< rad/s or m/s
   double acceleration_limit = unlimited;  ///< rad/s^2 or m/s^2
   double effort_limit = unlimited;        ///< N m or N
-  WaterParameters water{};                ///< only scenes that name Underwater see it
+  JointDrives drives{};                   ///< drives that it shares with other joints
+  double drive_min = -unlimited;          ///< position of its own drive, where it is shared
+  double drive_max = unlimited;           ///< likewise
+  double drive_speed_limit = unlimited;   ///< likewise, a second
+  double drive_acceleration_limit = unlimited;  ///< likewise, a second squared
+  WaterParameters water{};                      ///< only scenes that name Underwater see it
 };
 
 namespace detail {

@@ -9,6 +9,9 @@
 
 namespace axial {
 
+template <class R>
+struct DriveCoordinates;  // robot/drive_coordinates.hpp
+
 /// Robot with exactly the named features (features.hpp; doc/guides/scenes.md is the table of them).
 template <class RobotType, class... Features>
 struct Scene {
@@ -70,13 +73,25 @@ auto is_malformed(long) -> decltype(R::chain.links[0].mass, std::true_type());
 template <class R>
 std::false_type is_malformed(...);
 
+/// Whether joints of a robot share drives; its values are then those of the drives.
+template <class R>
+auto shares_drives(int) -> std::bool_constant<R::chain.shares_drives()>;
+template <class R>
+std::false_type shares_drives(...);
+
 /// What kernels then compute with, so that nothing more is said: robot/chain.hpp.
 template <class R>
 struct StandIn;
 template <class R, bool malformed = decltype(is_malformed<R>(0))::value>
 struct Computed {
-  using type = R;   ///< the robot that kernels compute with
+  /// the robot that kernels compute with
+  using type = std::conditional_t<decltype(shares_drives<R>(0))::value, DriveCoordinates<R>, R>;
   using Named = R;  ///< the one that a user named
+};
+template <class R>
+struct Computed<DriveCoordinates<R>, false> {
+  using type = DriveCoordinates<R>;
+  using Named = R;
 };
 template <class R>
 struct Computed<R, true> : Computed<StandIn<R>, false> {};
@@ -102,9 +117,13 @@ using scene_of = typename detail::SceneOf<S>::type;
 template <class S>
 using robot_of = typename detail::Computed<typename scene_of<S>::Robot>::Named;
 
-/// Number of joints of a robot or a scene; for a run-time Model<N>, its capacity.
+/// Number of joint values of a robot or a scene: one a joint, or one a drive where joints share drives; for a run-time
+/// Model<N>, its capacity.
 template <class S>
-inline constexpr int joint_count = robot_of<S>::chain.size;
+inline constexpr int joint_count = scene_of<S>::Robot::chain.size;
+/// Number of links.
+template <class S>
+inline constexpr int link_count = robot_of<S>::chain.size;
 
 namespace detail {
 template <class S, class T>

@@ -86,6 +86,13 @@ struct LinkFormats : Formats<Scene, Parameters, S, Recursion> {
 
 }  // namespace detail
 
+/// Refused, see check_fixed_scene(); no more is said.
+template <class R, class... Features, class Word, class Parameters, class Recursion>
+struct LinksOf<Scene<DriveCoordinates<R>, Features...>, Stored<Word>, Parameters, Recursion>
+    : LinksOf<Scene<DriveCoordinates<R>, Features...>, float, Parameters, Recursion> {
+  static_assert((detail::check_fixed_scene<Scene<DriveCoordinates<R>, Features...>>(), true));
+};
+
 /// In fixed point: formats of the recursion, a table of integers where the scene is looped.
 template <class Scene, class Word, class Parameters, class Recursion>
 struct LinksOf<Scene, Stored<Word>, Parameters, Recursion> {

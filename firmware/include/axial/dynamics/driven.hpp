@@ -1,0 +1,208 @@
+// Robots whose joints share drives: inverse dynamics, mass matrix, forward dynamics and kinematics in values of drives.
+#pragma once
+
+#include <axial/dynamics/forward_dynamics.hpp>
+#include <axial/dynamics/kinematics.hpp>
+#include <axial/links/driven_links.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+namespace driven {
+
+/// M(i, j) of the joints adds `factor` times itself to M(k, l) of the drives.
+struct Share {
+  int i = 0, j = 0;     ///< joints, i >= j
+  int k = 0, l = 0;     ///< drives, k >= l
+  double factor = 0.0;  ///< G_ik G_jl + G_jk G_il, or one of them on the diagonal
+  bool first = false;   ///< of those of M(k, l)
+};
+/// All of a robot's, those of one entry side by side.
+template <int N>
+struct Shares {
+  static constexpr int most = N * (N + 1) / 2 * (N * (N + 1) / 2);
+  Share of[most < 4096 ? most : 4096] = {};
+  int count = 0;
+};
+
+/// Of the entries of the joints' matrix that are not zero by structure.
+template <int N, class Present>
+constexpr Shares<N> shares_of(const DriveMatrix<N>& g, const Present& present) {
+  Shares<N> all;
+  for (int k = 0; k < g.drives; ++k)
+    for (int l = 0; l <= k; ++l) {
+      const int before = all.count;
+      for (int i = 0; i < N; ++i)
+        for (int j = 0; j <= i; ++j) {
+          const double there = g.ratio[i][k] * g.ratio[j][l], back = g.ratio[j][k] * g.ratio[i][l];
+          const double factor = i == j ? there : there + back;
+          if (factor != 0.0 && present(i, j)) all.of[all.count++] = {i, j, k, l, factor, all.count == before};
+        }
+    }
+  return all;
+}
+
+/// Those of DrivenLinks.
+template <class Links>
+inline constexpr auto shares = [] {
+  using JointLinks = decltype(Links::joints());
+  return shares_of(Links::matrix, [](int i, int j) {
+    if constexpr (JointLinks::unrolled)
+      return crba::structure<JointLinks>.present[i][j];
+    else
+      return true;
+  });
+}();
+
+/// m = G^T M G, M of the joints.
+template <class Links, class M, class Drives, int... I>
+AXIAL_INLINE constexpr void reduce(const M& joints, Drives& m, std::integer_sequence<int, I...>) {
+  using T = typename Links::Scalar;
+  auto add = [&](auto index) AXIAL_INLINE {
+    constexpr Share share = shares<Links>.of[decltype(index)::value];
+    const auto term =
+        literal<T>([] { return shares<Links>.of[decltype(index)::value].factor; }) * joints(share.i, share.j);
+    if constexpr (share.first)
+      m(share.k, share.l) = term;
+    else
+      m(share.k, share.l) = m(share.k, share.l) + term;
+  };
+  (add(Index<I>{}), ...);
+}
+
+}  // namespace driven
+
+/// Kernels in values of drives: joints by q = G u + q0, efforts of the drives by tau_u = G^T tau_q, rotors and friction
+/// of the drives themselves.
+template <class S, class T, class P>
+struct DrivenKernels<DrivenLinks<S, T, P>> {
+  using Links = DrivenLinks<S, T, P>;
+  using JointMatrix = MassMatrix<typename Links::JointRobot, T>;
+  using Matrix = MassMatrix<typename S::Robot, T>;
+
+  /// Efforts of the drives; rates may be NoMotion.
+  template <class Input, class Q, class V, class A, class Tau>
+  AXIAL_INLINE static constexpr void efforts(const Links& links, const Input& in, const Q& u, const V& ud, const A& udd,
+                                             Tau& tau) {
+    typename Links::JointValues at_joints{};
+    rnea::run(links.joints(), in, links.positions(u), links.rates(ud), links.rates(udd), at_joints);
+    links.each_drive([&](auto k) AXIAL_INLINE {
+      tau[k] = static_cast<T>(total(links, k, at_joints, ud) + links.drives().link(k).rotor() * udd[k]);
+    });
+  }
+
+  /// M of the drives.
+  template <class Input, class Screws, class M>
+  AXIAL_INLINE static constexpr void matrix(const Links& links, const Input& in, const Screws& screws, M& m) {
+    JointMatrix joints{};
+    crba::entries(links.joints(), in, screws, joints);
+    driven::reduce<Links>(joints, m, std::make_integer_sequence<int, driven::shares<Links>.count>{});
+    links.each_drive([&](auto k) AXIAL_INLINE { m(k, k) = m(k, k) + links.drives().link(k).rotor(); });
+  }
+  /// The same from values of drives.
+  template <class Input, class Q, class M>
+  AXIAL_INLINE static constexpr void matrix_at(const Links& links, const Input& in, const Q& u, M& m) {
+    matrix(links, in, joint_screws(links.joints(), in, links.positions(u)), m);
+  }
+
+  /// Accelerations of the drives, by composite bodies.
+  template <class Input, class Q, class V, class Tau, class A>
+  AXIAL_INLINE static constexpr auto accelerations(const Links& links, const Input& in, const Q& u, const V& ud,
+                                                   const Tau& tau, A& udd) {
+    const auto q = links.positions(u);
+    auto screws = joint_screws(links.joints(), in, q);
+    typename Links::JointValues bias{};
+    rnea::efforts(links.joints(), in, q, screws, links.rates(ud), NoMotion{}, bias);
+    links.each_drive([&](auto k) AXIAL_INLINE { udd[k] = static_cast<T>(tau[k] - total(links, k, bias, ud)); });
+    Matrix m{};
+    matrix(links, in, screws, m);
+    return crba::solve(links.drives(), m, udd);
+  }
+
+  /// Columns of a Jacobian by drives, from those by joints.
+  template <class J, class Result>
+  AXIAL_INLINE static constexpr void columns(const Links& links, const J& joints, Result& result) {
+    links.each_drive([&](auto k) AXIAL_INLINE { result[k] = column<decltype(k)::value>(joints); });
+    result.status = joints.status;
+  }
+
+ private:
+  /// Effort of drive k without its rotor.
+  template <class K, class Values, class V>
+  AXIAL_INLINE static constexpr auto total(const Links& links, K k, const Values& at_joints, const V& ud) {
+    return links.template felt<K::value>(at_joints) + friction_effort(links.drives().link(k), ud[k]);
+  }
+  template <int K, class J>
+  AXIAL_INLINE static constexpr auto column(const J& joints) {
+    MotionVector<Vec3<T>, Vec3<T>> sum{};
+    sum.angular = {felt_by<K>(joints, [](const auto& c) { return c.angular.x; }),
+                   felt_by<K>(joints, [](const auto& c) { return c.angular.y; }),
+                   felt_by<K>(joints, [](const auto& c) { return c.angular.z; })};
+    sum.linear = {felt_by<K>(joints, [](const auto& c) { return c.linear.x; }),
+                  felt_by<K>(joints, [](const auto& c) { return c.linear.y; }),
+                  felt_by<K>(joints, [](const auto& c) { return c.linear.z; })};
+    return sum;
+  }
+  template <int K, class J, class Get>
+  AXIAL_INLINE static constexpr T felt_by(const J& joints, const Get& get) {
+    typename Links::JointValues component{};
+    for (int i = 0; i < Links::size; ++i)
+      component[i] = get(joints[i]);
+    return static_cast<T>(Links::template felt<K>(component));
+  }
+};
+
+namespace crba {
+/// Of drives: those pairs that some pair of moved joints makes, and what the elimination fills in.
+template <class R, class... Features, class T, class Parameters>
+inline constexpr auto structure<StaticLinks<Scene<DriveCoordinates<R>, Features...>, T, Parameters>> = [] {
+  using Links = DrivenLinks<Scene<DriveCoordinates<R>, Features...>, T, BaseParameters>;
+  Structure<Links::capacity> met;
+  for (int n = 0; n < driven::shares<Links>.count; ++n)
+    met.present[driven::shares<Links>.of[n].k][driven::shares<Links>.of[n].l] = true;
+  for (int k = 0; k < Links::capacity; ++k)
+    met.present[k][k] = true;
+  met.fill();
+  return met;
+}();
+}  // namespace crba
+
+namespace detail {
+/// Every drive has a rotor, or every joint something that resists it: then M of the joints is positive definite.
+template <class Scene>
+constexpr bool every_drive_is_resisted() {
+  bool rotors = Scene::template has<RotorInertia>;
+  for (const LinkParameters& drive : Scene::Robot::chain.links)
+    rotors = rotors && drive.rotor_inertia > 0.0;
+  return rotors || every_joint_is_resisted<typename SceneOfJoints<Scene>::type>();
+}
+// What links do not say of a drive is told at run time.
+template <class R, class... Features>
+inline constexpr bool elimination_loses_little<Scene<DriveCoordinates<R>, Features...>> = false;
+template <class R, class... Features, int I, class T, class Parameters>
+struct AlwaysResists<StaticLink<Scene<DriveCoordinates<R>, Features...>, I, T, Parameters, Plain>> : std::false_type {};
+}  // namespace detail
+
+/// Joint positions at positions of the drives, G u + q0: rad or m, of all joints of a robot whose joints share drives.
+template <class S, class T>
+[[nodiscard]] constexpr Joints<JointCoordinates<robot_of<S>>, T> joint_positions(const Positions<robot_of<S>, T>& u) {
+  return decltype(links_of<S, T>())::positions(u);
+}
+/// Joint speeds or accelerations likewise: G times those of the drives.
+template <class S, class T>
+[[nodiscard]] constexpr Joints<JointCoordinates<robot_of<S>>, T> joint_rates(const Velocities<robot_of<S>, T>& ud) {
+  return decltype(links_of<S, T>())::rates(ud);
+}
+/// Efforts of the drives that do what efforts at the joints would, G^T tau: N m or N a unit of the drive. The power is
+/// the same.
+template <class S, class T>
+[[nodiscard]] constexpr Efforts<robot_of<S>, T> drive_efforts(const Joints<JointCoordinates<robot_of<S>>, T>& tau) {
+  using Links = decltype(links_of<S, T>());
+  Efforts<robot_of<S>, T> felt{};
+  Links::each_drive([&](auto k) { felt[k] = static_cast<T>(Links::template felt<decltype(k)::value>(tau)); });
+  return felt;
+}
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>

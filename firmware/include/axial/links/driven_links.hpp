@@ -1,0 +1,148 @@
+// Links of a robot whose joints share drives: joint values on one side, values of drives on the other.
+#pragma once
+
+#include <axial/links/links.hpp>
+#include <axial/robot/drive_coordinates.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+namespace detail {
+
+template <class Kept, class... Features>
+struct WithoutDrives {
+  using type = Kept;
+};
+template <class R, class... Kept, class First, class... Rest>
+struct WithoutDrives<Scene<R, Kept...>, First, Rest...> {
+  static constexpr bool of_drives = std::is_same_v<First, RotorInertia> || std::is_same_v<First, Friction>;
+  using type =
+      typename WithoutDrives<std::conditional_t<of_drives, Scene<R, Kept...>, Scene<R, Kept..., First>>, Rest...>::type;
+};
+
+/// The scene of a robot's joints: what belongs to drives is left to them.
+template <class Scene>
+struct SceneOfJoints;
+template <class R, class... Features>
+struct SceneOfJoints<Scene<DriveCoordinates<R>, Features...>> {
+  using type = typename WithoutDrives<Scene<JointCoordinates<R>>, Features...>::type;
+};
+
+template <class R, class... Features>
+constexpr const auto& drive_matrix_of_scene(const Scene<DriveCoordinates<R>, Features...>*) {
+  return drive_matrix<R>;
+}
+
+}  // namespace detail
+
+/// What kernels get for a robot whose joints share drives: its joints, its drives, and G between them. Those that know
+/// it (DrivenKernels) read values of drives, compute with joints and answer for drives.
+template <class SceneType, class ScalarType, class Parameters>
+struct DrivenLinks {
+  using Scene = SceneType;                                         ///< of the drives
+  using Scalar = ScalarType;                                       ///< the number
+  using JointScene = typename detail::SceneOfJoints<Scene>::type;  ///< of the joints
+  using JointRobot = typename JointScene::Robot;                   ///< the joints
+  using JointValues = Joints<JointRobot, Scalar>;                  ///< one per joint
+  static constexpr bool unrolled = true;                              ///< of the drives
+  static constexpr int size = JointRobot::chain.size;              ///< number of joints
+  static constexpr int capacity = Scene::Robot::chain.size;        ///< number of drives
+  static constexpr const auto& matrix =
+      detail::drive_matrix_of_scene(static_cast<const Scene*>(nullptr));  ///< G and q0
+
+  static_assert(!Scene::template has<FloatingBase> && !Scene::template has<SineCosines> &&
+                    !Scene::template has<ExternalWrenches>,
+                "axial: joints that share drives do not go with FloatingBase, SineCosines or ExternalWrenches; take "
+                "them out of the scene, or compute with axial::JointCoordinates<Robot>");
+
+  /// The joints, as links of their own.
+  AXIAL_INLINE static constexpr auto joints() { return links_of<JointScene, Scalar, Parameters>(); }
+  /// The drives: rotor and friction of each.
+  AXIAL_INLINE static constexpr auto drives() { return StaticLinks<Scene, Scalar, FullParameters>{}; }
+
+  /// G u + q0.
+  template <class U>
+  AXIAL_INLINE static constexpr JointValues positions(const U& u) {
+    JointValues q{};
+    each_joint([&](auto i) AXIAL_INLINE {
+      q[i] = static_cast<Scalar>(row<decltype(i)::value>(u) +
+                                 literal<Scalar>([] { return matrix.offset[decltype(i)::value]; }));
+    });
+    return q;
+  }
+  /// G times speeds or accelerations of drives.
+  template <class U>
+  AXIAL_INLINE static constexpr JointValues rates(const U& ud) {
+    JointValues qd{};
+    each_joint([&](auto i) AXIAL_INLINE { qd[i] = static_cast<Scalar>(row<decltype(i)::value>(ud)); });
+    return qd;
+  }
+  /// Nothing moves.
+  AXIAL_INLINE static constexpr NoMotion rates(NoMotion) { return {}; }
+  /// What drive K feels of values of the joints: column K of G times them.
+  template <int K, int I = 0, class Values>
+  AXIAL_INLINE static constexpr auto felt(const Values& values) {
+    if constexpr (I == size)
+      return Zero{};
+    else
+      return literal<Scalar>([] { return matrix.ratio[I][K]; }) * values[I] + felt<K, I + 1>(values);
+  }
+  /// Calls f(k) for every drive.
+  template <class F>
+  AXIAL_INLINE static constexpr void each_drive(const F& f) {
+    each(f, std::make_integer_sequence<int, capacity>{});
+  }
+
+  /// Where a kernel that does not know drives asks for links, joint values or efforts.
+  ///@{
+  template <class I>
+  static constexpr auto link(I i) {
+    static_cast<void>(KnowsDrives<DrivenLinks>{});
+    return drives().link(i);
+  }
+  template <class Values>
+  static constexpr const Values& read(const Values& values) {
+    static_cast<void>(KnowsDrives<DrivenLinks>{});
+    return values;
+  }
+  template <class Links = DrivenLinks>
+  static constexpr auto no_efforts() {
+    static_cast<void>(KnowsDrives<Links>{});
+    return JointValues{};
+  }
+  ///@}
+
+ private:
+  template <int I, int K = 0, class U>
+  AXIAL_INLINE static constexpr auto row(const U& u) {
+    if constexpr (K == capacity)
+      return Zero{};
+    else
+      return literal<Scalar>([] { return matrix.ratio[I][K]; }) * u[K] + row<I, K + 1>(u);
+  }
+  template <class F, int... I>
+  AXIAL_INLINE static constexpr void each(const F& f, std::integer_sequence<int, I...>) {
+    (f(Index<I>{}), ...);
+  }
+  template <class F>
+  AXIAL_INLINE static constexpr void each_joint(const F& f) {
+    each(f, std::make_integer_sequence<int, size>{});
+  }
+};
+
+/// Of a robot whose joints share drives.
+template <class R, class... Features, class T, class Parameters, class Recursion>
+struct LinksOf<Scene<DriveCoordinates<R>, Features...>, T, Parameters, Recursion> {
+  /// joints and drives
+  AXIAL_INLINE static constexpr auto links() {
+    using Default = std::conditional_t<std::is_same_v<Parameters, FullParameters>, FullParameters, BaseParameters>;
+    return DrivenLinks<Scene<DriveCoordinates<R>, Features...>, T, Default>{};
+  }
+};
+
+template <class S, class T, class P>
+inline constexpr bool is_driven<DrivenLinks<S, T, P>> = true;
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>
