@@ -7,7 +7,8 @@
 
 namespace robots {
 
-/// Five drives, five joints: base, shoulder, elbow by a belt from the shoulder's axis, pitch and roll by a differential.
+/// Five drives, five joints: base, shoulder, elbow by a belt from the shoulder's axis, pitch and roll by a
+/// differential.
 struct WristArm {
   static constexpr const char* name = "wrist_arm";  ///< on the command line, in files and in JSON
 

@@ -115,6 +115,7 @@ AXIAL_INLINE constexpr auto map_unrolled(const F& f, std::integer_sequence<int, 
 /// Calls f(i) for every link, outwards.
 template <class Links, class F>
 AXIAL_INLINE constexpr void for_each_link(const Links& links, const F& f) {
+  static_cast<void>(KnowsDrives<Links>{});
   if constexpr (Links::unrolled) {
     detail::each_unrolled<Links>(f, typename Links::Indices{});
   } else {

@@ -15,7 +15,8 @@ struct WithoutDrives {
 };
 template <class R, class... Kept, class First, class... Rest>
 struct WithoutDrives<Scene<R, Kept...>, First, Rest...> {
-  static constexpr bool of_drives = std::is_same_v<First, RotorInertia> || std::is_same_v<First, Friction>;
+  static constexpr bool of_drives =
+      std::is_same_v<First, RotorInertia> || std::is_same_v<First, Friction> || std::is_same_v<First, RotorDynamics>;
   using type =
       typename WithoutDrives<std::conditional_t<of_drives, Scene<R, Kept...>, Scene<R, Kept..., First>>, Rest...>::type;
 };
@@ -44,7 +45,7 @@ struct DrivenLinks {
   using JointScene = typename detail::SceneOfJoints<Scene>::type;  ///< of the joints
   using JointRobot = typename JointScene::Robot;                   ///< the joints
   using JointValues = Joints<JointRobot, Scalar>;                  ///< one per joint
-  static constexpr bool unrolled = true;                              ///< of the drives
+  static constexpr bool unrolled = true;                           ///< of the drives
   static constexpr int size = JointRobot::chain.size;              ///< number of joints
   static constexpr int capacity = Scene::Robot::chain.size;        ///< number of drives
   static constexpr const auto& matrix =
@@ -54,6 +55,10 @@ struct DrivenLinks {
                     !Scene::template has<ExternalWrenches>,
                 "axial: joints that share drives do not go with FloatingBase, SineCosines or ExternalWrenches; take "
                 "them out of the scene, or compute with axial::JointCoordinates<Robot>");
+
+  static_assert(!Scene::template has<RotorDynamics>,
+                "axial: joints that share drives do not go with RotorDynamics; take it out of the scene and name "
+                "RotorInertia");
 
   /// The joints, as links of their own.
   AXIAL_INLINE static constexpr auto joints() { return links_of<JointScene, Scalar, Parameters>(); }

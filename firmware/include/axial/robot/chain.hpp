@@ -134,10 +134,15 @@ struct ChainBuilder {
   /// When all parts are there.
   constexpr void check_drives() {
     if (!chain.shares_drives()) return;
+    for (int i = 0; i < N; ++i) {
+      const Problem problem = drive_numbers_problem(chain.links[i]);
+      note(i, problem);
+      if (problem != Problem::none) return;
+    }
+    const auto g = drive_matrix_of(chain.links);
     for (int i = 0; i < N; ++i)
-      note(i, shared_drives_problem(chain.links, i));
-    if (!drive_matrix_of(chain.links).moves_all())
-      note(Broken::robot, Problem::drives_do_not_move_the_joints_independently);
+      note(i, shared_drives_problem(g, chain.links[i], i));
+    if (!g.moves_all()) note(Broken::robot, Problem::drives_do_not_move_the_joints_independently);
   }
 };
 

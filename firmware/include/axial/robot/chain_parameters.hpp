@@ -69,10 +69,10 @@ struct Chain {
 
   /// Index of the link that carries joint i, or LinkParameters::base.
   constexpr int parent(int i) const { return links[i].parent == LinkParameters::previous ? i - 1 : links[i].parent; }
-  /// Whether some joint has other drives than one of its own.
+  /// Whether some joint has other drives than one of its own, or some drive limits of its own.
   constexpr bool shares_drives() const {
     for (const LinkParameters& link : links)
-      if (link.drives.count > 0 || link.drives.complete) return true;
+      if (link.drives.count > 0 || link.drives.complete || link.has_drive_limits()) return true;
     return false;
   }
 };

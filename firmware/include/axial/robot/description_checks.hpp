@@ -49,20 +49,21 @@ constexpr Problem geometry_problem(const LinkParameters& p, int index) {
   return Problem::none;
 }
 
-/// Of a chain's joint i, some of which share drives.
-template <int N>
-constexpr Problem shared_drives_problem(const LinkParameters (&links)[N], int i) {
-  const LinkParameters& p = links[i];
+/// Of the numbers of a joint that shares drives.
+constexpr Problem drive_numbers_problem(const LinkParameters& p) {
   const JointDrives& d = p.drives;
   for (int n = 0; n < d.count && n < JointDrives::most; ++n)
     if (!finite(d.ratio[n]) || !finite(d.offset) || d.ratio[n] == 0.0)
       return Problem::drive_ratio_is_not_finite_or_zero;
   if (!(p.drive_min < p.drive_max && p.drive_speed_limit > 0.0 && p.drive_acceleration_limit > 0.0))
     return Problem::drive_limits_are_upside_down;
-  const auto g = drive_matrix_of(links);
+  return Problem::none;
+}
+/// Of what joint i makes of its chain's drives, of which G is made.
+template <int N>
+constexpr Problem shared_drives_problem(const DriveMatrix<N>& g, const LinkParameters& p, int i) {
   if (!g.is_there(i)) return Problem::drives_are_no_drives_of_the_chain;
-  const bool has_limits = is_bounded(p.effort_limit) || is_bounded(p.drive_max) || is_bounded(-p.drive_min) ||
-                          is_bounded(p.drive_speed_limit) || is_bounded(p.drive_acceleration_limit);
+  const bool has_limits = is_bounded(p.effort_limit) || p.has_drive_limits();
   const bool has_friction =
       p.viscous != 0.0 || p.coulomb_forward != 0.0 || p.coulomb_backward != 0.0 || p.static_friction != 0.0;
   if (g.drive_of(i) < 0 && (has_limits || has_friction || p.rotor_inertia != 0.0))

@@ -17,7 +17,8 @@ struct JointCoordinates {
     for (LinkParameters& link : joints.links) {
       link.drives = {}, link.rotor_inertia = link.viscous = link.coulomb_forward = link.coulomb_backward = 0.0;
       link.static_friction = link.stribeck_speed = link.smooth_speed = 0.0;
-      link.effort_limit = LinkParameters::unlimited;
+      link.effort_limit = link.drive_max = LinkParameters::unlimited, link.drive_min = -LinkParameters::unlimited;
+      link.drive_speed_limit = link.drive_acceleration_limit = LinkParameters::unlimited;
     }
     return joints;
   }();

@@ -135,7 +135,7 @@ class LinkBuilder {
   }
 
   /// Its joint is moved by the drive of joint k besides its own: q = own drive + ratio drive_k. Of its own index: how
-  /// far its own drive moves it. Several calls add up. doc/guides/drives.md.
+  /// far its own drive moves it. Several calls add up. doc/guides/shared_drives.md.
   constexpr Self driven_by(int k, double ratio = 1.0) const {
     return changed([&](auto& p) { p.drives.name(k, ratio); });
   }

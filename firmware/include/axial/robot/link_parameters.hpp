@@ -74,6 +74,12 @@ struct LinkParameters {
   double drive_speed_limit = unlimited;   ///< likewise, a second
   double drive_acceleration_limit = unlimited;  ///< likewise, a second squared
   WaterParameters water{};                      ///< only scenes that name Underwater see it
+
+  /// Whether limits were given to its own drive.
+  constexpr bool has_drive_limits() const {
+    return !(drive_min <= -unlimited && drive_max >= unlimited && drive_speed_limit >= unlimited &&
+             drive_acceleration_limit >= unlimited);
+  }
 };
 
 namespace detail {

@@ -59,6 +59,9 @@ template <class T, class System, class Q, class V, class Tau, class S, class Sti
 constexpr ForwardDynamicsOf<S, T> implicit_accelerations(const System& system, T h, const Q& q, const V& qd,
                                                          const Tau& tau, const Inputs<S, T>& in,
                                                          const Stiffness& drive) {
+  static_assert(!shares_drives_in<typename scene_of<S>::Robot>,
+                "axial: the linearly implicit step does not know joints that share drives; take RungeKutta4 or "
+                "SemiImplicitEuler");
   auto links = system.template links<T>();
   StiffLinks<decltype(links), V, Stiffness> stiff(links, h, qd, drive);
   Tau left{};

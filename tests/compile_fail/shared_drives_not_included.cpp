@@ -1,0 +1,8 @@
+// expect: joints of this robot share drives: add #include <axial/dynamics/driven.hpp>
+#include <axial/dynamics/inverse_dynamics.hpp>
+#ifdef MENDED
+#include <axial/dynamics/driven.hpp>
+#endif
+#include <robots/gripper.hpp>
+
+auto tau(const axial::Joints<robots::Gripper, float>& u) { return axial::inverse_dynamics<robots::Gripper>(u, u, u); }
