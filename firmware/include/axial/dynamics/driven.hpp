@@ -17,41 +17,50 @@ struct Share {
   double factor = 0.0;  ///< G_ik G_jl + G_jk G_il, or one of them on the diagonal
   bool first = false;   ///< of those of M(k, l)
 };
-/// All of a robot's, those of one entry side by side.
-template <int N>
-struct Shares {
-  static constexpr int most = N * (N + 1) / 2 * (N * (N + 1) / 2);
-  Share of[most < 4096 ? most : 4096] = {};
-  int count = 0;
-};
-
-/// Of the entries of the joints' matrix that are not zero by structure.
-template <int N, class Present>
-constexpr Shares<N> shares_of(const DriveMatrix<N>& g, const Present& present) {
-  Shares<N> all;
+/// Calls f(share) for every one, those of one entry side by side; `present` tells which entries of the joints' matrix
+/// are not zero by structure.
+template <int N, class Present, class F>
+constexpr void each_share(const DriveMatrix<N>& g, const Present& present, const F& f) {
   for (int k = 0; k < g.drives; ++k)
     for (int l = 0; l <= k; ++l) {
-      const int before = all.count;
+      bool first = true;
       for (int i = 0; i < N; ++i)
         for (int j = 0; j <= i; ++j) {
           const double there = g.ratio[i][k] * g.ratio[j][l], back = g.ratio[j][k] * g.ratio[i][l];
           const double factor = i == j ? there : there + back;
-          if (factor != 0.0 && present(i, j)) all.of[all.count++] = {i, j, k, l, factor, all.count == before};
+          if (factor == 0.0 || !present(i, j)) continue;
+          f(Share{i, j, k, l, factor, first});
+          first = false;
         }
     }
-  return all;
 }
 
 /// Those of DrivenLinks.
-template <class Links>
-inline constexpr auto shares = [] {
+template <class Links, class F>
+constexpr void each_share_of(const F& f) {
   using JointLinks = decltype(Links::joints());
-  return shares_of(Links::matrix, [](int i, int j) {
+  const auto present = [](int i, int j) {
     if constexpr (JointLinks::unrolled)
       return crba::structure<JointLinks>.present[i][j];
     else
       return true;
-  });
+  };
+  each_share(Links::matrix, present, f);
+}
+/// How many there are.
+template <class Links>
+inline constexpr int share_count = [] {
+  int count = 0;
+  each_share_of<Links>([&](const Share&) { ++count; });
+  return count;
+}();
+/// All of them.
+template <class Links>
+inline constexpr auto shares = [] {
+  Row<Share, share_count<Links>> all{};
+  int next = 0;
+  each_share_of<Links>([&](const Share& share) { all[next++] = share; });
+  return all;
 }();
 
 /// m = G^T M G, M of the joints.
@@ -59,9 +68,9 @@ template <class Links, class M, class Drives, int... I>
 AXIAL_INLINE constexpr void reduce(const M& joints, Drives& m, std::integer_sequence<int, I...>) {
   using T = typename Links::Scalar;
   auto add = [&](auto index) AXIAL_INLINE {
-    constexpr Share share = shares<Links>.of[decltype(index)::value];
+    constexpr Share share = shares<Links>[decltype(index)::value];
     const auto term =
-        literal<T>([] { return shares<Links>.of[decltype(index)::value].factor; }) * joints(share.i, share.j);
+        literal<T>([] { return shares<Links>[decltype(index)::value].factor; }) * joints(share.i, share.j);
     if constexpr (share.first)
       m(share.k, share.l) = term;
     else
@@ -76,9 +85,9 @@ AXIAL_INLINE constexpr void reduce(const M& joints, Drives& m, std::integer_sequ
 /// of the drives themselves.
 template <class S, class T, class P>
 struct DrivenKernels<DrivenLinks<S, T, P>> {
-  using Links = DrivenLinks<S, T, P>;
-  using JointMatrix = MassMatrix<typename Links::JointRobot, T>;
-  using Matrix = MassMatrix<typename S::Robot, T>;
+  using Links = DrivenLinks<S, T, P>;                             ///< joints and drives
+  using JointMatrix = MassMatrix<typename Links::JointRobot, T>;  ///< M of the joints
+  using Matrix = MassMatrix<typename S::Robot, T>;                ///< M of the drives
 
   /// Efforts of the drives; rates may be NoMotion.
   template <class Input, class Q, class V, class A, class Tau>
@@ -96,7 +105,7 @@ struct DrivenKernels<DrivenLinks<S, T, P>> {
   AXIAL_INLINE static constexpr void matrix(const Links& links, const Input& in, const Screws& screws, M& m) {
     JointMatrix joints{};
     crba::entries(links.joints(), in, screws, joints);
-    driven::reduce<Links>(joints, m, std::make_integer_sequence<int, driven::shares<Links>.count>{});
+    driven::reduce<Links>(joints, m, std::make_integer_sequence<int, driven::share_count<Links>>{});
     links.each_drive([&](auto k) AXIAL_INLINE { m(k, k) = m(k, k) + links.drives().link(k).rotor(); });
   }
   /// The same from values of drives.
@@ -158,8 +167,7 @@ template <class R, class... Features, class T, class Parameters>
 inline constexpr auto structure<StaticLinks<Scene<DriveCoordinates<R>, Features...>, T, Parameters>> = [] {
   using Links = DrivenLinks<Scene<DriveCoordinates<R>, Features...>, T, BaseParameters>;
   Structure<Links::capacity> met;
-  for (int n = 0; n < driven::shares<Links>.count; ++n)
-    met.present[driven::shares<Links>.of[n].k][driven::shares<Links>.of[n].l] = true;
+  driven::each_share_of<Links>([&](const driven::Share& share) { met.present[share.k][share.l] = true; });
   for (int k = 0; k < Links::capacity; ++k)
     met.present[k][k] = true;
   met.fill();

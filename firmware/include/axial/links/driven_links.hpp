@@ -145,6 +145,7 @@ struct LinksOf<Scene<DriveCoordinates<R>, Features...>, T, Parameters, Recursion
   }
 };
 
+/// These do.
 template <class S, class T, class P>
 inline constexpr bool is_driven<DrivenLinks<S, T, P>> = true;
 

@@ -22,6 +22,7 @@ struct JointDrives {
   bool follows = false;           ///< moves as joint of[0] does: ratio[0] q + offset
   bool complete = false;          ///< nothing but what is named moves the joint
 
+  /// Adds a drive by the index of its joint, `units` rad or m of this joint a unit of it.
   constexpr void name(int drive, double units) {
     if (count < most) of[count] = drive, ratio[count] = units;
     ++count;
