@@ -1,5 +1,8 @@
 // doc/guides/shared_drives.md.
 #include <gtest/gtest.h>
+#include <axial/axial.hpp>
+
+namespace {
 
 #include "shared_drives-1.inc"
 
@@ -12,3 +15,5 @@ TEST(SharedDrivesGuide, ItsLinesCompileAndAgree) {
   for (int k = 0; k < 4; ++k)
     EXPECT_NEAR(of_drives[k], tau[k], 1e-5F) << "at rest rotors have no part in it";
 }
+
+}  // namespace
