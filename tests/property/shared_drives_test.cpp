@@ -33,7 +33,7 @@ Couplings couplings(int joints, const std::vector<int>& owner, const std::vector
 struct Followers {
   // A line a group of values.
   // clang-format off
-  static constexpr auto chain = axial::chain(axial::gravity(1.0, -2.0, -9.0),
+  static constexpr auto chain = axial::chain(axial::gravity(1.0, -2.0, -9.0), axial::tool(0.1, 0.05, 0.2),
       revolute().mass(4).com(0.1, 0.02, 0.05).inertia_com(0.2, 0.25, 0.3, 0.01, 0.0, 0.02)
           .rotor_inertia(5e-4, 20).viscous(0.5).coulomb(0.25),
       revolute().alpha_deg(-90).a(0.2).mass(2).com(0.1, 0, 0.01).inertia_com(0.05, 0.06, 0.07).mimic(0, -0.3, 0.25)

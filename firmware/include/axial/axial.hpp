@@ -19,7 +19,6 @@
 #include <axial/control/two_rate.hpp>
 #include <axial/dynamics/base_wrench.hpp>
 #include <axial/dynamics/check_finite.hpp>
-#include <axial/dynamics/driven.hpp>
 #include <axial/dynamics/elastic_feedforward.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/forward_dynamics_along.hpp>
@@ -32,6 +31,7 @@
 #include <axial/dynamics/rotor_dynamics.hpp>
 #include <axial/dynamics/separated_torque.hpp>
 #include <axial/dynamics/separation.hpp>
+#include <axial/dynamics/shared_drives.hpp>
 #include <axial/dynamics/task_space_inertia.hpp>
 #include <axial/dynamics/tool_motion.hpp>
 #include <axial/dynamics/torque_rates.hpp>

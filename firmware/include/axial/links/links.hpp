@@ -235,7 +235,7 @@ struct LinksOf {
   using Robot = typename Scene::Robot;                  ///< of the scene
 
   static_assert(!detail::shares_drives_in<Robot>,
-                "axial: joints of this robot share drives: add #include <axial/dynamics/driven.hpp>");
+                "axial: joints of this robot share drives: add #include <axial/dynamics/shared_drives.hpp>");
   /// the links, in the form that the scene asks for
   AXIAL_INLINE static constexpr auto links() {
     if constexpr (Scene::template has<Looped>) {
