@@ -51,6 +51,24 @@ constexpr const char* no_rotors = "no rotor inertias";
 /// Links that a run-time model of a description has room for.
 constexpr int most_links = 64;
 
+/// What the drives of a description make of its joints: q = G u + q0, the first size() rows of it.
+inline axial::DriveMatrix<most_links> drive_matrix(const Description& robot) {
+  axial::LinkParameters links[most_links];
+  const int n = robot.size() < most_links ? robot.size() : most_links;
+  for (int i = 0; i < n; ++i)
+    links[i] = robot.links[static_cast<std::size_t>(i)].parameters;
+  auto g = axial::drive_matrix_of(links);
+  while (g.drives > 0 && g.owner[g.drives - 1] >= n)  // links that are not there
+    --g.drives;
+  return g;
+}
+/// Whether joints share drives.
+inline bool shares_drives(const Description& robot) {
+  for (const Link& link : robot.links)
+    if (link.parameters.drives.count > 0) return true;
+  return false;
+}
+
 /// The run-time model of a description: Model is axial::Model<N, Features...>. Throws Refused where it does not fit.
 template <class Model>
 Model to_model(const Description& robot) {

@@ -145,6 +145,34 @@ void check_robot(const Description& robot, std::vector<Finding>& found) {
              "list links from the base outwards");
 }
 
+/// Of joints that share drives: what axial does not compile.
+void shared_drives(const Description& robot, std::vector<Finding>& found) {
+  if (!shares_drives(robot) || robot.size() > most_links) return;
+  const auto g = drive_matrix(robot);
+  using axial::detail::Problem;
+  for (int i = 0; i < robot.size(); ++i) {
+    const Link& link = robot.links[static_cast<std::size_t>(i)];
+    const auto refuse = [&](const std::string& what, const std::string& remedy) {
+      found.push_back({true, link.name, "joint '" + link.joint + "' " + what, remedy});
+    };
+    if (axial::detail::drive_numbers_problem(link.parameters) != Problem::none)
+      refuse("shares drives by a ratio that is 0 or not finite, or with limits upside down", "give ratios and limits");
+    const auto problem = axial::detail::shared_drives_problem(g, link.parameters, i);
+    if (problem == Problem::drives_are_no_drives_of_the_chain)
+      refuse("is moved by what is not there, has no drive, or follows it", "name joints with a drive, six at most");
+    else if (problem != Problem::none)
+      refuse("has no drive of its own, but an effort limit, a rotor or friction", "give them to what moves it");
+  }
+  const auto all = [&] {
+    for (int i = 0; i < robot.size(); ++i)
+      if (g.mover_of(i) < 0) return false;
+    return g.independent;
+  };
+  if (!all())
+    found.push_back({true, "", "the drives do not move the joints independently of each other",
+                     "every drive moves a joint of its own, every joint is moved"});
+}
+
 }  // namespace
 
 std::string Finding::text() const { return (link.empty() ? "" : "link '" + link + "': ") + what + "; " + remedy; }
@@ -162,6 +190,7 @@ std::vector<Finding> findings(const Description& robot) {
     found.insert(found.end(), more.begin(), more.end());
   }
   unresisted(robot, found);
+  shared_drives(robot, found);
   return found;
 }
 

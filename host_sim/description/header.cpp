@@ -51,7 +51,7 @@ class LinkText {
   std::string text(const std::string& parent, const std::vector<std::string>& kept, const std::string& comma) const {
     const auto given = quantities_of(kept);
     std::string result = "      axial::" + without(geometry(parent), given);
-    for (const auto& row : {body(), drive(), friction(), limits()})
+    for (const auto& row : {body(), shared_drives(), drive(), friction(), limits()})
       if (const std::string left = without(row, given); !left.empty()) result += "\n          " + left;
     for (std::size_t i = 0; i < kept.size(); ++i)
       result += "\n          " + kept[i] + (i + 1 < kept.size() ? "" : comma) + "  // kept";
@@ -97,6 +97,19 @@ class LinkText {
     const std::string carrier = p_.rotor_carrier < 0 ? "axial::LinkParameters::base" : std::to_string(p_.rotor_carrier);
     return ".rotor_axis(" + arguments({z[0], z[1], z[2]}) + ", " + carrier + ")";
   }
+  std::string shared_drives() const {
+    const auto& d = p_.drives;
+    if (d.follows) return ".mimic(" + std::to_string(d.of[0]) + ratio_and_offset() + ")";
+    std::string row = d.complete ? ".passive()" : "";
+    for (int n = 0; n < d.count; ++n)
+      row += ".driven_by(" + std::to_string(d.of[n]) + ", " + argument(d.ratio[n]) + ")";
+    return row;
+  }
+  std::string ratio_and_offset() const {
+    const auto& d = p_.drives;
+    if (d.offset != 0.0) return ", " + arguments({d.ratio[0], d.offset});
+    return d.ratio[0] == 1.0 ? "" : ", " + argument(d.ratio[0]);
+  }
   std::string friction() const {
     std::string row = call_unless_zero("viscous", p_.viscous);
     if (p_.coulomb_forward != 0.0 || p_.coulomb_backward != 0.0)
@@ -111,7 +124,11 @@ class LinkText {
       row += call("position_limits", {p_.position_min, p_.position_max});
     row += call_if_finite("speed_limit", p_.speed_limit);
     row += call_if_finite("acceleration_limit", p_.acceleration_limit);
-    return row + call_if_finite("effort_limit", p_.effort_limit);
+    return row + call_if_finite("effort_limit", p_.effort_limit) + drive_limits();
+  }
+  std::string drive_limits() const {
+    if (!p_.has_drive_limits()) return "";
+    return call("drive_limits", {p_.drive_min, p_.drive_max, p_.drive_speed_limit, p_.drive_acceleration_limit});
   }
 
   const axial::LinkParameters& p_;
@@ -178,10 +195,16 @@ std::string link_parts(const Description& robot, const Kept& kept) {
   return text;
 }
 
+std::string drives_of(const Description& robot) {
+  return shares_drives(robot) ? " of " + std::to_string(drive_matrix(robot).drives) + " drives" : "";
+}
+
 std::string leading_comment(const Description& robot, const std::vector<Finding>& warnings,
                             const std::vector<std::string>& figures, const Kept& kept) {
   const std::string name = robot.name.empty() ? "robot" : robot.name;
-  std::string text = comment_lines("", name + ": " + std::to_string(robot.size()) + " joints, MDH frames.") + "//\n";
+  std::string text =
+      comment_lines("", name + ": " + std::to_string(robot.size()) + " joints" + drives_of(robot) + ", MDH frames.") +
+      "//\n";
   text += comment_lines("source:   ", robot.source.empty() ? "not said" : robot.source);
   for (const auto& note : robot.notes)
     text += comment_lines("read:     ", note);

@@ -15,7 +15,7 @@ void assume(description::Description& robot, const std::string& what,
             const std::function<bool(const Parameters&)>& is_missing, const std::function<void(Parameters&)>& fill) {
   std::string joints;
   for (auto& link : robot.links) {
-    if (!is_missing(link.parameters)) continue;
+    if (!is_missing(link.parameters) || link.parameters.drives.follows) continue;
     fill(link.parameters);
     joints += (joints.empty() ? "" : ", ") + link.joint;
   }
@@ -51,7 +51,8 @@ void assume_limits(description::Description& robot, double seconds_to_speed) {
       [&](Parameters& p) { p.acceleration_limit = p.speed_limit / seconds_to_speed; });
   std::string unlimited;
   for (const auto& link : robot.links)
-    if (!std::isfinite(link.parameters.effort_limit)) unlimited += (unlimited.empty() ? "" : ", ") + link.joint;
+    if (!std::isfinite(link.parameters.effort_limit) && !link.parameters.drives.follows)
+      unlimited += (unlimited.empty() ? "" : ", ") + link.joint;
   if (!unlimited.empty()) robot.assumptions.push_back("no effort limit: " + unlimited);
 }
 

@@ -1,4 +1,5 @@
 #include <host_sim/description/table.hpp>
+#include <host_sim/import/couplings.hpp>
 #include <host_sim/import/importer.hpp>
 #include <host_sim/import/right_angles.hpp>
 #include <host_sim/import/to_mdh.hpp>
@@ -113,6 +114,7 @@ Result import_urdf(const std::string& text, const std::string& from, const Optio
     robot.assumptions.push_back("gravity of 9.81 m/s^2 along -z of link '" + source.links[0].name + "'");
   robot.assumptions.push_back(std::string(description::no_rotors) + ": a URDF has none");
   robot.as_published = options.as_published;
+  couple(source, robot);
   const auto found = other_findings(robot, &source);
   drop_repeated(imported.warnings, found);
   check(imported, from, found);
@@ -152,6 +154,7 @@ Result import_text(const std::string& text, const std::string& from, const Optio
   auto& robot = result.imported.robot;
   if (!options.name.empty()) robot.name = options.name;
   assume_limits(robot, options.seconds_to_speed);
+  if (description::shares_drives(robot)) assume_drive_limits(robot);
   return result;
 }
 

@@ -52,7 +52,9 @@ void write_json(const std::string& path, const nlohmann::json& value) {
 
 void print(const importer::Result& result) {
   const auto& robot = result.imported.robot;
-  std::printf("%s: %d joints\n", robot.name.c_str(), robot.size());
+  std::printf("%s: %d joints", robot.name.c_str(), robot.size());
+  if (description::shares_drives(robot)) std::printf(", %d drives", description::drive_matrix(robot).drives);
+  std::printf("\n");
   for (const auto& note : robot.notes)
     std::printf("read:     %s\n", note.c_str());
   for (const auto& assumption : robot.assumptions)

@@ -29,6 +29,58 @@ KDL::Segment segment(const SourceLink& link, const std::string& name) {
   return KDL::Segment(name, KDL::Joint(name, KDL::Joint::Fixed), origin, body(link));
 }
 
+/// Positions of joints by the laws of a source, as it writes them: a drive has the name of the joint that it belongs
+/// to.
+class Laws {
+ public:
+  explicit Laws(const SourceTree& source) : source_(source) {}
+
+  /// With one drive at 1 and the others at 0; with no name, all at 0.
+  double position(const std::string& joint, const std::string& drive) const {
+    const auto at = [&](const std::string& name) { return name == drive ? 1.0 : 0.0; };
+    for (const auto& t : source_.transmissions) {
+      const double first = at(t.joints[0]), second = at(t.joints[1]);
+      const bool sum = t.law == SourceTransmission::Law::differential;
+      const double a = (sum ? (first + second) / 2.0 : first) / t.reductions[0];
+      if (t.joints[0] == joint) return a;
+      if (t.joints[1] == joint) return (sum ? (first - second) / 2.0 : second - a) / t.reductions[1];
+    }
+    for (const auto& link : source_.links)
+      if (link.joint.name == joint && !link.joint.leader.empty())
+        return link.joint.offset + link.joint.ratio * position(link.joint.leader, drive);
+    return at(joint);
+  }
+  bool has_drive(const std::string& joint) const {
+    for (const auto& link : source_.links)
+      if (link.joint.name == joint) return link.joint.leader.empty();
+    return false;
+  }
+
+ private:
+  const SourceTree& source_;
+};
+
+void add_drives(Reference& result, const SourceTree& source, const std::vector<std::string>& joints) {
+  const Laws laws(source);
+  result.ratios.assign(joints.size(), {}), result.offsets.clear();
+  for (const auto& joint : joints)
+    result.offsets.push_back(laws.position(joint, ""));
+  for (const auto& drive : joints) {
+    if (!laws.has_drive(drive)) continue;
+    ++result.drives;
+    for (std::size_t i = 0; i < joints.size(); ++i)
+      result.ratios[i].push_back(laws.position(joints[i], drive) - result.offsets[i]);
+  }
+}
+/// A drive a joint.
+void add_drives(Reference& result) {
+  const std::size_t n = result.joints.size();
+  result.drives = static_cast<int>(n);
+  result.ratios.assign(n, std::vector<double>(n, 0.0)), result.offsets.assign(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    result.ratios[i][i] = 1.0;
+}
+
 }  // namespace
 
 std::string segment_name(int index) { return "segment" + std::to_string(index); }
@@ -47,6 +99,7 @@ Reference reference_of(const SourceTree& source, const axial::GravityVector& gra
       if (source.links[i].joint.name == joint) result.joints.push_back(segment_name(static_cast<int>(i)));
   result.rotors.assign(joint_order.size(), 0.0);
   if (source.tool > 0) result.tool_segment = segment_name(source.tool);
+  add_drives(result, source, joint_order);
   return result;
 }
 
@@ -72,6 +125,7 @@ Reference reference_of(const description::Table& table) {
     result.joints.push_back(name), result.rotors.push_back(p.gear * p.gear * p.rotor_inertia);
     result.tool_segment = name;
   }
+  add_drives(result);
   return result;
 }
 

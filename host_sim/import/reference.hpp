@@ -17,6 +17,9 @@ struct Reference {
   KDL::Vector gravity;                        ///< m/s^2, axes of the tree's root
   std::vector<std::string> joints;            ///< KDL joint names in the description's order
   std::vector<double> rotors;                 ///< gear^2 J of each
+  int drives = 0;                             ///< how many there are
+  std::vector<std::vector<double>> ratios;    ///< of joints a unit of each drive
+  std::vector<double> offsets;                ///< joint positions where drives are at 0
   std::string tool_segment;                   ///< what carries the tool; empty where none is checked
   KDL::Frame tool = KDL::Frame::Identity();   ///< in that segment
 };

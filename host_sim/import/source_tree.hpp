@@ -29,6 +29,8 @@ struct SourceJoint {
   bool has_limits = false;
   double lower = 0.0, upper = 0.0, speed = 0.0, effort = 0.0;  ///< 0: none given
   double damping = 0.0, friction = 0.0;
+  std::string leader;                ///< joint that it mimics: position ratio * leader + offset; empty: none
+  double ratio = 1.0, offset = 0.0;  ///< rad or m
 
   bool moves() const { return kind != Kind::fixed && !held; }
 };
@@ -44,10 +46,21 @@ struct SourceLink {
   std::array<double, 6> inertia{};  ///< kg m^2 in the inertial frame: xx yy zz xy xz yz
 };
 
+/// Two joints that two drives share, each drive behind its own gear.
+struct SourceTransmission {
+  enum class Law { differential, four_bar };
+
+  std::string name;
+  Law law = Law::differential;
+  std::string joints[2];              ///< in the order of their roles; drive k is named by joint k
+  double reductions[2] = {1.0, 1.0};  ///< of the joints
+};
+
 struct SourceTree {
   std::string name;
   std::vector<SourceLink> links;  ///< parents first; the first is the root
-  int tool = -1;                  ///< the link whose frame is the tool's, or -1
+  std::vector<SourceTransmission> transmissions;
+  int tool = -1;  ///< the link whose frame is the tool's, or -1
   std::vector<std::string> notes;
   std::vector<description::Finding> warnings;  ///< of what is doubtful before anything is calculated
 };

@@ -2,6 +2,7 @@
 #include <host_sim/description/description.hpp>
 #include <host_sim/description/numbers.hpp>
 #include <host_sim/import/right_angles.hpp>
+#include <host_sim/import/transmissions.hpp>
 #include <host_sim/import/urdf_reader.hpp>
 #include <host_sim/import/urdf_text.hpp>
 
@@ -70,6 +71,7 @@ class Reader {
     has_tip_ = !options.tip.empty();
     add(root, -1);
     if (has_tip_) choose_tool(options.tip);
+    check_leaders();
     if (!problems_.empty()) throw Refused(problems_);
     say_held();
     if (angles_.changed() > 0) tree_.notes.push_back(angles_.text());
@@ -115,7 +117,7 @@ class Reader {
   SourceJoint read_joint(const urdf::Joint& joint, bool on_path) {
     SourceJoint result;
     result.name = description::harmless(joint.name), result.kind = kind_of(joint);
-    const bool mimics = joint.mimic != nullptr && hold_mimic_;
+    const bool mimics = joint.mimic && hold_mimic_;
     result.held = (mimics || (has_tip_ && !on_path)) && joint.type != urdf::Joint::FIXED;
     result.origin = placement(joint.parent_to_joint_origin_transform, result.name);
     if (joint.type == urdf::Joint::FIXED) return result;
@@ -124,7 +126,7 @@ class Reader {
     else if (result.held)
       held_.push_back(result.name);
     else
-      check_kind(joint, result.name);
+      check_kind(joint, result.name), read_mimic(joint, result);
     read_axis(joint, result), read_limits(joint, result);
     return result;
   }
@@ -136,13 +138,38 @@ class Reader {
     if (joint.type == urdf::Joint::PLANAR)
       refuse("joint '" + name + "' is planar: three freedoms",
              "write two prismatic joints and a revolute one" + beside);
-    if (joint.mimic)
-      refuse("joint '" + name + "' mimics '" + description::harmless(joint.mimic->joint_name) +
-                 "': not a freedom of its own",
-             "--hold-mimic holds it and carries its body along, as is right for a gripper's fingers; remove <mimic> if "
-             "a drive of "
-             "its own moves it" +
-                 beside);
+  }
+  void read_mimic(const urdf::Joint& joint, SourceJoint& result) {
+    if (!joint.mimic) return;
+    result.leader = description::harmless(joint.mimic->joint_name);
+    result.ratio = joint.mimic->multiplier, result.offset = joint.mimic->offset;
+    if (!(std::abs(result.ratio) > 1e-9 && std::abs(result.ratio) < 1e9) || !(std::abs(result.offset) < 1e9))
+      refuse("joint '" + result.name + "': mimics with multiplier " + number(result.ratio) + " and offset " +
+                 number(result.offset),
+             "give a multiplier that is not 0; a joint that cannot move is a fixed joint");
+  }
+  /// The joint of a name that moves, or null.
+  const SourceJoint* mover(const std::string& name) const {
+    for (const auto& link : tree_.links)
+      if (link.parent >= 0 && link.joint.moves() && link.joint.name == name) return &link.joint;
+    return nullptr;
+  }
+  void check_leaders() {
+    for (const auto& link : tree_.links) {
+      if (!link.joint.moves() || link.joint.leader.empty()) continue;
+      const auto* leader = &link.joint;
+      for (std::size_t steps = 0; leader != nullptr && !leader->leader.empty(); ++steps) {
+        if (steps > tree_.links.size()) {
+          refuse("joint '" + link.joint.name + "' mimics itself, by way of others", "one of them has a drive");
+          break;
+        }
+        leader = mover(leader->leader);
+      }
+      if (leader == nullptr)
+        refuse("joint '" + link.joint.name + "' mimics '" + link.joint.leader + "', which does not move here",
+               "--hold-mimic holds it and carries its body along; remove <mimic> if a drive of its own moves it; or "
+               "choose a --tip that leaves it beside the chain, where joints are held");
+    }
   }
   void read_axis(const urdf::Joint& joint, SourceJoint& result) {
     const double x = joint.axis.x, y = joint.axis.y, z = joint.axis.z, length = std::hypot(x, y, z);
@@ -215,7 +242,9 @@ class Reader {
 SourceTree read_urdf(const std::string& text, const std::string& from, const UrdfOptions& options) {
   check_urdf_text(text, from);
   const auto model = parse(text, from);
-  return Reader(*model, from, options).tree();
+  SourceTree tree = Reader(*model, from, options).tree();
+  read_transmissions(text, from, tree);
+  return tree;
 }
 
 }  // namespace importer

@@ -15,7 +15,8 @@ struct UrdfOptions {
 };
 
 /// Throws description::Refused with everything that is wrong, one line each: what urdfdom refuses, roots and tips that
-/// are not there, joints that cannot be expressed (mimic, planar, floating), bodies with impossible numbers.
+/// are not there, joints that cannot be expressed (planar, floating, mimics of what does not move), bodies with
+/// impossible numbers, transmissions without a linear law.
 SourceTree read_urdf(const std::string& text, const std::string& from, const UrdfOptions& options);
 
 }  // namespace importer

@@ -104,7 +104,8 @@ class Checker {
     if (parent == child) refuse("joint '" + name + "': link '" + child + "' is its own parent", "name two links");
     if (!carried_by_.emplace(child, name).second)
       refuse("link '" + child + "' is carried by two joints, '" + carried_by_[child] + "' and '" + name + "': a loop",
-             "cut the loop; a link has one parent");
+             "cut the loop; a link has one parent: a parallelogram's rods are branches that mimic its joints, while a "
+             "four-bar of unequal sides or a delta is not linear and not computed");
     parent_of_[child] = parent;
   }
   void check_roots() const {

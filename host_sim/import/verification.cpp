@@ -38,6 +38,7 @@ class Comparison {
       : imported_(imported),
         reference_(reference),
         n_(imported.robot.size()),
+        g_(description::drive_matrix(imported.robot)),
         model_(description::to_model<Model>(imported.robot)),
         position_(reference.tree),
         torque_(reference.tree, reference.gravity),
@@ -50,17 +51,18 @@ class Comparison {
     const auto between = [&](double low, double high) {
       return std::uniform_real_distribution<double>(low, high)(random);
     };
-    Joints q{}, qd{}, qdd{};
-    for (int i = 0; i < n_; ++i) {
-      const auto& p = imported_.robot.links[static_cast<std::size_t>(i)].parameters;
+    if (g_.drives != reference_.drives) throw description::Refused("drives are counted differently");
+    Joints u{}, ud{}, udd{};  // of the drives
+    for (int k = 0; k < g_.drives; ++k) {
+      const auto& p = imported_.robot.links[static_cast<std::size_t>(g_.owner[k])].parameters;
       const double span = p.type == axial::JointType::revolute ? 3.14159 : 1.0;
-      q[i] = between(std::isfinite(p.position_min) ? p.position_min : -span,
+      u[k] = between(std::isfinite(p.position_min) ? p.position_min : -span,
                      std::isfinite(p.position_max) ? p.position_max : span);
-      qd[i] = between(-2.0, 2.0), qdd[i] = between(-5.0, 5.0);
+      ud[k] = between(-2.0, 2.0), udd[k] = between(-5.0, 5.0);
     }
-    poses(q);
-    torques(q, qd, qdd);
-    mass_matrix(q);
+    poses(u);
+    torques(u, ud, udd);
+    mass_matrix(u);
   }
 
   Figures figures(int states, unsigned seed) const {
@@ -69,24 +71,48 @@ class Comparison {
   }
 
  private:
+  /// Of joints, from values of the drives: by the description, and by the source.
+  Joints ours(const Joints& u, bool positions) const {
+    Joints q{};
+    for (int i = 0; i < n_; ++i) {
+      q[i] = positions ? g_.offset[i] : 0.0;
+      for (int k = 0; k < g_.drives; ++k)
+        q[i] += g_.ratio[i][k] * u[k];
+    }
+    return q;
+  }
+  Joints theirs(const Joints& u, bool positions) const {
+    Joints q{};
+    for (int i = 0; i < n_; ++i) {
+      const auto& row = reference_.ratios[static_cast<std::size_t>(i)];
+      q[i] = positions ? reference_.offsets[static_cast<std::size_t>(i)] : 0.0;
+      for (int k = 0; k < reference_.drives; ++k)
+        q[i] += row[static_cast<std::size_t>(k)] * u[k];
+    }
+    return q;
+  }
   KDL::JntArray kdl(const Joints& values) const {
     KDL::JntArray result(static_cast<unsigned>(n_));
     for (int i = 0; i < n_; ++i)
       result(order_[static_cast<std::size_t>(i)]) = values[i];
     return result;
   }
-  Joints torque(KDL::TreeIdSolver_RNE& solver, const Joints& q, const Joints& qd, const Joints& qdd) const {
+  /// Of the drives, from KDL's at the joints: the power is the same.
+  Joints torque(KDL::TreeIdSolver_RNE& solver, const Joints& u, const Joints& ud, const Joints& udd) const {
+    const Joints q = theirs(u, true), qd = theirs(ud, false), qdd = theirs(udd, false);
     KDL::JntArray tau(static_cast<unsigned>(n_));
     if (solver.CartToJnt(kdl(q), kdl(qd), kdl(qdd), {}, tau) < 0) throw description::Refused("KDL refuses the robot");
     Joints result{};
     for (int i = 0; i < n_; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      result[i] = tau(order_[k]) + reference_.rotors[k] * qdd[i];
+      const double effort = tau(order_[k]) + reference_.rotors[k] * qdd[i];
+      for (int d = 0; d < reference_.drives; ++d)
+        result[d] += reference_.ratios[k][static_cast<std::size_t>(d)] * effort;
     }
     return result;
   }
 
-  KDL::Frame theirs(const KDL::JntArray& q, const std::string& segment) {
+  KDL::Frame their_frame(const KDL::JntArray& q, const std::string& segment) {
     KDL::Frame pose;
     if (position_.JntToCart(q, pose, segment) < 0) throw description::Refused("KDL knows no segment " + segment);
     return reference_.world * pose;
@@ -96,35 +122,46 @@ class Comparison {
       take(pose_, std::abs(ours.M.data[i] - other.M.data[i]));
     take(pose_, (ours.p - other.p).Norm() / std::max(1.0, other.p.Norm()));
   }
-  void poses(const Joints& q) {
-    const auto ours = axial::forward_kinematics(model_, q);
-    const KDL::JntArray positions = kdl(q);
+  void poses(const Joints& u) {
+    const auto our = axial::forward_kinematics(model_, ours(u, true));
+    const KDL::JntArray positions = kdl(theirs(u, true));
     for (const auto& tracked : imported_.frames) {
-      const KDL::Frame carrier = tracked.link < 0 ? KDL::Frame::Identity() : frame(ours.frames[tracked.link]);
-      compare(carrier * frame(tracked.pose), theirs(positions, tracked.name));
+      const KDL::Frame carrier = tracked.link < 0 ? KDL::Frame::Identity() : frame(our.frames[tracked.link]);
+      compare(carrier * frame(tracked.pose), their_frame(positions, tracked.name));
     }
     if (!reference_.tool_segment.empty())
-      compare(frame(ours.tool), theirs(positions, reference_.tool_segment) * reference_.tool);
+      compare(frame(our.tool), their_frame(positions, reference_.tool_segment) * reference_.tool);
   }
-  void torques(const Joints& q, const Joints& qd, const Joints& qdd) {
-    const auto ours = axial::inverse_dynamics(model_, q, qd, qdd), other = torque(torque_, q, qd, qdd);
-    for (int i = 0; i < n_; ++i)
-      take(torque_scale_, std::abs(other[i])), take(torque_error_, std::abs(ours[i] - other[i]));
-  }
-  void mass_matrix(const Joints& q) {
-    const auto ours = axial::mass_matrix(model_, q);
-    for (int j = 0; j < n_; ++j) {
-      Joints unit{};
-      unit[j] = 1.0;
-      const auto column = torque(still_, q, Joints{}, unit);
+  void torques(const Joints& u, const Joints& ud, const Joints& udd) {
+    const auto at_joints = axial::inverse_dynamics(model_, ours(u, true), ours(ud, false), ours(udd, false));
+    const auto other = torque(torque_, u, ud, udd);
+    for (int k = 0; k < g_.drives; ++k) {
+      double sum = 0.0;
       for (int i = 0; i < n_; ++i)
-        take(mass_scale_, std::abs(column[i])), take(mass_error_, std::abs(ours(i, j) - column[i]));
+        sum += g_.ratio[i][k] * at_joints[i];
+      take(torque_scale_, std::abs(other[k])), take(torque_error_, std::abs(sum - other[k]));
+    }
+  }
+  void mass_matrix(const Joints& u) {
+    const auto at_joints = axial::mass_matrix(model_, ours(u, true));
+    for (int l = 0; l < g_.drives; ++l) {
+      Joints unit{};
+      unit[l] = 1.0;
+      const auto column = torque(still_, u, Joints{}, unit);
+      for (int k = 0; k < g_.drives; ++k) {
+        double sum = 0.0;
+        for (int i = 0; i < n_; ++i)
+          for (int j = 0; j < n_; ++j)
+            sum += g_.ratio[i][k] * at_joints(i, j) * g_.ratio[j][l];
+        take(mass_scale_, std::abs(column[k])), take(mass_error_, std::abs(sum - column[k]));
+      }
     }
   }
 
   const Imported& imported_;
   const Reference& reference_;
   int n_;
+  axial::DriveMatrix<description::most_links> g_;
   Model model_;
   KDL::TreeFkSolverPos_recursive position_;
   KDL::TreeIdSolver_RNE torque_, still_;

@@ -50,7 +50,32 @@ constexpr Broken urdfs[] = {
     {" type=\"prismatic\"", "", "joint 'elbow': type '' is not known"},
     {"type=\"prismatic\"", "type=\"floating\"", "joint 'elbow' is floating"},
     {"type=\"prismatic\"", "type=\"planar\"", "joint 'elbow' is planar"},
-    {"<axis xyz=\"0 1 1\"/>", "<axis xyz=\"0 1 1\"/><mimic joint=\"shoulder\"/>", "'elbow' mimics 'shoulder'"},
+    {"<axis xyz=\"0 1 1\"/>", "<axis xyz=\"0 1 1\"/><mimic joint=\"knee\"/>",
+     "'elbow' mimics 'knee', which does not move here"},
+    {"<axis xyz=\"0 1 1\"/>", "<axis xyz=\"0 1 1\"/><mimic joint=\"flange\"/>", "'flange', which does not move here"},
+    {"<axis xyz=\"0 1 1\"/>", "<axis xyz=\"0 1 1\"/><mimic joint=\"elbow\"/>", "'elbow' mimics itself"},
+    {"<axis xyz=\"0 1 1\"/>", "<axis xyz=\"0 1 1\"/><mimic joint=\"shoulder\" multiplier=\"0\"/>",
+     "'elbow': mimics with multiplier 0"},
+    {"</robot>",
+     "<transmission name=\"t\"><type>x/DeltaTransmission</type><joint name=\"shoulder\"/><joint "
+     "name=\"elbow\"><mechanicalReduction>"
+     "1</mechanicalReduction></joint></transmission></robot>",
+     "transmission 't': type 'x/DeltaTransmission' moves several joints by a law that is not known"},
+    {"</robot>",
+     "<transmission name=\"t\"><type>x/DifferentialTransmission</type><joint name=\"elbow\"/><joint "
+     "name=\"elbow\"><mechanicalReduction>"
+     "1</mechanicalReduction></joint></transmission></robot>",
+     "both joints are 'elbow'"},
+    {"</robot>",
+     "<transmission name=\"t\"><type>x/DifferentialTransmission</type><joint name=\"shoulder\"/><joint "
+     "name=\"elbow\"><mechanicalReduction>"
+     "0</mechanicalReduction></joint></transmission></robot>",
+     "reduction of 'elbow' is 0"},
+    {"</robot>",
+     "<transmission name=\"t\"><type>x/FourBarLinkageTransmission</type><joint name=\"shoulder\"/><joint "
+     "name=\"elbow\"><mechanicalReduction>"
+     "two</mechanicalReduction></joint></transmission></robot>",
+     "mechanicalReduction is 'two'"},
     {"<child link=\"fore\"/>", "<child link=\"foot\"/>", "child link 'foot' is missing"},
     {"<parent link=\"upper\"/>", "<parent link=\"up\"/>", "parent link 'up' is missing"},
     {"<parent link=\"upper\"/>", "", "joint 'elbow': has no parent"},

@@ -128,6 +128,42 @@ TEST(Urdf, MimicJointsAreHeldWhereAsked) {
   EXPECT_NEAR(moved, 0.25 * 2.0 / 4.5, 1e-12);
 }
 
+/// q = G u + q0 as the laws of the file say, by hand: four-bar, differential with a reduction of 2, mimic.
+TEST(Urdf, JointsThatShareDrivesEqualKdlUnderTheirLaws) {
+  const auto result = import_file(AXIAL_ROOT "/tests/import/coupled_arm.urdf", {});
+  EXPECT_TRUE(result.figures.good());
+  const auto& robot = result.imported.robot;
+  const auto g = description::drive_matrix(robot);
+  ASSERT_EQ(robot.size(), 7);
+  ASSERT_EQ(g.drives, 6);
+  const double rows[7][6] = {{1, 0, 0, 0, 0, 0},     {0, 1, 0, 0, 0, 0},        {0, -1, 1, 0, 0, 0},
+                             {0, 0, 0, 0.5, 0.5, 0}, {0, 0, 0, 0.25, -0.25, 0}, {0, 0, 0, 0, 0, 1},
+                             {0, 0, 0, 0, 0, 1.25}};
+  for (int i = 0; i < 7; ++i)
+    for (int k = 0; k < 6; ++k)
+      EXPECT_EQ(g.ratio[i][k], rows[i][k]) << i << k;
+  EXPECT_EQ(g.offset[6], -0.002);
+  const auto& roll = robot.links[4].parameters;
+  EXPECT_NEAR(roll.drive_max, 1.7 + 2.0 * 3.0, 1e-12) << "u = q_pitch - 2 q_roll at most";
+  EXPECT_NEAR(roll.drive_speed_limit, 6.0 + 2.0 * 6.0, 1e-12);
+  EXPECT_DOUBLE_EQ(robot.links[5].parameters.viscous, 4.0 + 1.25 * 1.25 * 4.0) << "of both fingers";
+  EXPECT_FALSE(std::isfinite(roll.effort_limit)) << "the file's is the joint's";
+}
+TEST(Verification, SeesAWrongCoupling) {
+  const auto imported = import_file(AXIAL_ROOT "/tests/import/coupled_arm.urdf", {}).imported;
+  std::vector<std::string> joints;
+  for (const auto& link : imported.robot.links)
+    joints.push_back(link.joint);
+  const auto source =
+      importer::read_urdf(description::read_text(AXIAL_ROOT "/tests/import/coupled_arm.urdf"), "", {});
+  const auto reference = importer::reference_of(source, axial::GravityVector{}, joints);
+  for (int joint : {2, 3, 6}) {
+    auto wrong = imported;
+    wrong.robot.links[static_cast<std::size_t>(joint)].parameters.drives.ratio[0] *= -1.0;
+    EXPECT_FALSE(importer::verify(wrong, reference, 1, 20).good()) << joint;
+  }
+}
+
 TEST(Urdf, HeaderTellsTheFileAndNotItsFolder) {
   const auto urdf = import_text(arms::urdf, "/home/somebody/arms/arm.urdf", {}).imported.robot;
   EXPECT_EQ(urdf.source.find("arm.urdf (URDF)"), 0U) << urdf.source;

@@ -2,6 +2,7 @@
 #include <host_sim/description/header.hpp>
 #include <host_sim/import/importer.hpp>
 
+#include <coupled_arm.hpp>
 #include <kr5_sixx.hpp>
 #include <stanford_arm.hpp>
 #include <two_armed.hpp>
@@ -35,6 +36,14 @@ void expect_same(const axial::LinkParameters& read, const axial::LinkParameters&
   EXPECT_EQ(read.speed_limit, written.speed_limit);
   EXPECT_EQ(read.acceleration_limit, written.acceleration_limit);
   EXPECT_EQ(read.effort_limit, written.effort_limit);
+  EXPECT_TRUE(read.drives.count == written.drives.count && read.drives.follows == written.drives.follows);
+  EXPECT_TRUE(read.drives.complete == written.drives.complete && read.drives.offset == written.drives.offset);
+  EXPECT_TRUE(same(read.drives.of, written.drives.of, sizeof read.drives.of));
+  EXPECT_TRUE(same(read.drives.ratio, written.drives.ratio, sizeof read.drives.ratio));
+  EXPECT_EQ(read.drive_min, written.drive_min);
+  EXPECT_EQ(read.drive_max, written.drive_max);
+  EXPECT_EQ(read.drive_speed_limit, written.drive_speed_limit);
+  EXPECT_EQ(read.drive_acceleration_limit, written.drive_acceleration_limit);
 }
 
 template <class Robot>
@@ -55,6 +64,7 @@ void expect_header_of(const std::string& file) {
 TEST(Headers, HoldBitForBitWhatWasImported) {
   expect_header_of<robots::Kr5Sixx>(AXIAL_ROOT "/tests/data/descriptions/kr5_sixx_r650.urdf");
   expect_header_of<robots::StanfordArm>(AXIAL_ROOT "/tests/data/descriptions/stanford.json");
+  expect_header_of<robots::CoupledArm>(AXIAL_ROOT "/tests/import/coupled_arm.urdf");
   expect_header_of<robots::TwoArmed>(AXIAL_ROOT "/tests/import/two_armed.urdf");
 }
 

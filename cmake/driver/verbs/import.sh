@@ -9,6 +9,7 @@ usage: ./axial import FILE [options]
 Installs and builds what is missing, reads a URDF (any chain or tree of revolute, continuous, prismatic and fixed joints) or a JSON table
 of Denavit-Hartenberg rows, classical or modified (format: host_sim/description/README.md), turns it into MDH rows, verifies poses, torques
 and mass matrix against Orocos KDL on random states, and writes a header with source, assumptions, warnings and the figures in its comment.
+Mimic joints and transmissions of a URDF become joints that share drives.
 A xacro file is expanded by the program xacro where that is installed. Of a header that is there, lines that end in "// kept" stay.
   --root LINK         where the chain starts; default: the URDF's root
   --tip LINK          where it ends, the tool's frame; joints beside the chain are held at 0. Default: every branch (a tree)
@@ -18,7 +19,7 @@ A xacro file is expanded by the program xacro where that is installed. Of a head
   --gravity NUMBER NUMBER NUMBER  m/s^2 in axes of the root link; default 0 0 -9.81 (URDF only)
   --right-angles NUMBER  an angle this near to a multiple of 90 degrees is one; default 1e-5, 0 reads what is written
   --to-speed NUMBER   acceleration limits that are missing reach full speed in this time; default 0.25
-  --hold-mimic        holds joints that mimic another one (a gripper's fingers) where that one is 0, and carries their bodies along
+  --hold-mimic        holds joints that mimic another one where that one is 0, and carries their bodies along
   --snap              makes joints' angles exact that are within 0.002 rad of a multiple of 90 degrees
   --states N, --seed N  random states to verify on; default 100, 1
   --as-published      keeps inertias, lengths and limits that no robot should have: .accept(axial::as_published)
