@@ -1,0 +1,55 @@
+// Mimics and transmissions of a small arm: ratios and friction by hand, and the comparison sees what is wrong.
+#include <host_sim/import/importer.hpp>
+
+#include "arms.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+std::string changed(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
+}
+const std::string axis = "<axis xyz=\"0 1 1\"/>";
+const std::string follower = changed(arms::urdf, axis,
+                                     axis +
+                                         "<dynamics damping=\"4\" friction=\"2\"/>"
+                                         "<mimic joint=\"shoulder\" multiplier=\"0.25\" offset=\"0.01\"/>");
+const std::string four_bar = changed(arms::urdf, "</robot>",
+                                     "<transmission name=\"rods\"><type>x/FourBarLinkageTransmission</type>"
+                                     "<joint name=\"elbow\"><role>joint2</role></joint><joint name=\"shoulder\"><role>"
+                                     "joint1</role><mechanicalReduction>2</mechanicalReduction></joint></transmission>"
+                                     "</robot>");
+
+TEST(Couplings, OfAFollowerTakeItsFrictionToTheDrive) {
+  const auto result = importer::import_text(follower, "arm", {});
+  EXPECT_TRUE(result.figures.good());
+  const auto& links = result.imported.robot.links;
+  EXPECT_DOUBLE_EQ(links[0].parameters.viscous, 0.3 + 0.25 * 0.25 * 4.0);
+  EXPECT_DOUBLE_EQ(links[0].parameters.coulomb_backward, -0.2 - 0.25 * 2.0);
+  EXPECT_EQ(links[1].parameters.viscous, 0.0);
+  EXPECT_EQ(description::drive_matrix(result.imported.robot).drives, 1);
+}
+TEST(Couplings, OfAFourBarAreItsLinearLaw) {
+  const auto result = importer::import_text(four_bar, "arm", {});
+  EXPECT_TRUE(result.figures.good());
+  const auto g = description::drive_matrix(result.imported.robot);
+  EXPECT_EQ(g.ratio[0][0], 0.5);
+  EXPECT_EQ(g.ratio[1][0], -0.5);
+  EXPECT_EQ(g.ratio[1][1], 1.0);
+}
+TEST(Couplings, ThatAreWrongAreSeen) {
+  const auto imported = importer::import_text(four_bar, "arm", {}).imported;
+  const auto source = importer::read_urdf(four_bar, "arm", {});
+  const auto reference = importer::reference_of(source, {0.0, 0.0, -9.81}, {"shoulder", "elbow"});
+  EXPECT_TRUE(importer::verify(imported, reference, 1, 20).good());
+  auto wrong = imported;
+  wrong.robot.links[1].parameters.drives.ratio[0] *= -1.0;
+  EXPECT_GT(importer::verify(wrong, reference, 1, 20).torque, 1e-3);
+  auto still = imported;  // poses alone
+  still.frames.clear();
+  still.robot.links[0].parameters.drives.ratio[0] *= 1.001;
+  EXPECT_GT(importer::verify(still, reference, 1, 20).mass_matrix, 1e-6);
+}
+
+}  // namespace
