@@ -29,6 +29,10 @@ TEST(Couplings, OfAFollowerTakeItsFrictionToTheDrive) {
   EXPECT_DOUBLE_EQ(links[0].parameters.coulomb_backward, -0.2 - 0.25 * 2.0);
   EXPECT_EQ(links[1].parameters.viscous, 0.0);
   EXPECT_EQ(description::drive_matrix(result.imported.robot).drives, 1);
+  auto wrong = result.imported;
+  wrong.robot.links[1].parameters.drives.offset += 1e-6;
+  const auto reference = importer::reference_of(importer::read_urdf(follower, "arm", {}), {}, {"shoulder", "elbow"});
+  EXPECT_GT(importer::verify(wrong, reference, 1, 20).pose, 1e-7);
 }
 TEST(Couplings, OfAFourBarAreItsLinearLaw) {
   const auto result = importer::import_text(four_bar, "arm", {});
