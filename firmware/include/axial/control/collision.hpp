@@ -53,7 +53,7 @@ constexpr CollisionThresholds<S, T, Tuning> collision_thresholds() {
                 "and calm are 1 or more");
   CollisionThresholds<S, T, Tuning> all{};
   for (int i = 0; i < joint_count<S>; ++i) {
-    const double most = robot_of<S>::chain.links[i].effort_limit;
+    const double most = scene_of<S>::Robot::chain.links[i].effort_limit;
     const double enter = (is_bounded(most) ? Tuning::fraction * most : 0.0) + Tuning::uncertainty;
     all.enter[i] = ResidualValue<S, T, Tuning>::of(enter, i);
     all.leave[i] = ResidualValue<S, T, Tuning>::of(Tuning::release * enter, i);

@@ -48,17 +48,45 @@ constexpr void write_payload_columns(const F& f, int n, const Jacobian& columns,
   }
 }
 
+template <class S, class T>
+constexpr PayloadColumns<S, T> payload_columns(const Positions<robot_of<S>, T>& q,
+                                               const Velocities<robot_of<S>, T>& qd);
+
+/// Columns of drives that joints share: G^T times those of the joints.
+template <class S, class T>
+constexpr PayloadColumns<S, T> payload_columns_of_drives(const Positions<robot_of<S>, T>& u,
+                                                         const Velocities<robot_of<S>, T>& ud) {
+  using Links = decltype(links_of<S, T>());
+  using JointScene = typename Links::JointScene;
+  const auto joints = payload_columns<JointScene, T>(Links::positions(u), Links::rates(ud));
+  PayloadColumns<S, T> all;
+  const auto map = [](auto k, const auto& from, auto& to) {
+    for (int c = 0; c < 4; ++c) {
+      Joints<JointScene, T> column{};
+      for (int i = 0; i < Links::size; ++i)
+        column[i] = from[i].of[c];
+      to[k].of[c] = static_cast<T>(Links::template felt<decltype(k)::value>(column));
+    }
+  };
+  Links::each_drive([&](auto k) { map(k, joints.momentum, all.momentum), map(k, joints.drift, all.drift); });
+  return all;
+}
+
 /// The columns at q and qd, about the tool point. In fixed point q and qd are inside the declared limits.
 template <class S, class T>
 constexpr PayloadColumns<S, T> payload_columns(const Positions<robot_of<S>, T>& q,
                                                const Velocities<robot_of<S>, T>& qd) {
-  constexpr int n = joint_count<S>;
-  Inputs<S, T> in;
-  if constexpr (scene_of<S>::template has<SineCosines>) in.turns = sine_cosines<S>(q);
-  PayloadColumns<S, T> all;
-  write_payload_columns(ColumnRounding<S, T>{}, n, jacobian<S>(q, in),
-                        forward_kinematics<S>(q, in).frames[n - 1].rotation, qd, all);
-  return all;
+  if constexpr (shares_drives_in<typename scene_of<S>::Robot>) {
+    return payload_columns_of_drives<S, T>(q, qd);
+  } else {
+    constexpr int n = joint_count<S>;
+    Inputs<S, T> in;
+    if constexpr (scene_of<S>::template has<SineCosines>) in.turns = sine_cosines<S>(q);
+    PayloadColumns<S, T> all;
+    write_payload_columns(ColumnRounding<S, T>{}, n, jacobian<S>(q, in),
+                          forward_kinematics<S>(q, in).frames[n - 1].rotation, qd, all);
+    return all;
+  }
 }
 
 }  // namespace axial::detail

@@ -60,7 +60,7 @@ constexpr Status lag_columns(const PayloadState<S, T>& state, const PayloadColum
       lagged[i].of[k] = Sums::chosen(state.ready, row, state.lagged[i].of[k]);
     }
     squares.add(residual[i]);
-    robot_of<S>::chain.links[i].type == JointType::revolute ? all.angle(q[i]) : all.number(q[i]);
+    scene_of<S>::Robot::chain.links[i].type == JointType::revolute ? all.angle(q[i]) : all.number(q[i]);
     all.number(qd[i]);
   }
   all.number(squares.scaled());

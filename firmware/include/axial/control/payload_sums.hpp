@@ -11,7 +11,7 @@ namespace axial::detail {
 /// What a residual may be wrong by, N m or N.
 template <class S, class Tuning>
 constexpr double residual_deviation(int joint) {
-  const double most = robot_of<S>::chain.links[joint].effort_limit;
+  const double most = scene_of<S>::Robot::chain.links[joint].effort_limit;
   return Tuning::deviation * (is_bounded(most) ? most : 1.0);
 }
 /// Information in samples that the lag makes alike, as a share of that in as many without it.

@@ -100,15 +100,22 @@ template <class S, int Joint, class T, class Q, class V, class A>
 constexpr T joint_effort_of(const Inputs<S, T>& in, const Q& q, const V& qd, const A& qdd) {
   constexpr Index<Joint> joint;
   const auto links = links_of<S, T, BaseParameters>();
-  auto effort = links.no_efforts();
-  links.write(effort, joint, run_joint(links, in, joint, links.read(q), links.read(qd), links.read(qdd)));
-  return effort[Joint];
+  if constexpr (is_driven<decltype(links)>) {
+    EffortsOf<S, T> effort{};  // of all drives: compilers leave out those that nobody reads
+    rnea::run(links, in, q, qd, qdd, effort);
+    return effort[Joint];
+  } else {
+    auto effort = links.no_efforts();
+    links.write(effort, joint, run_joint(links, in, joint, links.read(q), links.read(qd), links.read(qdd)));
+    return effort[Joint];
+  }
 }
 
 }  // namespace rnea
 
-/// Effort of one joint in inverse_dynamics, N m or N, without the efforts of the others: joint_torque<Robot, 2>(q, qd,
-/// qdd). Inputs as there; in fixed point the exponent is that of the joint's effort there.
+/// Effort of one joint (where joints share drives, of one drive) in inverse_dynamics, N m or N, without the efforts of
+/// the others: joint_torque<Robot, 2>(q, qd, qdd). Inputs as there; in fixed point the exponent is that of the joint's
+/// effort there.
 template <class S, int Joint, class T>
 [[nodiscard]] constexpr T joint_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                        const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {

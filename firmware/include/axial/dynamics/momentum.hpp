@@ -105,6 +105,31 @@ AXIAL_INLINE constexpr auto status_of(const Links& links, const Input& in, const
   return all.status();
 }
 
+template <class Holding, class Links, class Input, class Q, class V, class Terms>
+AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, const Input& in, const Q& q, const V& qd,
+                                Terms& terms);
+
+/// Of drives that joints share: G^T times momenta and drifts of the joints, and what each drive has of its own: rotor
+/// and friction.
+template <class Holding, class Links, class Input, class U, class V, class Terms>
+AXIAL_INLINE constexpr void run_drives(const Holding& at_rest, const Links& links, const Input& in, const U& u,
+                                       const V& ud, Terms& terms) {
+  const auto q = links.positions(u);
+  MomentumTerms<typename Links::JointScene, typename Links::Stored> at_joints{};
+  run(at_rest.joints(), links.joints(), in, q, links.rates(ud), at_joints);
+  const auto speeds = links.read_drives(ud);
+  Soundness<typename Links::Scalar> all;
+  detail::judge_positions(all, links.joints(), in, q);
+  detail::collect_inputs<typename Links::JointScene>(all, in);
+  links.each_drive([&](auto k) AXIAL_INLINE {
+    const auto drive = links.drives().link(k);
+    links.answer(terms.momentum, k, at_joints.momentum, drive.rotor() * speeds[k]);
+    links.answer(terms.drift, k, at_joints.drift, -friction_effort(drive, speeds[k]));
+    all.number(ud[k]), all.number(terms.momentum[k]), all.number(terms.drift[k]);
+  });
+  terms.status = all.status();
+}
+
 /// Over the links of RNEA and of momenta, which differ where links have formats.
 template <class Holding, class Links, class Input, class Q, class V, class Terms>
 AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, const Input& in, const Q& q, const V& qd,
@@ -115,12 +140,16 @@ AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, cons
                 "Underwater out of this scene");
   static_assert(!Scene::template has<RotorDynamics>,
                 "axial: momenta have no rotors as bodies; take RotorDynamics out of this scene");
-  auto at = at_rest.read(q);
-  auto screws = joint_screws(at_rest, in, at);
-  auto holding = at_rest.no_efforts();
-  hold(at_rest, in, at, screws, at_rest.read(qd), holding);
-  carry(links, in, screws, links.read(qd), at_rest.read(holding), terms);
-  terms.status = status_of(links, in, q, qd, terms);
+  if constexpr (is_driven<Links>) {
+    run_drives(at_rest, links, in, q, qd, terms);
+  } else {
+    auto at = at_rest.read(q);
+    auto screws = joint_screws(at_rest, in, at);
+    auto holding = at_rest.no_efforts();
+    hold(at_rest, in, at, screws, at_rest.read(qd), holding);
+    carry(links, in, screws, links.read(qd), at_rest.read(holding), terms);
+    terms.status = status_of(links, in, q, qd, terms);
+  }
 }
 
 }  // namespace momentum

@@ -83,11 +83,11 @@ AXIAL_INLINE constexpr void reduce(const M& joints, Drives& m, std::integer_sequ
 
 /// Kernels in values of drives: joints by q = G u + q0, efforts of the drives by tau_u = G^T tau_q, rotors and friction
 /// of the drives themselves.
-template <class S, class T, class P>
-struct DrivenKernels<DrivenLinks<S, T, P>> {
-  using Links = DrivenLinks<S, T, P>;                             ///< joints and drives
+template <class Links>
+struct DrivenKernels {
+  using T = typename Links::Scalar;                               ///< the number
   using JointMatrix = MassMatrix<typename Links::JointRobot, T>;  ///< M of the joints
-  using Matrix = MassMatrix<typename S::Robot, T>;                ///< M of the drives
+  using Matrix = MassMatrix<typename Links::Scene::Robot, T>;     ///< M of the drives
 
   /// Efforts of the drives; rates may be NoMotion.
   template <class Input, class Q, class V, class A, class Tau>
@@ -95,8 +95,11 @@ struct DrivenKernels<DrivenLinks<S, T, P>> {
                                              Tau& tau) {
     typename Links::JointValues at_joints{};
     rnea::run(links.joints(), in, links.positions(u), links.rates(ud), links.rates(udd), at_joints);
+    const auto speeds = links.read_drives(ud);
+    const auto accelerations = links.read_drives(udd);
     links.each_drive([&](auto k) AXIAL_INLINE {
-      tau[k] = static_cast<T>(total(links, k, at_joints, ud) + links.drives().link(k).rotor() * udd[k]);
+      const auto drive = links.drives().link(k);
+      links.answer(tau, k, at_joints, friction_effort(drive, speeds[k]), drive.rotor() * accelerations[k]);
     });
   }
 

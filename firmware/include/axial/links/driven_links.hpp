@@ -42,6 +42,7 @@ template <class SceneType, class ScalarType, class Parameters>
 struct DrivenLinks {
   using Scene = SceneType;                                         ///< of the drives
   using Scalar = ScalarType;                                       ///< the number
+  using Stored = ScalarType;                                       ///< as joint values hold it
   using JointScene = typename detail::SceneOfJoints<Scene>::type;  ///< of the joints
   using JointRobot = typename JointScene::Robot;                   ///< the joints
   using JointValues = Joints<JointRobot, Scalar>;                  ///< one per joint
@@ -91,6 +92,16 @@ struct DrivenLinks {
       return Zero{};
     else
       return literal<Scalar>([] { return matrix.ratio[I][K]; }) * values[I] + felt<K, I + 1>(values);
+  }
+  /// Values of drives as kernels compute with them.
+  template <class U>
+  AXIAL_INLINE static constexpr const U& read_drives(const U& u) {
+    return u;
+  }
+  /// Writes for drive k what it feels of values of the joints, and terms of its own.
+  template <class Values, class K, class AtJoints, class... Own>
+  AXIAL_INLINE static constexpr void answer(Values& values, K, const AtJoints& at_joints, const Own&... own) {
+    values[K::value] = static_cast<Scalar>((felt<K::value>(at_joints) + ... + own));
   }
   /// Calls f(k) for every drive.
   template <class F>

@@ -217,6 +217,8 @@ using with_axial_masses = std::conditional_t<regroups_all<Scene, Parameters> && 
 template <class Links>
 inline constexpr bool is_driven = false;
 template <class Links>
+inline constexpr bool is_driven<const Links> = is_driven<Links>;
+template <class Links>
 struct DrivenKernels;
 ///@}
 /// Stops the compiler where such links reach a kernel without: at once, being a class.
