@@ -115,7 +115,7 @@ template <class Holding, class Links, class Input, class U, class V, class Terms
 AXIAL_INLINE constexpr void run_drives(const Holding& at_rest, const Links& links, const Input& in, const U& u,
                                        const V& ud, Terms& terms) {
   const auto q = links.positions(u);
-  MomentumTerms<typename Links::JointScene, typename Links::Stored> at_joints{};
+  MomentumTerms<typename Links::JointScene, typename Links::Value> at_joints{};
   run(at_rest.joints(), links.joints(), in, q, links.rates(ud), at_joints);
   const auto speeds = links.read_drives(ud);
   Soundness<typename Links::Scalar> all;

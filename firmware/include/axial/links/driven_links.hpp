@@ -42,7 +42,7 @@ template <class SceneType, class ScalarType, class Parameters>
 struct DrivenLinks {
   using Scene = SceneType;                                         ///< of the drives
   using Scalar = ScalarType;                                       ///< the number
-  using Stored = ScalarType;                                       ///< as joint values hold it
+  using Value = ScalarType;                                        ///< as joint values hold it
   using JointScene = typename detail::SceneOfJoints<Scene>::type;  ///< of the joints
   using JointRobot = typename JointScene::Robot;                   ///< the joints
   using JointValues = Joints<JointRobot, Scalar>;                  ///< one per joint
