@@ -41,6 +41,12 @@ struct BoardBase {
     Counter::start();
   }
 
+  /// The program, as start-up enters it: on this core, where a board has no other wish.
+  template <class Program>
+  static void run(Program program) {
+    program();
+  }
+
   static const ClockReport& clock() { return clock_; }
   /// Whether the image runs in an emulator and may print there. By the clock, where no other register tells.
   static bool emulated() { return AXIAL_SEMIHOSTING != 0 && clock_.source == ClockSource::emulator; }

@@ -34,7 +34,7 @@ extern "C" [[gnu::used, noreturn]] void axial_reset() {
   axial::hal::Board::DrivePin::start();
   axial::hal::cortex_m::allow_fpu();
   axial::hal::prepare_memory();
-  main();
+  axial::hal::Board::run([] { main(); });
   for (;;)
     asm volatile("wfi");
 }

@@ -1,8 +1,10 @@
 'use strict';
 // An RP2040 from reset to reset: rp2040js, and around it what that emulator does otherwise than the part.
 
+const fs = require('fs');
 const {RP2040} = require(process.env.AXIAL_RP2040JS);
 const {boot2Of} = require('./image.js');
+const {SecondCore} = require('./second_core.js');
 const {SysTick} = require('./sys_tick.js');
 const {Uart} = require('./uart.js');
 
@@ -35,7 +37,7 @@ class Chip {
   // `breakpoint(core)`: semihosting; whether somebody took it. `sram`: what a restart keeps; `reason`: of the restart.
   constructor({flash, cyclesPerTick, breakpoint, send}, sram, reason) {
     const chip = new RP2040();
-    Object.assign(this, {chip, core: chip.core, clock: chip.clock, asleep: false, lockedUp: false, restarts: false, pc: 0});
+    Object.assign(this, {chip, core: chip.core, clock: chip.clock, cyclesPerTick, asleep: false, lockedUp: false, restarts: false, pc: 0});
     chip.logger = logger;
     chip.flash.set(flash);
     chip.sram.set(sram);
@@ -44,6 +46,7 @@ class Chip {
       if (this.chip.readUint16(this.pc) !== 0xbeab || !breakpoint(this.core)) throw new BusFault('breakpoint');
     };
     this.replaceSysTick(new SysTick(this.core, cyclesPerTick));
+    this.second = new SecondCore(chip.sio);
     this.keepInReset();
     chip.peripherals[SYSINFO].readUint32 = () => 0; // PLATFORM: neither silicon nor an FPGA
     this.watchdog = chip.peripherals[0x40058];
@@ -116,8 +119,15 @@ class Chip {
     }
     if (core.waiting) {
       core.waiting = false;
-      this.asleep = !this.interrupted;
+      if (this.second.launched && core.PM) this.goOnAsSecond();
+      else this.asleep = !this.interrupted;
     }
+  }
+
+  goOnAsSecond() {
+    this.second.become(this.core);
+    this.replaceSysTick(new SysTick(this.core, this.cyclesPerTick));
+    fs.writeSync(1, 'second core: started\n');
   }
 
   get interrupted() {

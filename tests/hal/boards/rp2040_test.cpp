@@ -151,6 +151,70 @@ TEST(Rp2040DrivePin, AFaultDisablesByOneStore) {
   EXPECT_EQ(Rp2040::DrivePin::off_word, gpio_2);
 }
 
+/// The second core's boot ROM: every word comes back, `wrong` ones as another. `taken` words, of which 0, 0, 1 begin.
+struct PlayedMailbox {
+  int wrong = 0;
+  bool silent = false;
+  std::vector<std::uint32_t> told, answers{7, 8};  // what was left there
+  Noted status{"status", 0, [this](std::uint32_t) { return 2u | (answers.empty() ? 0u : 1u); }};
+  struct {
+    PlayedMailbox* box;
+    void operator=(std::uint32_t word) { box->tell(word); }
+  } write{this};
+  Noted read{"read", 0, [this](std::uint32_t) {
+               const std::uint32_t first = answers.front();
+               answers.erase(answers.begin());
+               return first;
+             }};
+
+  void tell(std::uint32_t word) {
+    told.push_back(word);
+    if (silent) return;
+    answers.push_back(word + (word > 1 && wrong > 0 ? 1 : 0));
+    if (word > 1) --wrong;
+  }
+};
+using Words = std::vector<std::uint32_t>;
+constexpr rp2040::Launch launched{0x10000100, 0x20008000, 0x10000401};
+const Words sequence{0, 0, 1, 0x10000100, 0x20008000, 0x10000401};
+
+bool launch(PlayedMailbox& mailbox) {
+  return rp2040::launch(mailbox, launched, [] {});
+}
+
+/// Datasheet 2.8.2: what stands in the mailbox is thrown away, each word is answered.
+TEST(Rp2040SecondCore, IsLaunchedBySixWords) {
+  PlayedMailbox mailbox;
+  EXPECT_TRUE(launch(mailbox));
+  EXPECT_EQ(mailbox.told, sequence);
+  EXPECT_TRUE(mailbox.answers.empty());
+}
+
+TEST(Rp2040SecondCore, IsAskedAnewAfterAWrongAnswer) {
+  PlayedMailbox mailbox;
+  mailbox.wrong = 1;
+  Words told{0, 0, 1, 0x10000100};
+  told.insert(told.end(), sequence.begin(), sequence.end());
+  EXPECT_TRUE(launch(mailbox));
+  EXPECT_EQ(mailbox.told, told);
+}
+
+TEST(Rp2040SecondCore, IsNotWaitedForForever) {
+  PlayedMailbox silent, wrong;
+  silent.silent = true;
+  wrong.wrong = 1000;
+  EXPECT_FALSE(launch(silent));
+  EXPECT_FALSE(launch(wrong));
+  EXPECT_EQ(wrong.told.size(), 16u) << "four attempts";
+}
+
+/// Datasheet 2.3.1.7: FIFO_ST, FIFO_WR, FIFO_RD at 0x50, 0x54, 0x58.
+TEST(Rp2040SecondCore, MailboxesAreWhereTheManualHasThem) {
+  EXPECT_EQ(rp2040::mailbox_offset, 0x50u);
+  EXPECT_EQ(offsetof(rp2040::MailboxRegisters, write), 4u);
+  EXPECT_EQ(offsetof(rp2040::MailboxRegisters, read), 8u);
+}
+
 /// Datasheet 2.19.6.3: input, 4 mA, pull-up, hysteresis; function 2 of pins 0 and 1.
 TEST(Rp2040Pins, TheSerialPortIsReleasedBeforeItIsConnected) {
   PlayedResets resets;
