@@ -4,8 +4,10 @@
 readonly QEMU_BOARDS=(stm32f405 stm32f100 nrf51 rv32_virt)
 readonly RUNNER_BOARD=rp2040 # in an emulator of its own, slower than QEMU: tests build and run these images alone
 readonly RUNNER_IMAGES=(selftest{,-scara,-puma560} fixed-{scara,puma560} feedforward-{scara,puma560} feedforward-fixed-{scara,puma560}
-  injection-scara kernels-scara faults overflow tracking-fixed-scara)
-readonly BOARDS=("${QEMU_BOARDS[@]}" "$RUNNER_BOARD")
+  injection-scara kernels-scara faults overflow tracking-fixed-scara
+  size-puma560-bare-inverse_dynamics-unrolled-off{,-fixed32} size-scara-bare-inverse_dynamics-unrolled-off-double)
+readonly RAM_IMAGES=(selftest{,-scara} size-puma560-bare-inverse_dynamics-unrolled-off{,-fixed32}) # of rp2040_ram
+readonly BOARDS=("${QEMU_BOARDS[@]}" "$RUNNER_BOARD" rp2040_ram)
 readonly SELFTEST_BOARDS=(mps2_an505) # run the self-tests alone
 readonly FAULT_BOARDS=(mps2_an500)    # run the image of faults alone
 # Of the documents' closed loops, in fixed point: the smallest one. Its UART queues six bytes, which QEMU fills at once.
@@ -37,6 +39,8 @@ build_boards() {
     build "$board"
   done
   build "$RUNNER_BOARD" "${RUNNER_IMAGES[@]}"
+  build rp2040_ram "${RAM_IMAGES[@]}"
+  build rp2040_second_core selftest
   for board in "${FAULT_BOARDS[@]}"; do
     build "$board" faults
   done

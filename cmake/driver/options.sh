@@ -5,7 +5,7 @@
 #   MODEL     any robot or count model               HEADER    a file that exists
 #   N         a whole number                         NUMBER    a number
 #   IN_FILE   a file that exists
-#   ANY_BOARD a folder of hal/boards that QEMU runs                 WORD      a word of firmware/apps/size/matrix.txt
+#   ANY_BOARD a folder of hal/boards that an emulator runs          WORD      a word of firmware/apps/size/matrix.txt
 # With "..." behind it, it may be several, with commas between.
 # Other names in capitals take anything. A text that begins with "alone" is of an option that nothing may stand beside.
 # What follows a line "maintainers:" is shown by --help --all only.
@@ -136,7 +136,7 @@ words_of() {
     BOARD) printf '%s\n' "${BOARDS[@]}" ;;
     ROBOT) robots_with_trajectories ;;
     MODEL) sed -n 's/.*const char\* name = "\([a-z0-9_]*\)";.*/\1/p' "$AXIAL_ROOT"/robots/*.hpp "$AXIAL_ROOT"/robots/models/*.hpp ;;
-    ANY_BOARD) (cd "$AXIAL_ROOT/hal/boards" && grep -l '"qemu"' -- */board.json | sed 's,/.*,,') ;;
+    ANY_BOARD) (cd "$AXIAL_ROOT/hal/boards" && grep -lE '"(qemu|runner)"' -- */board.json | sed 's,/.*,,') ;;
     WORD) sed '/^#/d; s/[, ]\+/\n/g' "$AXIAL_ROOT/firmware/apps/size/matrix.txt" | sort -u | sed '/^\**$/d' ;;
     [0-9a-z]*) echo "$1" ;;
   esac

@@ -6,7 +6,7 @@ readonly RP2040JS_SHA512=633af9c46ed9c1bb40e74218014d64fe84a84b20c084fb53e6a0bf4
 
 # ensure_runner BOARD: nothing for a board of QEMU.
 ensure_runner() {
-  [[ $1 == "$RUNNER_BOARD" ]] || return 0
+  grep -q '"runner"' "$AXIAL_ROOT/hal/boards/$1/board.json" 2>/dev/null || return 0
   { command -v node && command -v npm; } >/dev/null || ensure_packages nodejs npm
   { command -v node && command -v npm; } >/dev/null || fail "not found: node and npm, which run and fetch the emulator of $1"
   fetch_rp2040js "$AXIAL_ROOT/build/rp2040js-$RP2040JS_VERSION"

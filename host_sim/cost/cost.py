@@ -53,7 +53,7 @@ def model_of(board):
 
 
 def complete(row, name):
-    return {**row, "robot": name, "cycles_model": model_of(row["board"]), "instructions_by": "QEMU", "flags": "ours"}
+    return {**row, "robot": name, "cycles_model": model_of(row["board"]), "instructions_by": measure.emulator(row["board"]), "flags": "ours"}
 
 
 def span(low, high):
@@ -73,7 +73,7 @@ def print_table(options, rows):
     print(f"{options.name} on {options.board} ({cpu_of(options.board)}), {options.number}, flags of hal/toolchains:\n")
     size.print_columns([["kernel", "instructions", f"cycles ({model.core.kind})", "from, to", f"us at {model.clock_Hz / 1e6:g} MHz", "flash", "RAM", "stack"],
                         *map(shown, rows)], 1)
-    print(f"\nInstructions were executed in QEMU over 8 states and are not cycles. {model_of(options.board)}\n"
+    print(f"\nInstructions were executed in {measure.emulator(options.board)} over 8 states and are not cycles. {model_of(options.board)}\n"
           "Flash and RAM in bytes, beside an image without the kernel; kernels share code, so an image with several takes less than their sum.\n"
           f"The safe loop is axial::{SAFE_LOOP}.")
 

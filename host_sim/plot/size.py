@@ -26,6 +26,8 @@ SCENES = ["bare", "without_gravity", "without_rotors", "friction", "payload", "t
 def main(json_file):
     with open(json_file, encoding="utf-8") as file:
         rows = [row for row in json.load(file) if (row["scalar"], row["contract"]) == ("float", "off")]
+    if not rows:
+        return
     boards, robots = unique(row["board"] for row in rows), unique(row["robot"] for row in rows)
     style.use()
     described = [board for board in boards if any(

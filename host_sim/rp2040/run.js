@@ -2,9 +2,10 @@
 'use strict';
 // Runs an image on an emulated RP2040. usage:
 //   run.js -kernel IMAGE [-serial null|unix:PATH|tcp:HOST:PORT|stdio] [-fast] [-no-semihosting] [-sys-tick CYCLES]
-//     [-steps FILE]
+//     [-steps FILE] [-calls ADDRESS:FILE]
 // IMAGE is ELF or UF2. Ends with the image's exit code; with 3 and a sentence where the image does what is not emulated.
 // -steps: what instructions took, a line "from to cycles" (addresses in hexadecimal) for each pair that was met and each of its cycles.
+// -calls: what each call of the function at ADDRESS (hexadecimal) executed, as calls.js writes it.
 // -fast: time that the board sleeps passes at once. -check: does nothing but look whether rp2040js is installed.
 
 const fs = require('fs');
@@ -19,7 +20,7 @@ function options(words) {
   for (let i = 0; i < words.length; ++i) {
     const name = words[i].slice(1);
     if (['check', 'fast', 'no-semihosting'].includes(name)) found[name] = true;
-    else if (['kernel', 'serial', 'sys-tick', 'steps'].includes(name) && i + 1 < words.length) found[name] = words[++i];
+    else if (['kernel', 'serial', 'sys-tick', 'steps', 'calls'].includes(name) && i + 1 < words.length) found[name] = words[++i];
     else throw new Error(`unknown option '${words[i]}'`);
   }
   if (!found.kernel && !found.check) throw new Error('name an image: -kernel IMAGE');
@@ -70,8 +71,8 @@ class Machine {
       breakpoint: chosen['no-semihosting'] ? () => false : semihosting,
       send: line.send,
     };
-    const executed = chosen.steps ? recorder(chosen.steps) : undefined;
-    this.powerUp = (sram, reason) => (this.chip = Object.assign(new Chip(part, sram, reason), {executed}));
+    const watch = watcher(chosen);
+    this.powerUp = (sram, reason) => watch((this.chip = new Chip(part, sram, reason)));
     this.powerUp(unknownRam(264 * 1024), 0);
     this.idleSince = null; // on the wall, and on the board
     this.timer = null;
@@ -131,6 +132,16 @@ class Machine {
     if (reason === BY_WATCHDOG) fs.writeSync(1, `watchdog: restarted ${Math.round(this.chip.unfedNanos / 1000)} us after it was fed\n`);
     this.powerUp(this.chip.sram, reason);
   }
+}
+
+// What looks at a chip's instructions as the options say.
+function watcher({steps, calls}) {
+  const executed = steps ? recorder(steps) : undefined;
+  if (!calls) return (chip) => Object.assign(chip, {executed});
+  const {Calls} = require('./calls.js');
+  const [entry, ...file] = calls.split(':');
+  const recorded = new Calls(parseInt(entry, 16), file.join(':'));
+  return (chip) => recorded.watch(chip);
 }
 
 // Sees every instruction, and writes what was met as the program ends.

@@ -24,6 +24,7 @@ import time
 from typing import NamedTuple
 
 import flag_sets
+import execution
 import measure
 import size
 import stack
@@ -141,7 +142,7 @@ def cost(image, board):
         executed = straight_line(image, image.functions[measure.KERNEL])
     except NotStraight:
         return None, None
-    return len(executed) - 1, measure.timing.Model(measure.description(board)).of(executed, image.instructions).cycles
+    return len(executed) - 1, measure.timing.Model(measure.description(board)).of(execution.Run(len(executed) - 1, executed), image.instructions).cycles
 
 
 def figures(work):

@@ -11,7 +11,7 @@ FORMATS = {ARM: "elf32-littlearm", RISCV: "elf32-littleriscv"}
 LINE = re.compile(r"^ *([0-9a-f]+):\t([0-9a-f]{4}(?: ?[0-9a-f]{4})?) *\t([^\s.]\S*)\t?([^;@\n]*)", re.MULTILINE)
 WORD = re.compile(r"^ *([0-9a-f]+):\t([0-9a-f]{8}) *\t\.word", re.MULTILINE)
 LITERAL = re.compile(r"^(r\d+), \[pc, #\d+\]$")
-SECTION = re.compile(r"^ *\d+ (\S+) +([0-9a-f]{8}) +([0-9a-f]{8}) +[0-9a-f]{8} +([0-9a-f]{8}) .*\n(.*)$", re.MULTILINE)
+SECTION = re.compile(r"^ *\d+ (\S+) +([0-9a-f]{8}) +([0-9a-f]{8}) +([0-9a-f]{8}) +([0-9a-f]{8}) .*\n(.*)$", re.MULTILINE)
 
 
 class Instruction(NamedTuple):
@@ -24,6 +24,7 @@ class Section(NamedTuple):
     name: str
     size: int
     address: int
+    load: int  # address in flash of what start-up copies
     offset: int  # in the file
     attributes: str
 
@@ -40,15 +41,15 @@ def run(tool, *arguments, **options):
 
 
 def sections(path):
-    return [Section(name, int(size, 16), int(address, 16), int(offset, 16), attributes)
-            for name, size, address, offset, attributes in SECTION.findall(run("objdump", "-h", path))]
+    return [Section(name, int(size, 16), int(address, 16), int(load, 16), int(offset, 16), attributes)
+            for name, size, address, load, offset, attributes in SECTION.findall(run("objdump", "-h", path))]
 
 
 def memory(parts):
     """Bytes of flash and of static RAM, of sections; the stack's room is not counted."""
     held = [each for each in parts if "ALLOC" in each.attributes and each.name != ".stack"]
     return sum(each.size for each in held if "CONTENTS" in each.attributes), \
-        sum(each.size for each in held if "READONLY" not in each.attributes)
+        sum(each.size for each in held if "READONLY" not in each.attributes or each.load != each.address)
 
 
 class Image:

@@ -49,9 +49,14 @@ def suffix(scalar):
 
 
 def boards():
-    """Those that QEMU runs: it alone lists what was executed."""
+    """Those that an emulator runs."""
     found = (file.parent.name for file in (ROOT / "hal/boards").glob("*/board.json"))
-    return sorted(name for name in found if "qemu" in description(name))
+    return sorted(name for name in found if {"qemu", "runner"} & description(name).keys())
+
+
+def emulator(board):
+    described = description(board)
+    return "QEMU" if "qemu" in described else described["runner"]["machine"]
 
 
 def description(board):
@@ -129,12 +134,20 @@ class Figures:
 
     def _run(self):
         board = description(self.board)
-        runs = execution.run(board["qemu"], self.image.path, self.entry, self.depths.reached)
-        self.counts = [count for count, _ in runs]
-        executed = [addresses for _, addresses in runs]
-        for addresses in executed:
-            self._check_path(addresses)
-        self.timing = timing.Model(board).worst(executed, self.image.instructions)
+        self.runs = execution.run(board, self.image.path, self.entry, self.depths.reached)
+        self.counts = [run.count for run in self.runs]
+        for run in self.runs:
+            self._check_path(run.executed)
+            if run.cycles:
+                self._check_cycles(run)
+        self.timing = timing.Model(board).worst(self.runs, self.image.instructions)
+
+    def _check_cycles(self, run):
+        """An emulator that counts cycles itself has those of the core's table, but for what it is known to leave out."""
+        by_table = timing.cortex_m0.cycles(description(self.board)["timing"]["core"], run.executed, self.image.instructions)
+        left_out = sum(timing.cortex_m0.is_short_in_rp2040js(self.image.instructions[address]) for address in run.executed[:-1])
+        if run.cycles != by_table - left_out:
+            raise execution.Mismatch(f"{self.image.path}: {by_table} cycles by the table, {run.cycles} and {left_out} known ones in the emulator")
 
     def _check_path(self, executed):
         """Along known instructions to a return, which is left out, as in the count."""

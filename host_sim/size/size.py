@@ -112,7 +112,7 @@ def run_measure(options):
         writer.writerows(rows)
     plot = measure.ROOT / "host_sim/plot/size.py"
     subprocess.run([sys.executable, "-E", plot, folder / "size.json"], check=True)
-    print(f"written: {folder}/size.json, size.csv, size.png")
+    print(f"written: {folder}/size.json, size.csv" + ", size.png" * (folder / "size.png").exists())
 
 
 def run_boards(options):

@@ -20,7 +20,7 @@ class Core(NamedTuple):
 
 CORES = {core.name: core for core in (
     Core("cortex-m0", "exact", "Arm DDI 0432C, multiplier of one cycle, memory without wait states"),
-    Core("cortex-m0plus", "exact", "Arm DDI 0484C, multiplier of one cycle, kernel and data in RAM without wait states"),
+    Core("cortex-m0plus", "exact", "Arm DDI 0484C, multiplier of one cycle, memory without wait states; the upper end: an empty cache in front of serial flash"),
     Core("hazard3", "validated", "Hazard3 v1.0 as in the RP2350, equal to its RTL on 230 sequences; memory without wait states"),
     Core("cortex-m3", "estimate", "Arm DDI 0337: between loads that overlap, branches that refill in 1 and long products that end early, and none of it"),
     Core("cortex-m4f", "estimate", "Arm DDI 0439: between loads that overlap and branches that refill in 1, and none of it"),
@@ -54,15 +54,15 @@ class Model:
         self.core, self.clock_Hz = CORES[described["core"]], described["clock_Hz"]
         self.flash = described.get("flash")
 
-    def of(self, executed, instructions):
+    def of(self, run, instructions):
         """Of one run: executed addresses in order; the last one, the return, is left out."""
-        low, likely, high = self._core(executed, instructions)
-        waits = flash.waits(self.flash, executed) if self.flash else 0
+        low, likely, high = self._core(run.executed, instructions)
+        waits = flash.waits(self.flash, run) if self.flash else 0
         return Timing(self.core, self.clock_Hz, likely, low, high + waits)
 
     def worst(self, runs, instructions):
         """Over runs on several states: the largest, and the interval that holds them all."""
-        timings = [self.of(executed, instructions) for executed in runs]
+        timings = [self.of(run, instructions) for run in runs]
         return Timing(self.core, self.clock_Hz, max(t.cycles for t in timings), min(t.low for t in timings),
                       max(t.high for t in timings))
 

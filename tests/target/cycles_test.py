@@ -30,12 +30,11 @@ def steps(board, path):
 
 
 def is_known(instruction, by_manual, emulated, function):
-    """Where rp2040js is known to count otherwise: it leaves lr out of PUSH's words and pc out of POP's. Peripherals, which take more or, on the
-    core's own port, less than memory, are the board's business."""
-    name, operands = instruction.name, instruction.operands
-    if name == "push" and "lr" in operands or name == "pop" and "pc" in operands:
+    """Where rp2040js is known to count otherwise. Peripherals, which take more or, on the core's own port, less than memory, are the
+    board's business."""
+    if cortex_m0.is_short_in_rp2040js(instruction):
         return emulated == by_manual - 1
-    return name.startswith(("ldr", "str")) and (function in ("main", "axial_reset") or "3hal" in function or "4apps" in function)
+    return instruction.name.startswith(("ldr", "str")) and (function in ("main", "axial_reset") or "3hal" in function or "4apps" in function)
 
 
 class Cycles(harness.BoardTest):

@@ -162,11 +162,11 @@ class FlagSets(unittest.TestCase):
 
 
 class Boards(unittest.TestCase):
-    def test_all_that_qemu_runs_and_no_other(self):
-        self.assertIn("nrf51", measure.boards())
-        self.assertNotIn("rp2040", measure.boards())
+    def test_all_that_an_emulator_runs(self):
+        self.assertLessEqual({"nrf51", "rp2040"}, set(measure.boards()))
         for board in measure.boards():
-            self.assertIn("program", measure.description(board)["qemu"])
+            described = measure.description(board)
+            self.assertIn("program", described.get("qemu", described.get("runner")))
 
 
 class StraightLine(unittest.TestCase):

@@ -14,6 +14,7 @@ import emulator
 sys.path[:0] = [str(emulator.ROOT / "host_sim" / folder) for folder in ("size", "timing")]
 import cortex_m  # noqa: E402
 import cortex_m0  # noqa: E402
+import execution  # noqa: E402
 import flash  # noqa: E402
 import hazard3  # noqa: E402
 import image  # noqa: E402
@@ -272,14 +273,30 @@ class CortexM(unittest.TestCase):
                 self.assertEqual((found.reads, found.writes), (set(reads.split()), set(writes.split())))
 
 
+def waits(described, addresses):
+    return flash.waits(described, execution.Run(len(addresses), addresses, addresses))
+
+
 class Memory(unittest.TestCase):
     FLASH = {"wait_states": 5, "line_bytes": 16, "lines": 2}
+    SERIAL = {"range": ["100", "200"], "line_bytes": 8, "sets": 2, "ways": 2, "miss_cycles": 10}
 
     def test_each_line_waits_once_while_it_stays(self):
-        self.assertEqual(flash.waits(self.FLASH, [0, 4, 8, 16, 0, 16]), 10)
+        self.assertEqual(waits(self.FLASH, [0, 4, 8, 16, 0, 16]), 10)
 
     def test_a_line_that_was_pushed_out_waits_again(self):
-        self.assertEqual(flash.waits(self.FLASH, [0, 16, 32, 0]), 20)
+        self.assertEqual(waits(self.FLASH, [0, 16, 32, 0]), 20)
+
+    def test_each_line_of_a_serial_flash_is_read_once_while_its_set_has_room(self):
+        self.assertEqual(waits(self.SERIAL, [0x100, 0x104, 0x108, 0x110, 0x100, 0x108]), 30)
+
+    def test_in_a_full_set_only_the_last_line_is_certain(self):
+        """Which one a cache throws out is not told: lines 0, 2, 4 of set 0."""
+        self.assertEqual(waits(self.SERIAL, [0x100, 0x110, 0x100, 0x110]), 20)
+        self.assertEqual(waits(self.SERIAL, [0x100, 0x110, 0x120, 0x120, 0x110, 0x100]), 50)
+
+    def test_ram_does_not_wait_for_serial_flash(self):
+        self.assertEqual(waits(self.SERIAL, [0x200, 0x300, 0]), 0)
 
 
 class Boards(unittest.TestCase):
@@ -295,7 +312,7 @@ class Boards(unittest.TestCase):
 
     def test_an_estimate_is_an_interval_and_an_exact_figure_is_not(self):
         code = {0: image.Instruction("str", "r0, [r1, #4]", 2), 2: image.Instruction("bx", "lr", 2)}
-        fields = lambda core: timing.Model({"timing": {"core": core, "clock_Hz": 2_000_000}}).of([0, 2], code).fields()
+        fields = lambda core: timing.Model({"timing": {"core": core, "clock_Hz": 2_000_000}}).of(execution.Run(1, [0, 2]), code).fields()
         self.assertEqual(fields("cortex-m0"), {"core": "cortex-m0", "cycles": 2, "cycles_kind": "exact", "microseconds": 1.0})
         estimate = fields("cortex-m4f")
         self.assertLess(estimate["cycles_low"], estimate["cycles_high"])
@@ -304,7 +321,7 @@ class Boards(unittest.TestCase):
     def test_the_worst_state_is_told_with_the_best(self):
         code = {0: image.Instruction("beq.n", "8 <f>", 2), 2: image.Instruction("nop", "", 2), 8: image.Instruction("bx", "lr", 2)}
         model = timing.Model({"timing": {"core": "cortex-m0", "clock_Hz": 1_000_000}})
-        found = model.worst([[0, 2, 8], [0, 8]], code)
+        found = model.worst([execution.Run(2, [0, 2, 8]), execution.Run(1, [0, 8])], code)
         self.assertEqual((found.low, found.cycles), (2, 3))
 
 

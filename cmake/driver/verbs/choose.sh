@@ -53,6 +53,7 @@ build_chosen() {
   lines=$(choose_py --targets "$@") || exit
   ensure_packages
   while read -r preset targets; do
+    ensure_runner "$preset"
     read -ra targets <<<"$targets"
     build "$preset" "${targets[@]}"
   done <<<"$lines"
@@ -65,6 +66,7 @@ choose_own() {
   take_own_robot "$header" "$(option_of --type '' "$@")"
   algorithm=$(option_of --algorithm inverse_dynamics "$@")
   ensure_packages
+  ensure_runner "$board"
   prepare_own_images "$board"
   write_own_robot "$HOST_PRESET"
   targets=$(own_py targets "$board" "$algorithm") || exit 2

@@ -9,7 +9,7 @@ Installs and builds what is missing, starts the tracking firmware of a board in 
 at 1 kHz over the serial line: feed-forward and a proportional-derivative torque, then the feedback alone (at most 10 s of it). Prints
 tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a picture (doc/measurements/simulation.md).
   --robot ROBOT       scara (default) or puma560; puma560 is the default of --controller lqr and --export
-  --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt, rp2040
+  --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt, rp2040, rp2040_ram
   --number float|fixed32  what the firmware computes in; default float
   --controller pd|lqr|ekf  default pd. lqr: a linear-quadratic regulator whose gains the board computes from the arm's derivatives, on the stm32f405 in
                       float, brings the arm back from a push of 0.1 rad on every joint; beside pd (doc/measurements/linearisation.md).

@@ -7,7 +7,7 @@ usage() {
 usage: ./axial size [options]
 Installs and builds what is missing: a small image for each combination of firmware/apps/size/matrix.txt. Tells for each
 its flash and static RAM (beside an image without a kernel), its worst-case stack, the instructions that a call executes
-in QEMU, and the cycles and microseconds that they take by a model of its core (doc/measurements/size.md). Prints a table, writes CSV, JSON and a picture.
+in its emulator, and the cycles and microseconds that they take by a model of its core (doc/measurements/size.md). Prints a table, writes CSV, JSON and a picture.
   --board ANY_BOARD   only this board
   --robot ROBOT...    only these, commas between
   --scene WORD...     likewise
@@ -23,7 +23,8 @@ in QEMU, and the cycles and microseconds that they take by a model of its core (
                       the option --output, or by --documents alone: writes doc/data/flags* and their table (part of --documents)
   --builds            user's builds instead: the Panda's kernels at every level of GCC and Clang (doc/measurements/builds.md). May be
                       followed by --json FILE, or by --documents alone: writes doc/data/any_build* and that page's tables
-Exits non-zero when something cannot be bounded or counts disagree.
+On rp2040, whose emulator counts cycles, those of every kernel are also held to it. Exits non-zero when something cannot be bounded or
+counts disagree.
 maintainers:
   --documents         stands alone: measures all anew and writes doc/data/size.*, doc/pictures/size.* and the tables of doc/measurements/size.md
   --update-budgets    alone: writes tests/target/budgets.json, 2 % above what is measured now
@@ -109,6 +110,7 @@ build_probes() {
   local board chosen targets
   chosen=$(size_py boards "$@")
   for board in $chosen; do
+    ensure_runner "$board"
     build "$board" size-empty-scara
     read -ra targets < <(size_py targets "$@" --board "$board")
     ((${#targets[@]} == 0)) || build "$board" "${targets[@]}"
