@@ -23,6 +23,7 @@ Cycle cycle_from_json(const nlohmann::json& json) {
   cycle.tick = json.value("tick_s", cycle.tick);
   cycle.jerk_time = json.value("jerk_time_s", cycle.jerk_time);
   cycle.utilisation = json.value("utilisation", cycle.utilisation);
+  cycle.smooth = json.value("smooth", cycle.smooth);
   for (const auto& point : json.at("way_points"))
     cycle.way_points.push_back(
         {point.at("name").get<std::string>(), point.at("q").get<std::vector<double>>(), point.value("dwell_s", 0.0)});
@@ -54,7 +55,7 @@ SetPoint set_point_from(const std::vector<double>& row, int joints) {
   const auto group = [&](int k) {
     return std::vector<double>(row.begin() + 1 + k * joints, row.begin() + 1 + (k + 1) * joints);
   };
-  return {row[0], group(0), group(1), group(2)};
+  return {row[0], group(0), group(1), group(2), {}, {}};
 }
 
 void check_positions(const Trajectory& trajectory, const std::vector<JointLimits>& limits) {

@@ -61,19 +61,29 @@ void append(Trajectory& trajectory, double duration, double tick, State state) {
   }
 }
 
-SetPoint at_rest(const WayPoint& point) {
-  const std::vector<double> zero(point.q.size(), 0.0);
-  return {0.0, point.q, zero, zero};
+SetPoint at_rest(const WayPoint& point, bool smooth) {
+  const std::vector<double> zero(point.q.size(), 0.0), more(smooth ? point.q.size() : 0, 0.0);
+  return {0.0, point.q, zero, zero, more, more};
+}
+
+std::variant<SCurve, SmoothCurve> time_law(const PathLimits& limits, bool smooth) {
+  if (smooth) return SmoothCurve(limits);
+  return SCurve(limits);
 }
 
 }  // namespace
 
 Move::Move(const std::vector<double>& from, const std::vector<double>& to, const std::vector<JointLimits>& limits,
            const Cycle& cycle)
-    : from_(from), to_(to), time_law_(path_limits(from, to, limits, cycle)) {}
+    : from_(from), to_(to), time_law_(time_law(path_limits(from, to, limits, cycle), cycle.smooth)) {}
+
+double Move::duration() const {
+  return std::visit([](const auto& law) { return law.duration(); }, time_law_);
+}
 
 SetPoint Move::at(double time) const {
-  const PathState path = time_law_.at(time);
+  const PathState path = std::visit([&](const auto& law) { return law.at(time); }, time_law_);
+  const bool smooth = std::holds_alternative<SmoothCurve>(time_law_);
   SetPoint point;
   point.time = time;
   for (std::size_t i = 0; i < from_.size(); ++i) {
@@ -81,6 +91,7 @@ SetPoint Move::at(double time) const {
     point.q.push_back(path.s < 0.5 ? from_[i] + way * path.s : to_[i] - way * (1.0 - path.s));
     point.qd.push_back(way * path.speed);
     point.qdd.push_back(way * path.acceleration);
+    if (smooth) point.q3.push_back(way * path.jerk), point.q4.push_back(way * path.snap);
   }
   return point;
 }
@@ -90,7 +101,7 @@ Trajectory plan(const Cycle& cycle, const std::vector<JointLimits>& limits) {
   check_way_points(cycle, limits);
   Trajectory trajectory;
   const auto rest = [&](const WayPoint& point, double duration) {
-    append(trajectory, duration, cycle.tick, [&](double) { return at_rest(point); });
+    append(trajectory, duration, cycle.tick, [&](double) { return at_rest(point, cycle.smooth); });
   };
   for (std::size_t i = 0; i + 1 < cycle.way_points.size(); ++i) {
     const WayPoint &here = cycle.way_points[i], &next = cycle.way_points[i + 1];

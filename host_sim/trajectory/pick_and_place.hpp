@@ -1,10 +1,11 @@
 // A cycle of jerk-limited moves in joint space through way-points, as a pick-and-place robot runs it.
 #pragma once
 
-#include <host_sim/trajectory/s_curve.hpp>
 #include <host_sim/trajectory/set_point.hpp>
+#include <host_sim/trajectory/smooth_curve.hpp>
 
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace host_sim {
@@ -23,6 +24,7 @@ struct Cycle {
   double jerk_time = 0.05;   ///< s from zero to full acceleration
   double utilisation = 1.0;  ///< share of the speed and acceleration limits that is used, 0 to 1
   std::vector<WayPoint> way_points;
+  bool smooth = false;  ///< moves with four continuous derivatives, which set-points then hold
 };
 
 /// All joints start and stop together on a straight line in joint space. Every joint stays inside its speed and
@@ -32,12 +34,12 @@ class Move {
   Move(const std::vector<double>& from, const std::vector<double>& to, const std::vector<JointLimits>& limits,
        const Cycle& cycle);
 
-  double duration() const { return time_law_.duration(); }
+  double duration() const;
   SetPoint at(double time) const;
 
  private:
   std::vector<double> from_, to_;
-  SCurve time_law_;
+  std::variant<SCurve, SmoothCurve> time_law_;
 };
 
 /// Set-points of the whole cycle, from rest at the first way-point to rest at the last.

@@ -10,11 +10,12 @@ struct PathLimits {
   double jerk = 0.0;
 };
 
-/// Path parameter and its first two derivatives by time.
+/// Path parameter and its derivatives by time.
 struct PathState {
   double s = 0.0;
   double speed = 0.0;
   double acceleration = 0.0;
+  double jerk = 0.0, snap = 0.0;  ///< the third and fourth, of a SmoothCurve alone
 };
 
 /// The fastest rest-to-rest double S profile from s = 0 to s = 1 inside the limits: seven segments of constant jerk

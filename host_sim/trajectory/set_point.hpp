@@ -9,6 +9,7 @@ namespace host_sim {
 struct SetPoint {
   double time = 0.0;  ///< s
   std::vector<double> q, qd, qdd;
+  std::vector<double> q3{}, q4{};  ///< third and fourth derivative, of a smooth motion alone
 };
 
 /// Set-points at a constant rate.
