@@ -366,7 +366,8 @@ std::vector<MotionScenario> motion_scenarios() {
           {"ST20_float_hold", float_at_rest},
           {"ST21_leg", contact_leg},
           {"ST21_leg_finely", contact_leg_finely, true},
-          {"ST22_clock", float_clock}};
+          {"ST22_clock", float_clock},
+          {"ST23_elastic", elastic_limit}};
 }
 
 }  // namespace host_sim::simulation
