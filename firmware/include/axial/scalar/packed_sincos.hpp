@@ -35,10 +35,21 @@ struct Packed<double> {
   typedef double Values __attribute__((vector_size(8 * double_lanes)));
 };
 
+/// x as it is, in a register of its own where `apart`, so that angles are not loaded as one wide vector: a processor
+/// does not forward narrow stores to a wide load, which would wait until angles that were just computed are in the
+/// cache.
+template <bool apart, class T>
+AXIAL_INLINE inline T loaded(T x) {
+#ifdef __SSE2__
+  if constexpr (apart) asm("" : "+x"(x));
+#endif
+  return x;
+}
+
 /// Angles first, first + 1, ...; lanes beyond the last angle repeat it.
 template <int First, class T, int N, int... Lane>
 AXIAL_INLINE constexpr void sincos_group(const T (&x)[N], SinCos<T> (&pairs)[N], std::integer_sequence<int, Lane...>) {
-  typename Packed<T>::Values values = {x[First + Lane < N ? First + Lane : N - 1]...};
+  typename Packed<T>::Values values = {loaded<Lane % 2 == 0>(x[First + Lane < N ? First + Lane : N - 1])...};
   auto group = sincos_of(values);
   ((pairs[First + Lane < N ? First + Lane : N - 1] = {group.sin[Lane], group.cos[Lane]}), ...);
 }
