@@ -30,7 +30,7 @@ def arguments():
     parser = argparse.ArgumentParser(prog="./axial mutants", description="Each mutant changes one place of the sources; the test that "
                                      "the table names must fail with it and pass without. Ends with status 1 if a mutant survives.")
     parser.add_argument("--only", metavar="REGEX", help="only mutants whose names match")
-    parser.add_argument("--part", metavar="K/N", type=parts_of, help="every N-th mutant from the K-th on")
+    parser.add_argument("--part", metavar="K/N", type=parts_of, help="the K-th of N parts of the same size")
     parser.add_argument("--rotate", metavar="N", type=int, help="one part of N: which one, the commit tells")
     parser.add_argument("--list", action="store_true", help="say which mutants there are, and run none")
     parser.add_argument("--check", action="store_true", help="only see whether every mutant's text stands in its file, once")

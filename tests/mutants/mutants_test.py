@@ -47,9 +47,15 @@ class Table(unittest.TestCase):
             entry(teste="")
 
     def test_parts_are_the_whole(self):
-        numbers = list(range(23))
-        parts = [table.part(numbers, k, 10) for k in range(1, 11)]
-        self.assertEqual(sorted(sum(parts, [])), numbers)
+        whole = table.read()
+        parts = [table.part(whole, k, 10) for k in range(1, 11)]
+        self.assertCountEqual([mutant.name for part in parts for mutant in part], [mutant.name for mutant in whole])
+        self.assertLessEqual(max(map(len, parts)) - min(map(len, parts)), 1)
+
+    def test_parts_share_few_tests(self):
+        whole = table.read()
+        tests = [{mutant.test for mutant in table.part(whole, k, 10)} for k in range(1, 11)]
+        self.assertLessEqual(sum(map(len, tests)), len(set.union(*tests)) + 9)
 
 
 class Runner(unittest.TestCase):

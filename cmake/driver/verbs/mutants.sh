@@ -8,7 +8,7 @@ usage: ./axial mutants [options]
 Each mutant of tests/mutants changes one place of the sources, in a copy of them. The test that the table names for it, compiled
 with the change, must fail, and pass without. Ends with status 1 if one survives, with 2 if the table is at fault.
   --only REGEX  only mutants whose names match
-  --part K/N    every N-th mutant from the K-th on
+  --part K/N    the K-th of N parts of the same size
   --rotate N    one part of N: which one, the commit tells; tests run --rotate 10
   --list        say which mutants there are, and run none
   --check       only see whether the text that each changes stands in its file, once
