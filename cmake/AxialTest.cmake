@@ -1,11 +1,11 @@
 # axial_add_test(<name> <source>... [LIBS <library>...] [DEFINES <definition>...] [TIMEOUT <seconds>] [FEW_ROBOTS_SANITIZED]
-#   [ARITHMETIC_SANITIZED])
+#   [ARITHMETIC_SANITIZED | ADDRESS_SANITIZED])
 #
 # A GoogleTest program linked to axial::axial, our warnings and the oracle; every TEST becomes a ctest test named
 # <folder>.<Suite.Test> with the folder below tests/ as its label. With FEW_ROBOTS_SANITIZED it is defined AXIAL_FEW_ROBOTS under
 # sanitizers, and runs whole without them too. With ARITHMETIC_SANITIZED sanitizers see its arithmetic and the bounds of its arrays
-# alone, a third of the time to compile: for kernels over many robots that follow no pointer, of which another program runs some robots
-# under all sanitizers.
+# alone, a third of the time to compile: for kernels, which follow no pointer; every_kernel_test runs each kernel under the address sanitizer.
+# In tests/property that is the default, and ADDRESS_SANITIZED asks for all of them.
 #
 # Every test runs once: under the address and undefined-behaviour sanitizers (AXIAL_TESTS is sanitized), and those that these builds
 # do without, in an ordinary build (unsanitized). Both together are all.
@@ -22,6 +22,19 @@ set(AXIAL_UNSANITIZED_TESTS counts_test robots_test unrolled_test scenes_test sh
   floating_base_test underwater_test operation_counts_test errors_test forward_overflow_test fixed_error_test motion_test loop_test pushes_test observers_test
   linear_arm_test regulator_test c_interface_test)
 
+# Folders of kernels over many robots.
+set(AXIAL_ARITHMETIC_SANITIZED_FOLDERS property)
+
+set(AXIAL_ARITHMETIC_SANITIZERS -fno-sanitize=address,null,alignment,object-size,vptr)
+
+# axial_arithmetic_sanitized(<source>...): sources that do little but instantiate kernels; the standard library's own assertions watch
+# their containers.
+function(axial_arithmetic_sanitized)
+  if(AXIAL_TESTS STREQUAL sanitized)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS ${AXIAL_ARITHMETIC_SANITIZERS})
+  endif()
+endfunction()
+
 # axial_test_is_left_out(<name> <label> <both> <variable>): whether this build does without it.
 function(axial_test_is_left_out name label both variable)
   set(instrumented FALSE)
@@ -35,7 +48,7 @@ function(axial_test_is_left_out name label both variable)
 endfunction()
 
 function(axial_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "FEW_ROBOTS_SANITIZED;ARITHMETIC_SANITIZED" "TIMEOUT" "LIBS;DEFINES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FEW_ROBOTS_SANITIZED;ARITHMETIC_SANITIZED;ADDRESS_SANITIZED" "TIMEOUT" "LIBS;DEFINES")
   cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME label)
   axial_test_is_left_out(${name} ${label} ${arg_FEW_ROBOTS_SANITIZED} left_out)
   if(left_out)
@@ -49,8 +62,11 @@ function(axial_add_test name)
   endif()
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   target_compile_definitions(${name} PRIVATE ${arg_DEFINES})
+  if(label IN_LIST AXIAL_ARITHMETIC_SANITIZED_FOLDERS AND NOT arg_ADDRESS_SANITIZED)
+    set(arg_ARITHMETIC_SANITIZED TRUE)
+  endif()
   if(arg_ARITHMETIC_SANITIZED AND AXIAL_TESTS STREQUAL sanitized)
-    target_compile_options(${name} PRIVATE -fno-sanitize=address,null,alignment,object-size,vptr)
+    target_compile_options(${name} PRIVATE ${AXIAL_ARITHMETIC_SANITIZERS})
   endif()
   if(name IN_LIST AXIAL_UNSANITIZED_TESTS)
     target_compile_options(${name} PRIVATE ${AXIAL_ERRORS_OPTIMISATION} -g0 -DAXIAL_USER_OPTIONS -DAXIAL_INLINE=)

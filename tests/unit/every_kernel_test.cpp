@@ -1,0 +1,20 @@
+// Every kernel under the address sanitizer: what reads or writes beside its arrays or states ends this program. Values
+// are judged elsewhere.
+#include <axial/axial.hpp>
+#include <axial/batch.hpp>
+#include <axial/control/payload_estimator.hpp>
+#include <axial/cost.hpp>
+#include <axial/fixed.hpp>
+#include <axial/fixed/c_interface/fixed_calls.hpp>
+// Behind the plug-in, which serves it.
+#include <gtest/gtest.h>
+#include <axial/c_interface/derivatives.hpp>
+#include <axial/c_interface/export.hpp>
+#include <axial/simulation/integrators.hpp>
+#include <axial/simulation/step_limit.hpp>
+
+#include "builds/every_kernel.cpp"
+
+TEST(EveryKernel, StaysInsideItsMemoryInFloatingPoint) { static_cast<void>(in_floating_point()); }
+
+TEST(EveryKernel, StaysInsideItsMemoryInFixedPoint) { static_cast<void>(in_fixed_point()); }
