@@ -67,6 +67,24 @@ Jacobians forward_reference(const oracle::Chain<quad>& chain, const State& s, co
                      [&](const auto& q, const auto& qd) { return oracle::forward_dynamics(chain, q, qd, s.x, load); });
 }
 
+// On a base that moves as it is told. Accelerations of given efforts solve M qdd = tau - tau at rest.
+Jacobians moved_inverse_reference(const oracle::Chain<quad>& chain, const oracle::BaseMotion<quad>& base,
+                                  const State& s, const oracle::Load<quad>& load) {
+  return differences(s.q, s.qd, [&](const auto& q, const auto& qd) {
+    return oracle::inverse_dynamics_on_moving_base(chain, base, q, qd, s.x, load);
+  });
+}
+Jacobians moved_forward_reference(const oracle::Chain<quad>& chain, const oracle::BaseMotion<quad>& base,
+                                  const State& s, const oracle::Load<quad>& load) {
+  return differences(s.q, s.qd, [&](const auto& q, const auto& qd) {
+    const QuadVector none(q.size(), quad(0));
+    auto left = oracle::inverse_dynamics_on_moving_base(chain, base, q, qd, none, load);
+    for (std::size_t i = 0; i < left.size(); ++i)
+      left[i] = s.x[i] - left[i];
+    return oracle::solve(oracle::mass_matrix(chain, q), left);
+  });
+}
+
 // Not at rest, where dry friction jumps.
 oracle::Vector<double> moving(oracle::RandomChains& random, std::size_t n) {
   auto qd = random.vector(static_cast<int>(n), 2.0);
@@ -91,17 +109,24 @@ void expect_scene(oracle::RandomChains& random, double most_inverse, double most
   const auto chain = Fill::chain<S, Everything>();
   const auto load = Fill::load<S>();
   const State s = as_quad(q, qd, x);
-  expect_below(inverse_errors(inverse_dynamics_derivatives<S>(q, qd, x, in), inverse_reference(chain, s, load), 4),
-               most_inverse);
+  const auto inverse = inverse_dynamics_derivatives<S>(q, qd, x, in);
   const auto forward = forward_dynamics_derivatives<S>(q, qd, x, in);
   EXPECT_TRUE(forward.qdd.status.ok());
-  expect_below(forward_errors(forward, forward_reference(chain, s, load), 4), most_forward);
+  if constexpr (S::template has<BaseMotion>) {
+    const auto base = Fill::base_motion<S>();
+    expect_below(inverse_errors(inverse, moved_inverse_reference(chain, base, s, load), 4), most_inverse);
+    expect_below(forward_errors(forward, moved_forward_reference(chain, base, s, load), 4), most_forward);
+  } else {
+    expect_below(inverse_errors(inverse, inverse_reference(chain, s, load), 4), most_inverse);
+    expect_below(forward_errors(forward, forward_reference(chain, s, load), 4), most_forward);
+  }
 }
 
 template <class N>
 class DerivativesOfScenes : public testing::Test {};
 using Scenes =
     testing::Types<Named<>, Named<Gravity, FullParameters>, Named<Payload, Gravity>, Named<Friction, JointSprings>,
+                   Named<Gravity, RotorInertia, BaseMotion, TipWrench>,
                    Named<RuntimeGravity, RotorInertia, Friction, JointSprings, TipWrench, ExternalWrenches, Payload>>;
 TYPED_TEST_SUITE(DerivativesOfScenes, Scenes);
 

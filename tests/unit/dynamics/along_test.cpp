@@ -132,10 +132,15 @@ TEST(Along, ABaseThatFloatsIsOneThatMovesAsItIsTold) {
   const auto at = [](const Values& v) { return Joints<Floating, double>{v[0], v[1], v[2], v[3], v[4], v[5]}; };
   const auto floating = inverse_dynamics_along<S>(at(q), at(qd), at(x), {at(dq), at(dqd), at(dx)}, inputs<S>());
   const auto told = inverse_dynamics_along<Told>(q, qd, x, {dq, dqd, dx}, inputs<Told>());
+  const auto slopes = inverse_dynamics_derivatives<S>(at(q), at(qd), at(x), inputs<S>());
   const auto y = torque_regressor<S>(at(q), at(qd), at(x), inputs<S>());
   const auto y_told = torque_regressor<Told>(q, qd, x, inputs<Told>());
   for (int i = 0; i < 6; ++i) {
     EXPECT_NEAR(floating.dtau[i], told.dtau[i], 1e-12);
+    double change = 0;
+    for (int j = 0; j < 6; ++j)
+      change += slopes.dtau_dq(i, j) * dq[j] + slopes.dtau_dqd(i, j) * dqd[j] + slopes.M(i, j) * dx[j];
+    EXPECT_NEAR(floating.dtau[i], change, 1e-12);
     for (int column = 0; column < y.columns; ++column)
       EXPECT_EQ(y(i, column), y_told(i, column));
   }

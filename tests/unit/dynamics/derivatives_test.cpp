@@ -121,6 +121,45 @@ TEST(Derivatives, OfABeadOnATurningRodAreSlopes) {
   expect_slopes<Bead>(q, qd, false, torque, d.dtau_dqd, 1e-9);
 }
 
+// A chain whose first joints the compiler knows, and whose velocities it takes relative to where link 1 is.
+template <class R>
+void expect_on_moving_base(const Joints<R, double>& q, const Joints<R, double>& qd, const Joints<R, double>& qdd) {
+  using S = Scene<R, Gravity, RotorInertia, BaseMotion, CompositeBody>;
+  Inputs<S, double> in;
+  in.base_motion = {{0.75, -1.25, 0.5}, {-2, 1.5, 3}, {4, -1, 2.5}};
+  const auto d = inverse_dynamics_derivatives<S>(q, qd, qdd, in);
+  const auto torque = [&](const auto& p, const auto& v) { return inverse_dynamics<S>(p, v, qdd, in); };
+  expect_slopes<R>(q, qd, true, torque, d.dtau_dq, 1e-8);
+  expect_slopes<R>(q, qd, false, torque, d.dtau_dqd, 1e-8);
+  const auto forward = forward_dynamics_derivatives<S>(q, qd, d.tau, in);
+  const auto acceleration = [&](const auto& p, const auto& v) { return forward_dynamics<S>(p, v, d.tau, in); };
+  EXPECT_TRUE(forward.qdd.status.ok());
+  expect_slopes<R>(q, qd, true, acceleration, forward.dqdd_dq, 1e-6);
+  expect_slopes<R>(q, qd, false, acceleration, forward.dqdd_dqd, 1e-6);
+}
+TEST(Derivatives, OnABaseThatMovesAreSlopes) {
+  expect_on_moving_base<Mixed>({0.4, -1.1, 0.3, 0.8, -0.2, 1.3}, {0.7, -0.9, 0.5, 1.1, 0.4, -0.6},
+                               {1.0, -2.0, 0.5, 1.5, -1.0, 2.0});
+  expect_on_moving_base<Bead>({0.4, 0.6, -0.3}, {1.25, -0.5, 0.75}, {0.5, 1.0, -2.0});
+  expect_on_moving_base<Planar>({0.4, -1.1}, {0.7, -0.9}, {1.25, -0.5});
+}
+
+// Two turns about the vertical and a slide along it: most entries are zero, and elimination fills some of them.
+struct Selective {
+  static constexpr auto chain = axial::chain(gravity(0, 0, -g), revolute().mass(m1).com(l1, 0, 0).spring(3.0),
+                                             revolute().a(l1).mass(m1).com(l2, 0.1, 0).spring(4.0, 0.75),
+                                             prismatic().a(l2).mass(m2).com(0.05, 0, 0.1).spring(200.0));
+};
+TEST(Derivatives, OfForwardDynamicsAreSlopesWhereMostEntriesAreZero) {
+  using S = Scene<Selective, Gravity, JointSprings, CompositeBody>;
+  const Joints<Selective, double> q{0.4, -1.1, 0.3}, qd{0.7, -0.9, 0.5}, tau{3.0, -2.0, 12.0};
+  const auto d = forward_dynamics_derivatives<S>(q, qd, tau);
+  const auto acceleration = [&](const auto& p, const auto& v) { return forward_dynamics<S>(p, v, tau); };
+  expect_slopes<Selective>(q, qd, true, acceleration, d.dqdd_dq, 1e-8);
+  expect_slopes<Selective>(q, qd, false, acceleration, d.dqdd_dqd, 1e-8);
+  EXPECT_EQ(d.M_inverse(0, 2), 0.0);
+}
+
 TEST(Derivatives, OfFrictionAndSpringsAreSlopes) {
   using U = Scene<Drives, Friction, JointSprings>;
   using L = Scene<Drives, Friction, JointSprings, Looped>;

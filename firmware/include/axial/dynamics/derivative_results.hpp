@@ -118,8 +118,6 @@ template <class Scene>
 constexpr void check_derivable() {
   static_assert(!shares_drives_in<typename Scene::Robot>,
                 "axial: derivatives do not know joints that share drives; call it for axial::JointCoordinates<Robot>");
-  static_assert(!Scene::template has<BaseMotion> && !Scene::template has<FloatingBase>,
-                "axial: derivatives are those of a base at rest; take BaseMotion and FloatingBase out of the scene");
   static_assert(!Scene::template has<Underwater>, "axial: derivatives have no water; take Underwater out of the scene");
   static_assert(
       !Scene::template has<RotorDynamics>,
@@ -132,6 +130,9 @@ template <class Scene, class T>
 constexpr void check_forward_derivable() {
   static_assert(is_number_v<T>,
                 "axial: derivatives of forward dynamics have no formats in fixed point; compute them in float");
+  static_assert(!Scene::template has<FloatingBase>,
+                "axial: derivatives of forward dynamics know no free base; where its motion is known, name BaseMotion "
+                "instead of FloatingBase");
   check_derivable<Scene>();
 }
 

@@ -32,12 +32,11 @@ AXIAL_INLINE constexpr void accelerations_along(const Links& links, const Recurs
                                                 Result& result) {
   using T = typename Links::Scalar;
   Factors<MassMatrix<typename Links::Scene::Robot, T>, T, Links::capacity> factors;
-  solve_and_factor(links, in, q, qd, tau, result.qdd, factors);
+  solve_and_factor(links, in, q, joint_screws(links, in, q), qd, tau, result.qdd, factors);
   auto& x = result.dqdd;
   run_along(recursion, in, DualValues{q, by.dq}, DualValues{qd, by.dqd}, DualValues{result.qdd, NoMotion{}},
             [&](auto i, const auto& effort) AXIAL_INLINE { x[i] = by.dtau[i] - slope_of(effort); });
-  for_each_link_inwards(links, [&](auto k) AXIAL_INLINE { take_inwards(links, factors, x, k); });
-  for_each_link(links, [&](auto k) AXIAL_INLINE { take_outwards(links, factors, x, k); });
+  substitute(Any{}, links, factors, x);
 }
 
 }  // namespace derivatives
@@ -46,7 +45,7 @@ AXIAL_INLINE constexpr void accelerations_along(const Links& links, const Recurs
 /// d q dq + d qdd / d qd dqd + M^-1 dtau: by the factors of M that the accelerations took, and one pass of
 /// inverse_dynamics_along(). By composite bodies and L^T D L, whatever route forward_dynamics() takes; `qdd.status` as
 /// of forward_dynamics_derivatives(): a joint that is held has no change either. Scenes as there, inputs as of
-/// inverse_dynamics_along(). In floating point; for a base at rest.
+/// inverse_dynamics_along(). In floating point; a base may move as it is told, not freely.
 template <class S, class T>
 [[nodiscard]] constexpr AccelerationsAlong<S, T> forward_dynamics_along(const Positions<robot_of<S>, T>& q,
                                                                         const Velocities<robot_of<S>, T>& qd,

@@ -1,9 +1,8 @@
 // Derivatives of forward dynamics: accelerations, inverse mass matrix and both Jacobians.
 #pragma once
 
-#include <axial/dynamics/composite_body.hpp>
 #include <axial/dynamics/forward_soundness.hpp>
-#include <axial/dynamics/inverse_dynamics_derivatives.hpp>
+#include <axial/dynamics/slope_columns.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -47,80 +46,64 @@ struct ForwardDynamicsDerivatives<S, T>
 
 namespace derivatives {
 
-/// M = L^T D L as crba::solve() leaves it: gains below the diagonal, D on it; and 1/D, 0 of a joint that is held.
-template <class Matrix, class T, int N>
-struct Factors {
-  Matrix m{};            ///< gains and D
-  Row<T, N> inverses{};  ///< 1/D
+/// Takes the entries at rest: of the mass matrix, and the efforts that are left for accelerations.
+template <class Matrix, class Tau, class A>
+struct RestEntries {
+  Matrix& m;       ///< referred to
+  const Tau& tau;  ///< likewise
+  A& left;         ///< likewise
+
+  /// Of joint i.
+  template <class I, class X>
+  AXIAL_INLINE constexpr void effort(I i, const X& x) {
+    left[i] = tau[i] - x;
+  }
+  /// M(i, j)
+  template <class I, class J, class X>
+  AXIAL_INLINE constexpr void mass(I i, J j, const X& x) {
+    m.set(i, j, x);
+  }
+  /// Not taken.
+  ///@{
+  template <class I, class J, class X>
+  AXIAL_INLINE constexpr void position(I, J, const X&) {}
+  template <class I, class J, class X>
+  AXIAL_INLINE constexpr void velocity(I, J, const X&) {}
+  ///@}
+};
+template <class Matrix, class Tau, class A>
+RestEntries(Matrix&, const Tau&, A&) -> RestEntries<Matrix, Tau, A>;
+
+/// Takes the Jacobians' entries, where those of forward dynamics are wanted instead.
+template <class Result>
+struct SlopeEntries {
+  Result& result;  ///< referred to
+
+  /// Not taken.
+  ///@{
+  template <class I, class X>
+  AXIAL_INLINE constexpr void effort(I, const X&) {}
+  template <class I, class J, class X>
+  AXIAL_INLINE constexpr void mass(I, J, const X&) {}
+  ///@}
+  /// d tau_i / d q_j
+  template <class I, class J, class X>
+  AXIAL_INLINE constexpr void position(I i, J j, const X& x) {
+    if constexpr (Result::template has<with_acceleration_by_position>) result.dqdd_dq.set(i, j, x);
+  }
+  /// d tau_i / d qd_j
+  template <class I, class J, class X>
+  AXIAL_INLINE constexpr void velocity(I i, J j, const X& x) {
+    if constexpr (Result::template has<with_acceleration_by_velocity>) result.dqdd_dqd.set(i, j, x);
+  }
 };
 
-/// x[i] -= gain x[k] for what carries joint k, and x[k] / D.
-template <class Links, class F, class X, class K>
-AXIAL_INLINE constexpr void take_inwards(const Links& links, const F& factors, X& x, K k) {
-  for_each_ancestor(links, k, [&](auto i) AXIAL_INLINE {
-    if constexpr (!decltype(crba::is_absent<Links>(k, i))::value) x[i] = x[i] - factors.m(k, i) * x[k];
-  });
-  x[k] = factors.inverses[k] * x[k];
-}
-/// x[k] -= gain x[i] for what carries joint k.
-template <class Links, class F, class X, class K>
-AXIAL_INLINE constexpr void take_outwards(const Links& links, const F& factors, X& x, K k) {
-  for_each_ancestor(links, k, [&](auto i) AXIAL_INLINE {
-    if constexpr (!decltype(crba::is_absent<Links>(k, i))::value) x[k] = x[k] - factors.m(k, i) * x[i];
-  });
-}
-
-/// columns = -M^-1 columns: a loop, for its code would be the longest of all.
-template <class Links, class F, class Matrix>
-AXIAL_INLINE constexpr void solve_columns(const Links& links, const F& factors, Matrix& matrix) {
-  for (int j = 0; j < links.size(); ++j) {
-    Row<typename Links::Scalar, Links::capacity> x{};
-    for_each_link(links, [&](auto i) AXIAL_INLINE { x[i] = -matrix(i, j); });
-    for_each_link_inwards(links, [&](auto k) AXIAL_INLINE { take_inwards(links, factors, x, k); });
-    for_each_link(links, [&](auto k) AXIAL_INLINE { take_outwards(links, factors, x, k); });
-    for_each_link(links, [&](auto i) AXIAL_INLINE { matrix(i, j) = x[i]; });
-  }
-}
-
-/// Calls f(k) for links up to j: the others are left out by the compiler where it knows them.
-template <class Links, class K, class J, class Step>
-AXIAL_INLINE constexpr void up_to(J j, K k, const Step& f) {
-  if constexpr (!Links::unrolled) {
-    if (k <= j) f(k);
-  } else if constexpr (K::value <= J::value) {
-    f(k);
-  }
-}
-/// inverse = M^-1: column j of a unit matrix has nothing below j, and what is right of j has a column of its own.
-template <class Links, class F, class Matrix>
-AXIAL_INLINE constexpr void invert(const Links& links, const F& factors, Matrix& inverse) {
-  using T = typename Links::Scalar;
-  for_each_link(links, [&](auto j) AXIAL_INLINE {
-    Row<T, Links::capacity> x{};
-    x[j] = T(One{});
-    for_each_link_inwards(links, [&](auto k) AXIAL_INLINE {
-      up_to<Links>(j, k, [&](auto at) AXIAL_INLINE { take_inwards(links, factors, x, at); });
-    });
-    for_each_link(links, [&](auto k) AXIAL_INLINE {
-      up_to<Links>(j, k, [&](auto at) AXIAL_INLINE {
-        take_outwards(links, factors, x, at);
-        inverse(j, at) = x[at];
-      });
-    });
-  });
-}
-
 /// Accelerations and the factors of M, from one pass at qdd = 0.
-template <class Links, class Input, class Q, class V, class Tau, class A, class F>
-AXIAL_INLINE constexpr void solve_and_factor(const Links& links, const Input& in, const Q& q, const V& qd,
-                                             const Tau& tau, A& qdd, F& factors) {
-  using T = typename Links::Scalar;
-  using Robot = typename Links::Scene::Robot;
-  InverseDynamicsDerivatives<Robot, T, with_efforts, with_mass_matrix> at_rest{};
-  Entries<Links, decltype(at_rest)> entries{at_rest};
-  run(links, in, q, qd, NoMotion{}, entries);
-  for_each_link(links, [&](auto i) AXIAL_INLINE { qdd[i] = tau[i] - at_rest.tau[i]; });
-  factors.m = at_rest.M;
+template <class Links, class Input, class Q, class Screws, class V, class Tau, class A, class F>
+AXIAL_INLINE constexpr void solve_and_factor(const Links& links, const Input& in, const Q& q, const Screws& screws,
+                                             const V& qd, const Tau& tau, A& qdd, F& factors) {
+  RestEntries at_rest{factors.m, tau, qdd};
+  entries(links, in, q, screws, qd, NoMotion{}, at_rest);
   const auto composite = map_links(links, [&](auto i) AXIAL_INLINE { return factors.m(i, i); });
   qdd.status = crba::solve(links, factors.m, qdd);
   for_each_link(links, [&](auto i) AXIAL_INLINE {
@@ -128,26 +111,34 @@ AXIAL_INLINE constexpr void solve_and_factor(const Links& links, const Input& in
   });
 }
 
+/// Jacobians of inverse dynamics become those of forward dynamics: -M^-1 times them.
+template <class Links, class F, class Result>
+AXIAL_INLINE constexpr void solve_slopes(const Links& links, F factors, Result& result) {
+  constexpr bool position = Result::template has<with_acceleration_by_position>;
+  constexpr bool velocity = Result::template has<with_acceleration_by_velocity>;
+  for_each_link(links, [&](auto i) AXIAL_INLINE { factors.inverses[i] = -factors.inverses[i]; });
+  if constexpr (position && velocity)
+    solve_columns(links, factors, result.dqdd_dq, result.dqdd_dqd);
+  else if constexpr (position)
+    solve_columns(links, factors, result.dqdd_dq);
+  else if constexpr (velocity)
+    solve_columns(links, factors, result.dqdd_dqd);
+}
+
 /// The algorithm over any form of links.
 template <class Links, class Input, class Q, class V, class Tau, class Result>
 AXIAL_INLINE constexpr void run_forward(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
                                         Result& result) {
   using T = typename Links::Scalar;
-  using Robot = typename Links::Scene::Robot;
-  Factors<MassMatrix<Robot, T>, T, Links::capacity> factors;
-  solve_and_factor(links, in, q, qd, tau, result.qdd, factors);
-  InverseDynamicsDerivatives<Robot, T, with_position_jacobian, with_velocity_jacobian> slopes{};
-  Entries<Links, decltype(slopes)> entries{slopes};
-  run(links, in, q, qd, result.qdd, entries);
-  if constexpr (Result::template has<with_acceleration_by_position>) {
-    result.dqdd_dq = slopes.dtau_dq;
-    solve_columns(links, factors, result.dqdd_dq);
-  }
-  if constexpr (Result::template has<with_acceleration_by_velocity>) {
-    result.dqdd_dqd = slopes.dtau_dqd;
-    solve_columns(links, factors, result.dqdd_dqd);
-  }
+  auto screws = joint_screws(links, in, q);
+  auto qdd = result.qdd;  // not the result itself, a store to which may change q for all that the compiler knows
+  Factors<MassMatrix<typename Links::Scene::Robot, T>, T, Links::capacity> factors;
+  solve_and_factor(links, in, q, screws, qd, tau, qdd, factors);
+  SlopeEntries<Result> slopes{result};
+  entries(links, in, q, screws, qd, qdd, slopes);
+  result.qdd = qdd;
   if constexpr (Result::template has<with_inverse_mass_matrix>) invert(links, factors, result.M_inverse);
+  solve_slopes(links, factors, result);
 }
 
 }  // namespace derivatives
@@ -157,8 +148,8 @@ AXIAL_INLINE constexpr void run_forward(const Links& links, const Input& in, con
 /// qdd. `Wanted` are with_inverse_mass_matrix, with_acceleration_by_position, with_acceleration_by_velocity; all of
 /// them unless some are named. By composite bodies and L^T D L, whatever route forward_dynamics() takes; `qdd.status`
 /// is as that of forward_dynamics(): inaccurate where the elimination loses too much, near_singular with the joint that
-/// is held. In floating point; for a base at rest. Source: Carpentier and Mansard 2018, "Analytical Derivatives of
-/// Rigid Body Dynamics Algorithms", eq. (5); the rest as inverse_dynamics_derivatives().
+/// is held. In floating point; a base may move as it is told, not freely. Source: Carpentier and Mansard 2018,
+/// "Analytical Derivatives of Rigid Body Dynamics Algorithms", eq. (5); the rest as inverse_dynamics_derivatives().
 template <class S, class... Wanted, class T>
 [[nodiscard]] constexpr ForwardDynamicsDerivatives<S, T, Wanted...> forward_dynamics_derivatives(
     const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,

@@ -26,10 +26,10 @@ AXIAL_INLINE constexpr auto own_part(const Links& links, const Input& in, const 
     return link.shape(Subtree{link.formatted(body), flow(doubled_moments(link)), force});
 }
 
-/// The algorithm over any form of links; hands every entry to `out`.
-template <class Links, class Input, class Q, class V, class A, class Out>
-AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Out& out) {
-  auto screws = joint_screws(links, in, q);
+/// The algorithm over any form of links and the screws at q; hands every entry to `out`.
+template <class Links, class Input, class Q, class Screws, class V, class A, class Out>
+AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const Q& q, const Screws& screws, const V& qd,
+                                    const A& qdd, Out& out) {
   auto motions = rnea::link_motions(links, in, screws, qd, qdd);
   auto passed = passages(links, in, screws, motions, qd);
   auto axes = map_links(links, [&](auto i) AXIAL_INLINE {
@@ -54,6 +54,12 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
   });
 }
 
+/// The same from q itself.
+template <class Links, class Input, class Q, class V, class A, class Out>
+AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Out& out) {
+  entries(links, in, q, joint_screws(links, in, q), qd, qdd, out);
+}
+
 /// The algorithm's results over links, joint values as callers have them.
 template <class Result, class Links, class Input, class Q, class V, class A>
 AXIAL_INLINE constexpr Result results(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd) {
@@ -70,12 +76,13 @@ AXIAL_INLINE constexpr Result results(const Links& links, const Input& in, const
 /// with_mass_matrix, with_position_jacobian, with_velocity_jacobian; all of them unless some are named: what is not
 /// asked for has no member and no code.
 /// Friction adds friction_slope() to the diagonal: no slope describes the jump of dry friction at rest. A payload moves
-/// with the last link; wrenches are constant in the axes of the link that they act on. For a base at rest, tilted or
-/// not. Errors: tests/property/derivatives_test.cpp holds them below 1e-6 of a block's largest entry in float for three
-/// arms, below 1e-13 in double for all that it knows. In fixed point every entry has an exponent and a certified error
-/// (error_bound()), where q, qd and qdd are inside the declared limits; unrolled, without a payload.
-/// Source: Singh, Russell and Wensing 2022, "Efficient Analytical Derivatives of Rigid-Body Dynamics Using Spatial
-/// Vector Algebra" (arXiv 2105.05102), in link frames with successive axial screws. NaN and infinities propagate.
+/// with the last link; wrenches are constant in the axes of the link that they act on. A base that moves or floats
+/// keeps the motion that the inputs say. Errors: tests/property/derivatives_test.cpp holds them below 1e-6 of a block's
+/// largest entry in float for three arms, below 1e-13 in double for all that it knows. In fixed point every entry has
+/// an exponent and a certified error (error_bound()), where q, qd and qdd are inside the declared limits; unrolled,
+/// without a payload. Source: Singh, Russell and Wensing 2022, "Efficient Analytical Derivatives of Rigid-Body Dynamics
+/// Using Spatial Vector Algebra" (arXiv 2105.05102), in link frames with successive axial screws. NaN and infinities
+/// propagate.
 template <class S, class... Wanted, class T>
 [[nodiscard]] constexpr InverseDynamicsDerivatives<S, T, Wanted...> inverse_dynamics_derivatives(
     const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const Accelerations<robot_of<S>, T>& qdd,

@@ -1,0 +1,137 @@
+// Columns of both Jacobians of inverse dynamics, solved for those of forward dynamics: without columns of zeros.
+#pragma once
+
+#include <axial/dynamics/inverse_dynamics_derivatives.hpp>
+#include <axial/dynamics/mass_factors.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+namespace derivatives {
+
+/// Which entries of the Jacobians are not zero by structure; where a kernel writes them.
+template <int N>
+struct JacobianStructure {
+  bool by_position[N][N] = {};  ///< d tau / d q, by row and column
+  bool by_velocity[N][N] = {};  ///< d tau / d qd
+
+  template <class X>
+  constexpr void effort(int, const X&) {}  ///< not looked at
+  template <class X>
+  constexpr void mass(int, int, const X&) {}  ///< not looked at
+  constexpr void position(int, int, Zero) {}  ///< what is zero by type stays absent
+  constexpr void velocity(int, int, Zero) {}  ///< likewise
+  template <class X>
+  constexpr void position(int i, int j, const X&) {
+    by_position[i][j] = true;
+  }  ///< present
+  template <class X>
+  constexpr void velocity(int i, int j, const X&) {
+    by_velocity[i][j] = true;
+  }  ///< present
+
+  /// Those by positions, or by velocities.
+  constexpr const auto& of(by::Position) const { return by_position; }
+  constexpr const auto& of(by::Velocity) const { return by_velocity; }  ///< likewise
+};
+/// Found by types alone, so at any motion: the compiler runs the kernel once over zeros.
+template <class Links>
+constexpr auto jacobian_structure_of() {
+  using Scene = typename Links::Scene;
+  constexpr StaticLinks<Scene, double, typename Links::Parameters> links;
+  constexpr Joints<typename Scene::Robot, double> rest{};
+  JacobianStructure<Links::capacity> structure;
+  entries(links, Inputs<Scene, double>{}, rest, map_links(links, [&](auto i) { return links.link(i).z(0.0); }), rest,
+          rest, structure);
+  return structure;
+}
+/// of the Jacobians over these links
+template <class Links>
+inline constexpr auto jacobian_structure = jacobian_structure_of<Links>();
+
+/// The rows of column J of a Jacobian.
+template <class Links, class By, int J>
+struct JacobianColumn {
+  static constexpr auto rows = [] {
+    Row<bool, Links::capacity> rows;
+    for (int i = 0; i < Links::capacity; ++i)
+      rows[i] = jacobian_structure<Links>.of(By{})[i][J];
+    return rows;
+  }();  ///< those that are not zero
+};
+
+/// Columns from the first to the last that is not zero.
+struct ColumnRange {
+  int first = 0;  ///< none where it is behind the last
+  int last = -1;  ///< inclusive
+};
+/// Those of a Jacobian.
+template <class Links, class By>
+constexpr ColumnRange columns_with_entries() {
+  const auto& present = jacobian_structure<Links>.of(By{});
+  ColumnRange range{Links::capacity, -1};
+  for (int j = 0; j < Links::capacity; ++j)
+    for (int i = 0; i < Links::capacity; ++i)
+      if (present[i][j]) range = {j < range.first ? j : range.first, j};
+  return range;
+}
+/// Those that the compiler knows, else all.
+template <class By, class Links>
+AXIAL_INLINE constexpr ColumnRange columns_of(const Links& links) {
+  if constexpr (Links::unrolled) {
+    constexpr ColumnRange range = columns_with_entries<Links, By>();
+    return range;
+  } else {
+    return {0, links.size() - 1};
+  }
+}
+
+/// Whether each column has code of its own, which has no zeros: of arms whose loop would not be shorter.
+template <class Links>
+inline constexpr bool has_few_columns = Links::unrolled&& Links::capacity <= 4;
+
+/// matrix = M^-1 matrix, for few joints.
+template <class Links, class F, class S, class T, class By>
+AXIAL_INLINE constexpr void solve_few(const Links& links, const F& factors, JointMatrix<S, T, By>& matrix) {
+  for_each_link(links, [&](auto j) AXIAL_INLINE {
+    const Known<Links, JacobianColumn<Links, By, decltype(j)::value>> rows;
+    Row<T, Links::capacity> x{};
+    for_each_link(links, [&](auto i) AXIAL_INLINE { x[i] = matrix(i, j); });
+    substitute(rows, links, factors, x);
+    for_each_link(links, [&](auto i) AXIAL_INLINE {
+      if constexpr (decltype(rows.solved(i))::value) matrix(i, j) = x[i];
+    });
+  });
+}
+/// A matrix' entries, row by row, and which of its columns have any.
+template <class T>
+struct Block {
+  T* entries = nullptr;   ///< referred to
+  ColumnRange columns{};  ///< inclusive
+};
+/// block = M^-1 block: a loop, for its code would be the longest of all.
+template <int N, class Links, class F, class T>
+AXIAL_INLINE constexpr void solve_block(const Links& links, const F& factors, const Block<T>& block) {
+  for (int j = block.columns.first; j <= block.columns.last; ++j) {
+    Row<T, Links::capacity> x{};
+    for_each_link(links, [&](auto i) AXIAL_INLINE { x[i] = block.entries[i * N + j]; });
+    substitute(Any{}, links, factors, x);
+    for_each_link(links, [&](auto i) AXIAL_INLINE { block.entries[i * N + j] = x[i]; });
+  }
+}
+/// The same for all blocks, in one loop.
+template <class Links, class F, class S, class T, class... By>
+AXIAL_INLINE constexpr void solve_columns(const Links& links, const F& factors, JointMatrix<S, T, By>&... matrices) {
+  if constexpr (has_few_columns<Links>) {
+    (solve_few(links, factors, matrices), ...);
+  } else {
+    const Block<T> blocks[] = {{matrices.values, columns_of<By>(links)}...};
+    for (const auto& block : blocks)
+      solve_block<JointMatrix<S, T, by::Position>::size>(links, factors, block);
+  }
+}
+
+}  // namespace derivatives
+}  // namespace axial
+
+#include <axial/options/end.hpp>
