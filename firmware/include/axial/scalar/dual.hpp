@@ -30,12 +30,12 @@ template <class X>
 inline constexpr bool is_dual_v = false;
 template <class V, class D>
 inline constexpr bool is_dual_v<Dual<V, D>> = true;
-template <class X>
-struct IsNumber : std::bool_constant<is_number_v<X>> {};
-// Of what has no dual number nothing else is asked: traits of other numbers may stand behind their operators.
+// Two conditions in this order: of what has no dual number nothing else is asked, for traits of other numbers may stand
+// behind their operators.
 template <class A, class B>
-using IfOneIsDual =
-    std::enable_if_t<std::conjunction_v<std::bool_constant<is_dual_v<A> || is_dual_v<B>>, IsNumber<A>, IsNumber<B>>>;
+using IfOneIsDual = std::enable_if_t<is_dual_v<A> || is_dual_v<B>>;
+template <class A, class B>
+using IfBothAreNumbers = std::enable_if_t<is_number_v<A> && is_number_v<B>>;
 }  // namespace detail
 
 /// The value of any scalar.
@@ -75,15 +75,15 @@ AXIAL_INLINE constexpr auto add_slope(const X& x, const D& more) {
 
 /// Arithmetic of dual numbers among themselves and with plain ones.
 ///@{
-template <class A, class B, class = detail::IfOneIsDual<A, B>>
+template <class A, class B, class = detail::IfOneIsDual<A, B>, class = detail::IfBothAreNumbers<A, B>>
 AXIAL_INLINE constexpr auto operator+(const A& a, const B& b) {
   return with_slope(value_of(a) + value_of(b), slope_of(a) + slope_of(b));
 }
-template <class A, class B, class = detail::IfOneIsDual<A, B>>
+template <class A, class B, class = detail::IfOneIsDual<A, B>, class = detail::IfBothAreNumbers<A, B>>
 AXIAL_INLINE constexpr auto operator-(const A& a, const B& b) {
   return with_slope(value_of(a) - value_of(b), slope_of(a) - slope_of(b));
 }
-template <class A, class B, class = detail::IfOneIsDual<A, B>>
+template <class A, class B, class = detail::IfOneIsDual<A, B>, class = detail::IfBothAreNumbers<A, B>>
 AXIAL_INLINE constexpr auto operator*(const A& a, const B& b) {
   return with_slope(value_of(a) * value_of(b), slope_of(a) * value_of(b) + value_of(a) * slope_of(b));
 }

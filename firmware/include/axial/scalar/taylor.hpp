@@ -71,26 +71,26 @@ template <class X>
 inline constexpr bool is_taylor_v = false;
 template <class V, class L, class Q>
 inline constexpr bool is_taylor_v<Taylor<V, L, Q>> = true;
-template <class X>
-struct MayMeetTaylor : std::bool_constant<is_number_v<X>> {};
-// Of what has no Taylor number nothing else is asked: traits of other numbers may stand behind their operators.
+// Two conditions in this order: of what has no Taylor number nothing else is asked, for traits of other numbers may
+// stand behind their operators.
 template <class A, class B>
-using IfOneIsTaylor = std::enable_if_t<
-    std::conjunction_v<std::bool_constant<is_taylor_v<A> || is_taylor_v<B>>, MayMeetTaylor<A>, MayMeetTaylor<B>>, int>;
+using IfOneIsTaylor = std::enable_if_t<is_taylor_v<A> || is_taylor_v<B>, int>;
+template <class A, class B>
+using IfBothMayMeet = std::enable_if_t<is_number_v<A> && is_number_v<B>, int>;
 }  // namespace detail
 
 /// Sum of Taylor numbers, or of one and a plain number.
-template <class A, class B, detail::IfOneIsTaylor<A, B> = 0>
+template <class A, class B, detail::IfOneIsTaylor<A, B> = 0, detail::IfBothMayMeet<A, B> = 0>
 AXIAL_INLINE constexpr auto operator+(const A& a, const B& b) {
   return with_rates(value_at_0(a) + value_at_0(b), linear_of(a) + linear_of(b), quadratic_of(a) + quadratic_of(b));
 }
 /// Difference of Taylor numbers, or of one and a plain number.
-template <class A, class B, detail::IfOneIsTaylor<A, B> = 0>
+template <class A, class B, detail::IfOneIsTaylor<A, B> = 0, detail::IfBothMayMeet<A, B> = 0>
 AXIAL_INLINE constexpr auto operator-(const A& a, const B& b) {
   return with_rates(value_at_0(a) - value_at_0(b), linear_of(a) - linear_of(b), quadratic_of(a) - quadratic_of(b));
 }
 /// Product of Taylor numbers, or of one and a plain number: Leibniz's rule.
-template <class A, class B, detail::IfOneIsTaylor<A, B> = 0>
+template <class A, class B, detail::IfOneIsTaylor<A, B> = 0, detail::IfBothMayMeet<A, B> = 0>
 AXIAL_INLINE constexpr auto operator*(const A& a, const B& b) {
   return with_rates(value_at_0(a) * value_at_0(b), linear_of(a) * value_at_0(b) + value_at_0(a) * linear_of(b),
                     quadratic_of(a) * value_at_0(b) + linear_of(a) * linear_of(b) + value_at_0(a) * quadratic_of(b));

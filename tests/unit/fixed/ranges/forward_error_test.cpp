@@ -80,7 +80,8 @@ template <class R, class Change, int N = joint_count<R>>
 Row<double, N> certified(const Change& change) {
   const auto& m = mechanism_of<Scene<R, Gravity>, FullParameters>;
   WordRounding r{32, true, false, 0.0};
-  Ranges<N> motion = newton_euler_ranges(m, r), ranges = articulated_at_rest_sizes(m, r, motion);
+  Ranges<N> motion = newton_euler_ranges(m, r),
+            ranges = articulated_at_rest_sizes(m, r, detail::usual_drive(m, r, motion));
   for (int i = 0; i < N; ++i) {
     motion.range[i].joint_effort.error = 0.0;
     for (const auto quantity : all_formats)

@@ -53,6 +53,28 @@ static_assert(round_to<0>(Acc<1, A<std::int32_t, true, false>>{3}).raw == 2);
 static_assert(round_to<0>(Acc<1, A<std::int32_t, false, false>>{static_cast<std::uint64_t>(-3)}).raw == -2);
 static_assert(round_to<4>(Acc<1, A<std::int32_t, true, false>>{3}).raw == 24, "to the left nothing is lost");
 
+// What kernels call: terms given one by one, a zero by type among them, are rounded as their lazy sum is.
+TEST(FixedRound, ASumOfTermsIsRoundedOnce) {
+  using S = A<std::int32_t, true, false>;
+  std::mt19937_64 random(4);
+  double most = 0.0;
+  for (int k = 0; k < 20000; ++k) {
+    const auto word = [&random] { return static_cast<std::int32_t>(random()) >> 2; };
+    const Fx<30, S> a{word()}, b{word()}, c{word()}, d{word()};
+    const Fx<34, S> e{word()};
+    const auto sum = detail::rounded_sum<28, S>(a * b, -(c * d), Zero{}, e);
+    EXPECT_EQ(sum.raw, (round_to<28>(a * b - c * d + e).raw));
+    const long double exact = std::ldexp(static_cast<long double>(a.raw) * b.raw, -32) -
+                              std::ldexp(static_cast<long double>(c.raw) * d.raw, -32) +
+                              std::ldexp(static_cast<long double>(e.raw), -6);
+    most = std::fmax(most, std::fabs(static_cast<double>(sum.raw - exact)));
+    const Fx<28, S> f{word()};
+    EXPECT_EQ((detail::rounded_sum<28, S>(Zero{}, f, f).raw), 2 * f.raw);
+  }
+  EXPECT_LE(most, 0.5);
+  EXPECT_GT(most, 0.49);
+}
+
 TEST(FixedRound, AnAccumulatorMayWrapOnTheWay) {
   using S = A<std::int32_t, true, false>;
   const Fx<30, S> most{INT32_MAX}, one{1};

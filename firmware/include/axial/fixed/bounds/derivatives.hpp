@@ -106,10 +106,10 @@ constexpr DerivativeBounds<N> derivative_errors(const Mechanism<N>& m, const Wor
 
 /// Ranges, formats and errors of what the derivatives' recursion keeps.
 template <int N>
-constexpr Ranges<N> derivative_ranges(const Mechanism<N>& m, const WordRounding& r) {
+constexpr Ranges<N> derivative_ranges(const Mechanism<N>& m, const WordRounding& r, Wanted wanted = Wanted::errors) {
   bounds::Account<N> account{m, r};
   bounds::detail::sizes(account);
-  bounds::detail::derive(account, bounds::NoExponents{});
+  if (wanted == Wanted::errors) bounds::detail::derive(account, bounds::NoExponents{});
   return account.ranges;
 }
 

@@ -61,8 +61,9 @@ constexpr Account<N> positions(const Mechanism<N>& m, const WordRounding& r) {
 }
 
 template <int N>
-constexpr Ranges<N> poses(const Mechanism<N>& m, const WordRounding& r) {
+constexpr Ranges<N> poses(const Mechanism<N>& m, const WordRounding& r, Wanted wanted) {
   Account<N> account = positions(m, r);
+  if (wanted == Wanted::formats) return account.ranges;
   const BoundedLinks<NoLoads, N> links(account);
   const JointBounds<N> at(m, r);
   const auto frames = kinematics::frames(links, GivenLoads{}, at.q);
@@ -99,8 +100,9 @@ constexpr JacobianBounds<N> jacobian_bounds(const Mechanism<N>& m, const WordRou
 /// the number 1; entries of rotations and directions that of sines. `length` bounds a position, `rotation` the rows of
 /// a rotation.
 template <int N>
-constexpr Ranges<N> kinematics_ranges(const Mechanism<N>& m, const WordRounding& r) {
-  return detail::ranges_by(m, r, [&r](const Mechanism<N>& of) { return bounds::detail::poses(of, r); });
+constexpr Ranges<N> kinematics_ranges(const Mechanism<N>& m, const WordRounding& r, Wanted wanted = Wanted::errors) {
+  return detail::ranges_by(m, r, wanted,
+                           [&r](const Mechanism<N>& of, Wanted part) { return bounds::detail::poses(of, r, part); });
 }
 
 }  // namespace axial

@@ -57,7 +57,7 @@ constexpr void note_unit_forces(Account<N>& account) {
 }
 
 template <int N>
-constexpr Ranges<N> composite_bodies(const Mechanism<N>& m, const WordRounding& r) {
+constexpr Ranges<N> composite_bodies(const Mechanism<N>& m, const WordRounding& r, Wanted wanted) {
   Account<N> account{m, r};
   note_description(account);
   const auto none = [](int, int) { return 0; };
@@ -65,7 +65,7 @@ constexpr Ranges<N> composite_bodies(const Mechanism<N>& m, const WordRounding& 
   rows_with_loads(account, ignored);
   note_unit_forces(account);
   account.choose_formats();
-  rows_with_loads(account, ignored);
+  if (wanted == Wanted::errors) rows_with_loads(account, ignored);
   return account.ranges;
 }
 
@@ -89,8 +89,11 @@ constexpr Row<double, N> mass_matrix_errors(const Mechanism<N>& m, const WordRou
 
 /// Ranges and formats of the mass matrix by composite bodies: joint_inertia of joint i is the diagonal's.
 template <int N>
-constexpr Ranges<N> composite_body_ranges(const Mechanism<N>& m, const WordRounding& r) {
-  return detail::ranges_by(m, r, [&r](const Mechanism<N>& of) { return bounds::detail::composite_bodies(of, r); });
+constexpr Ranges<N> composite_body_ranges(const Mechanism<N>& m, const WordRounding& r,
+                                          Wanted wanted = Wanted::errors) {
+  return detail::ranges_by(m, r, wanted, [&r](const Mechanism<N>& of, Wanted part) {
+    return bounds::detail::composite_bodies(of, r, part);
+  });
 }
 
 }  // namespace axial

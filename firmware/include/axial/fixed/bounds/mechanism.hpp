@@ -115,6 +115,10 @@ inline constexpr int LinkFormat::*all_formats[] = {&LinkFormat::angular_velocity
                                                    &LinkFormat::position_moment,
                                                    &LinkFormat::position_force};
 
+/// What an analysis is asked for. Formats, and how large quantities are, take one run of a kernel on bounds; errors in
+/// these formats take another, which code that computes has no use for.
+enum class Wanted { formats, errors };
+
 /// One of each a link.
 template <int N>
 struct Ranges {

@@ -46,15 +46,15 @@ constexpr Row<Number, N> hold(Account<N>& account) {
 }
 
 template <int N>
-constexpr MomentumRanges<N> momenta(const Mechanism<N>& m, const WordRounding& r) {
+constexpr MomentumRanges<N> momenta(const Mechanism<N>& m, const WordRounding& r, Wanted wanted) {
   Account<N> account{m, r};
   note_description(account);
   const auto run = [&account] {
     return with_loads(account.mechanism.loads, [&account](auto scene) { return carry<decltype(scene)>(account, {}); });
   };
-  run();
+  MomentumBounds<N> all = run();
   account.choose_formats();
-  const MomentumBounds<N> all = run();
+  if (wanted == Wanted::errors) all = run();
   MomentumRanges<N> result{account.ranges, {}};
   for (int i = 0; i < N; ++i)
     result.range[i].joint_effort = all.momentum[i].bound, result.slope[i] = all.drift[i].bound;
@@ -88,9 +88,11 @@ constexpr Row<Ball, N> drift_bounds(const Mechanism<N>& m, const WordRounding& r
 /// Ranges, formats and errors of momenta, under the names of Newton-Euler's quantities: velocities as accelerations,
 /// momenta as forces and efforts.
 template <int N>
-constexpr MomentumRanges<N> momentum_ranges(const Mechanism<N>& mechanism, const WordRounding& rounding) {
-  return detail::ranges_by(mechanism, rounding,
-                           [&rounding](const Mechanism<N>& m) { return bounds::detail::momenta(m, rounding); });
+constexpr MomentumRanges<N> momentum_ranges(const Mechanism<N>& mechanism, const WordRounding& rounding,
+                                            Wanted wanted = Wanted::errors) {
+  return detail::ranges_by(mechanism, rounding, wanted, [&rounding](const Mechanism<N>& m, Wanted of) {
+    return bounds::detail::momenta(m, rounding, of);
+  });
 }
 
 }  // namespace axial

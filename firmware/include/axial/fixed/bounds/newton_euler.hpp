@@ -56,12 +56,12 @@ constexpr void run_with_loads(Account<N>& account) {
   with_loads(account.mechanism.loads, [&account](auto scene) { run<decltype(scene)>(account); });
 }
 template <int N>
-constexpr Ranges<N> newton_euler(const Mechanism<N>& m, const WordRounding& r) {
+constexpr Ranges<N> newton_euler(const Mechanism<N>& m, const WordRounding& r, Wanted wanted) {
   Account<N> account{m, r};
   note_description(account);
   run_with_loads(account);
   account.choose_formats();
-  run_with_loads(account);
+  if (wanted == Wanted::errors) run_with_loads(account);
   return account.ranges;
 }
 
@@ -79,9 +79,11 @@ constexpr Ranges<N> newton_euler_errors(const Mechanism<N>& m, const WordRoundin
 
 /// Ranges, formats and errors of inverse dynamics (and of its bias and gravity parts): its own kernel, run on bounds.
 template <int N>
-constexpr Ranges<N> newton_euler_ranges(const Mechanism<N>& mechanism, const WordRounding& rounding) {
-  return detail::ranges_by(mechanism, rounding,
-                           [&rounding](const Mechanism<N>& m) { return bounds::detail::newton_euler(m, rounding); });
+constexpr Ranges<N> newton_euler_ranges(const Mechanism<N>& mechanism, const WordRounding& rounding,
+                                        Wanted wanted = Wanted::errors) {
+  return detail::ranges_by(mechanism, rounding, wanted, [&rounding](const Mechanism<N>& m, Wanted of) {
+    return bounds::detail::newton_euler(m, rounding, of);
+  });
 }
 
 }  // namespace axial

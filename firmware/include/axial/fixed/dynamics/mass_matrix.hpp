@@ -17,7 +17,7 @@ struct MassMatrixFormat {
 
   static constexpr MassMatrixFormat chosen() {
     constexpr WordRounding rounding{8 * static_cast<int>(sizeof(Word)), true, false, 0.0};
-    const auto ranges = composite_body_ranges(mechanism_of<scene_of<S>, FullParameters>, rounding);
+    const auto ranges = composite_body_ranges(mechanism_of<scene_of<S>, FullParameters>, rounding, Wanted::formats);
     MassMatrixFormat format;
     for (int i = 0; i < size; ++i)
       for (int j = 0; j < size; ++j)

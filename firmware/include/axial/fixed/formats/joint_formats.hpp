@@ -50,19 +50,23 @@ inline constexpr WordRounding joint_rounding{8 * static_cast<int>(sizeof(Word)),
 /// Ranges of a scene's inverse dynamics on full parameters: the formats of efforts follow from them.
 template <class S, class Word>
 inline constexpr auto motion_ranges_of = newton_euler_ranges(mechanism_of<scene_of<S>, FullParameters>,
-                                                             joint_rounding<Word>);
+                                                             joint_rounding<Word>, Wanted::formats);
 
-/// The same of its momenta, and of the accelerations that efforts give; how far efforts can drive beyond those ranges.
+/// The same of its momenta; what drives its joints; of the accelerations that efforts give; how far efforts can drive
+/// beyond those ranges.
 ///@{
 template <class S, class Word>
 inline constexpr auto momentum_ranges_of = momentum_ranges(mechanism_of<scene_of<S>, FullParameters>,
-                                                           joint_rounding<Word>);
+                                                           joint_rounding<Word>, Wanted::formats);
+template <class S, class Word>
+inline constexpr auto usual_drive_of = usual_drive(mechanism_of<scene_of<S>, FullParameters>, joint_rounding<Word>,
+                                                   motion_ranges_of<S, Word>);
 template <class S, class Word>
 inline constexpr auto free_ranges_of = articulated_at_rest_sizes(mechanism_of<scene_of<S>, FullParameters>,
-                                                                 joint_rounding<Word>, motion_ranges_of<S, Word>);
+                                                                 joint_rounding<Word>, usual_drive_of<S, Word>);
 template <class S, class Word>
-inline constexpr double excess_of = excess_of_drive(mechanism_of<scene_of<S>, FullParameters>, joint_rounding<Word>,
-                                                    motion_ranges_of<S, Word>);
+inline constexpr double excess_of = excess_of_drive(mechanism_of<scene_of<S>, FullParameters>,
+                                                    motion_ranges_of<S, Word>, usual_drive_of<S, Word>);
 ///@}
 
 /// Exponents of joint i's values by their role. A role asks for no more of the analyses than it needs.

@@ -31,71 +31,60 @@ constexpr auto loaded_mechanism() {
 }
 
 template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::NewtonEuler) {
-  return newton_euler_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
+constexpr auto analysed(recursion::NewtonEuler, Wanted wanted) {
+  return newton_euler_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>(), wanted);
 }
 
 template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::MotionEfforts) {
+constexpr auto analysed(recursion::MotionEfforts, Wanted wanted) {
   return newton_euler_ranges(loaded_mechanism<Scene, Parameters, typename S::Word, role::MotionEffort>(),
-                             rounding_in<Scene, S>());
+                             rounding_in<Scene, S>(), wanted);
 }
 
 template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::CompositeBodies) {
-  return composite_body_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
+constexpr auto analysed(recursion::CompositeBodies, Wanted wanted) {
+  return composite_body_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>(),
+                               wanted);
 }
 template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::ArticulatedBodies) {
+constexpr auto analysed(recursion::ArticulatedBodies, Wanted) {
   return articulated_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
 }
 template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::ArticulatedBodiesAtRest) {
-  return articulated_at_rest_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
+constexpr auto analysed(recursion::ArticulatedBodiesAtRest, Wanted wanted) {
+  return articulated_at_rest_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>(),
+                                    usual_drive_of<Scene, typename S::Word>, wanted);
 }
 
 template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::Kinematics) {
-  return kinematics_ranges(mechanism_of<Scene, Parameters>, rounding_in<Scene, S>());
+constexpr auto analysed(recursion::Kinematics, Wanted wanted) {
+  return kinematics_ranges(mechanism_of<Scene, Parameters>, rounding_in<Scene, S>(), wanted);
 }
 
 template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::Separation) {
+constexpr auto analysed(recursion::Separation, Wanted) {
   return separation_ranges_of(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
 }
 
 template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::Momenta) {
+constexpr auto analysed(recursion::Momenta, Wanted wanted) {
   return momentum_ranges(loaded_mechanism<Scene, Parameters, typename S::Word, role::Momentum>(),
-                         rounding_in<Scene, S>());
+                         rounding_in<Scene, S>(), wanted);
 }
 
 template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::Derivatives) {
-  return derivative_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
+constexpr auto analysed(recursion::Derivatives, Wanted wanted) {
+  return derivative_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>(), wanted);
 }
 
 /// Ranges of a scene's recursion in an arithmetic.
-template <class Scene, class Parameters, class S, class Recursion>
-inline constexpr auto ranges_of = analysed<Scene, Parameters, S>(Recursion{});
+template <class Scene, class Parameters, class S, class Recursion, Wanted wanted = Wanted::errors>
+inline constexpr auto ranges_of = analysed<Scene, Parameters, S>(Recursion{}, wanted);
 
 template <class T>
 struct IsVec3 : std::false_type {};
 template <class X, class Y, class Z>
 struct IsVec3<Vec3<X, Y, Z>> : std::true_type {};
-
-// The sum of terms; terms of one format are not added at once, for their sum may fit only the format of the result.
-template <class X>
-AXIAL_INLINE constexpr const X& lazy_sum(const X& x) {
-  return x;
-}
-template <class X, class Y, class... Rest>
-AXIAL_INLINE constexpr auto lazy_sum(const X& x, const Y& y, const Rest&... rest) {
-  if constexpr (FixedKind<X>::value && FixedKind<Y>::value)
-    return lazy_sum(Sum<X, Y>{x, y}, rest...);
-  else
-    return lazy_sum(x + y, rest...);
-}
 
 /// Doublings of a drive that is halved so often at first: back to itself, and more where it is small.
 constexpr int doublings_after(int halvings) { return smaller(halvings + 8, 40); }
@@ -107,10 +96,13 @@ struct FormatRounding {
   static constexpr const LinkFormat& format = Table::value.format[I];
   template <class Quantity, class... Terms>
   AXIAL_INLINE static constexpr auto sum(Quantity quantity, const Terms&... terms) {
+    constexpr int exponent = Table::value.format[I].of(Quantity{});
     if constexpr ((IsVec3<Terms>::value || ...))
       return Vec3{sum(quantity, terms.x...), sum(quantity, terms.y...), sum(quantity, terms.z...)};
+    else if constexpr (are_fixed_terms<Terms...> && !S::high_word)
+      return rounded_sum<exponent, S>(terms...);
     else
-      return rounded<Table::value.format[I].of(Quantity{})>(lazy_sum(terms...));
+      return rounded<exponent>(lazy_sum(terms...));
   }
   template <class Quantity, class Inverse, class X>
   AXIAL_INLINE static constexpr auto quotient(Quantity quantity, const Inverse& inverse, const X& x) {
@@ -226,7 +218,7 @@ struct FormatRounding {
 template <class Scene, class Parameters, class S, class Recursion>
 struct Formats {
   struct Table {
-    static constexpr const auto& value = ranges_of<Scene, Parameters, S, Recursion>;
+    static constexpr const auto& value = ranges_of<Scene, Parameters, S, Recursion, Wanted::formats>;
     static constexpr int parent(int i) { return Scene::Robot::chain.parent(i); }
   };
   template <int I>

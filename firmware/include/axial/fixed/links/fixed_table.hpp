@@ -14,7 +14,7 @@ namespace detail {
 template <class Scene, class Parameters, class S, class Recursion>
 struct SharedFormats {
   using Arithmetic = S;
-  static constexpr const auto& value = ranges_of<Scene, Parameters, S, Recursion>;
+  static constexpr const auto& value = ranges_of<Scene, Parameters, S, Recursion, Wanted::formats>;
   static constexpr const auto& mechanism = mechanism_of<Scene, Parameters>;
   static constexpr const LinkFormat& format = value.format[0];
   static constexpr ColumnExponents columns = column_exponents(mechanism, rounding_of<S>(true), format);

@@ -204,7 +204,7 @@ constexpr GivenEfforts<N> usual_drive(const Mechanism<N>& m, const WordRounding&
   Mechanism<N> still = m;
   for (JointRange& joint : still.joints)
     joint.speed = joint.acceleration = 0.0;
-  const Ranges<N> rest = newton_euler_ranges(still, r);
+  const Ranges<N> rest = newton_euler_ranges(still, r, Wanted::formats);
   GivenEfforts<N> drive = given_efforts(m, newton_euler, false);
   for (int i = 0; i < N; ++i)
     drive.all[i] += rest.range[i].joint_effort.size;
@@ -213,8 +213,8 @@ constexpr GivenEfforts<N> usual_drive(const Mechanism<N>& m, const WordRounding&
 
 /// How far efforts within the declared ones and the bias can drive the joints beyond what formats are made for.
 template <int N>
-constexpr double excess_of_drive(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& newton_euler) {
-  const GivenEfforts<N> alone = usual_drive(m, r, newton_euler), all = given_efforts(m, newton_euler, true);
+constexpr double excess_of_drive(const Mechanism<N>& m, const Ranges<N>& newton_euler, const GivenEfforts<N>& alone) {
+  const GivenEfforts<N> all = given_efforts(m, newton_euler, true);
   double excess = 1.0;
   for (int i = 0; i < N; ++i)
     excess = all.all[i] > excess * alone.all[i] ? all.all[i] / alone.all[i] : excess;
@@ -226,7 +226,7 @@ constexpr double excess_of_drive(const Mechanism<N>& m, const WordRounding& r, c
 /// Ranges of the classical form: the bias travels with the efforts.
 template <int N>
 constexpr Ranges<N> articulated_ranges(const Mechanism<N>& m, const WordRounding& r) {
-  const Ranges<N> motion = newton_euler_ranges(m, r);
+  const Ranges<N> motion = newton_euler_ranges(m, r, Wanted::formats);
   return detail::ArticulatedAnalysis<N>(m, r, detail::given_efforts(m, motion, true).all, detail::least_inertias(m),
                                         &motion)
       .ranges();

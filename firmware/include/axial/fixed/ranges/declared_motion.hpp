@@ -27,7 +27,7 @@ class DeclaredMotion {
   /// `all` has the gains and inertias of the links.
   constexpr DeclaredMotion(const Mechanism<N>& mechanism, const WordRounding& rounding, const Ranges<N>& all)
       : m_(mechanism), all_(all), bodies_(composite_ranges(mechanism)) {
-    const Ranges<N> motion = newton_euler_ranges(starting(mechanism), rounding);
+    const Ranges<N> motion = newton_euler_ranges(starting(mechanism), rounding, Wanted::formats);
     for (int i = 0; i < N; ++i)
       size(i, motion);
   }

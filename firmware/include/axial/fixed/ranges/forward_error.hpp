@@ -162,14 +162,15 @@ inline constexpr std::int32_t second_solve_tolerance = 1024;
 /// Fills in the errors of the joint accelerations of the split form, the drive being halved as often as the
 /// declared efforts and the bias may need (excess_of_drive).
 template <int N>
-constexpr void certify_forward(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& motion,
+constexpr void certify_forward(const Mechanism<N>& m, const WordRounding& r, const detail::GivenEfforts<N>& drive,
                                Ranges<N>& ranges) {
+  const Ranges<N> motion = newton_euler_ranges(m, r);
   Ranges<N> first = ranges;  // a halved drive in the formats is the whole one in coarser ones
   for (LinkFormat& format : first.format)
     for (const auto& quantity : detail::driven_quantities)
       format.*quantity.format -= ranges.halvings;
   const detail::ForwardErrorAnalysis<N> errors(m, r, first, motion);
-  const double excess = detail::excess_of_drive(m, r, motion);
+  const double excess = detail::excess_of_drive(m, motion, drive);
   double doublings = 1.0;
   while (doublings < excess)
     doublings *= 2.0;
@@ -179,23 +180,24 @@ constexpr void certify_forward(const Mechanism<N>& m, const WordRounding& r, con
         doublings * (errors.of(i) + tolerance * r.ulp(first.format[i].joint_acceleration));
 }
 
-/// Ranges of the split form: the structure at rest under tau - bias. Errors are not filled in.
+/// Ranges of the split form: the structure at rest under tau - bias, driven by at most `drive` (usual_drive) without
+/// halvings. Errors are not filled in.
 template <int N>
-constexpr Ranges<N> articulated_at_rest_sizes(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& motion) {
-  const auto given = detail::usual_drive(m, r, motion);
+constexpr Ranges<N> articulated_at_rest_sizes(const Mechanism<N>& m, const WordRounding& r,
+                                              const detail::GivenEfforts<N>& drive) {
   const auto least = detail::least_inertias(m);
-  const Ranges<N> ranges = detail::ArticulatedAnalysis<N>(m, r, given.all, least, nullptr).ranges();
+  const Ranges<N> ranges = detail::ArticulatedAnalysis<N>(m, r, drive.all, least, nullptr).ranges();
   if (!declared_formats_pay(m, r, ranges)) return ranges;
   const auto usual = detail::resisting(m, least);
-  return fitted_to_declared_motion(m, r, detail::ArticulatedAnalysis<N>(m, r, given.all, usual, nullptr).ranges());
+  return fitted_to_declared_motion(m, r, detail::ArticulatedAnalysis<N>(m, r, drive.all, usual, nullptr).ranges());
 }
 
 /// Ranges and errors of the split form.
 template <int N>
-constexpr Ranges<N> articulated_at_rest_ranges(const Mechanism<N>& m, const WordRounding& r) {
-  const Ranges<N> motion = newton_euler_ranges(m, r);
-  Ranges<N> ranges = articulated_at_rest_sizes(m, r, motion);
-  certify_forward(m, r, motion, ranges);
+constexpr Ranges<N> articulated_at_rest_ranges(const Mechanism<N>& m, const WordRounding& r,
+                                               const detail::GivenEfforts<N>& drive, Wanted wanted) {
+  Ranges<N> ranges = articulated_at_rest_sizes(m, r, drive);
+  if (wanted == Wanted::errors) certify_forward(m, r, drive, ranges);
   return ranges;
 }
 

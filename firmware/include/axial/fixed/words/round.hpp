@@ -34,6 +34,42 @@ AXIAL_INLINE constexpr auto round_to(const X& x) {
     return round_to<E>(accumulate<accumulator_exponent<X, E>>(x));
 }
 
+namespace detail {
+
+// The sum of terms; terms of one format are not added at once, for their sum may fit only the format of the result.
+template <class X>
+AXIAL_INLINE constexpr const X& lazy_sum(const X& x) {
+  return x;
+}
+template <class X, class Y, class... Rest>
+AXIAL_INLINE constexpr auto lazy_sum(const X& x, const Y& y, const Rest&... rest) {
+  if constexpr (FixedKind<X>::value && FixedKind<Y>::value)
+    return lazy_sum(Sum<X, Y>{x, y}, rest...);
+  else
+    return lazy_sum(x + y, rest...);
+}
+
+/// Whether a sum of terms is of fixed point, zeros by type aside.
+template <class... X>
+inline constexpr bool are_fixed_terms = ((FixedKind<X>::value || is_zero_v<X>)&&...) && (FixedKind<X>::value || ...);
+
+/// The sum of terms without products, or of products by whole double words, rounded once into exponent E: what
+/// round_to() makes of a lazy sum of them, in one step.
+template <int E, class S, class... X>
+AXIAL_INLINE constexpr Fx<E, S> rounded_sum(const X&... x) {
+  if constexpr (!(Terms<X>::has_product || ...)) {
+    return {narrowed<S>(static_cast<typename S::Upper>((... + gathered<E>(x))))};
+  } else {
+    constexpr int common = [] {
+      int least = E + S::bits;
+      return ((least = smaller(least, Terms<X>::common(E + S::bits))), ...);
+    }();
+    return round_to<E>(Acc<common, S>{static_cast<typename S::Bits>((... + widened<common>(x)))});
+  }
+}
+
+}  // namespace detail
+
 /// A number of format E: any expression is rounded into it once.
 template <int E, class S>
 struct Holding<Fx<E, S>> {

@@ -33,18 +33,17 @@ constexpr int literal_exponent(int wanted, int f) {
 // The finest exponent at which all terms of a sum can be added, up to `wanted`: products of variables have theirs.
 template <class X>
 struct Terms;
+struct WithoutProduct {
+  static constexpr bool has_product = false;
+  static constexpr int variable = any_exponent;
+  static constexpr int common(int wanted) { return wanted; }
+};
 template <int E, class S>
-struct Terms<Fx<E, S>> {
-  static constexpr bool has_product = false;
-  static constexpr int variable = any_exponent;
-  static constexpr int common(int wanted) { return wanted; }
-};
+struct Terms<Fx<E, S>> : WithoutProduct {};
 template <std::uint64_t B, class S>
-struct Terms<Literal<B, S>> {
-  static constexpr bool has_product = false;
-  static constexpr int variable = any_exponent;
-  static constexpr int common(int wanted) { return wanted; }
-};
+struct Terms<Literal<B, S>> : WithoutProduct {};
+template <>
+struct Terms<Zero> : WithoutProduct {};
 template <std::uint64_t B, int F, class S, bool n>
 struct Terms<Product<Literal<B, S>, Fx<F, S>, n>> {
   static constexpr bool has_product = true;
@@ -217,6 +216,16 @@ AXIAL_INLINE constexpr typename S::Upper gathered(const Literal<B, S>&) {
 template <int E, class X, class Y>
 AXIAL_INLINE constexpr auto gathered(const Sum<X, Y>& x) {
   return static_cast<typename X::Arithmetic::Upper>(gathered<E>(x.a) + gathered<E>(x.b));
+}
+
+// A zero by type adds nothing, in any arithmetic.
+template <int A>
+AXIAL_INLINE constexpr unsigned char widened(Zero) {
+  return 0;
+}
+template <int E>
+AXIAL_INLINE constexpr unsigned char gathered(Zero) {
+  return 0;
 }
 
 }  // namespace detail
