@@ -102,8 +102,9 @@ template <class Robot, class Analysis, class Arithmetic>
 std::vector<Row> analysed() {
   using Scene = axial::scene_of<Robot>;
   using Parameters = axial::detail::with_rotors<Scene, typename Analysis::Parameters>;
-  return rows_of(axial::detail::analysed<Scene, Parameters, Arithmetic>(typename Analysis::Recursion{}),
-                 Robot::chain.links, Robot::name, Arithmetic::unit, Analysis::per);
+  return rows_of(
+      axial::detail::analysed<Scene, Parameters, Arithmetic>(typename Analysis::Recursion{}, axial::Wanted::errors),
+      Robot::chain.links, Robot::name, Arithmetic::unit, Analysis::per);
 }
 template <class Robot, class Analysis, class Word>
 std::vector<Row> rounded(const Choice& choice) {

@@ -73,25 +73,26 @@ AXIAL_INLINE constexpr auto add_slope(const X& x, const D& more) {
   return with_slope(value_of(x), slope_of(x) + more);
 }
 
-/// Arithmetic of dual numbers among themselves and with plain ones.
-///@{
+/// Sum of dual numbers, or of one and a plain number.
 template <class A, class B, class = detail::IfOneIsDual<A, B>, class = detail::IfBothAreNumbers<A, B>>
 AXIAL_INLINE constexpr auto operator+(const A& a, const B& b) {
   return with_slope(value_of(a) + value_of(b), slope_of(a) + slope_of(b));
 }
+/// Difference of dual numbers, or of one and a plain number.
 template <class A, class B, class = detail::IfOneIsDual<A, B>, class = detail::IfBothAreNumbers<A, B>>
 AXIAL_INLINE constexpr auto operator-(const A& a, const B& b) {
   return with_slope(value_of(a) - value_of(b), slope_of(a) - slope_of(b));
 }
+/// Product of dual numbers, or of one and a plain number: Leibniz's rule.
 template <class A, class B, class = detail::IfOneIsDual<A, B>, class = detail::IfBothAreNumbers<A, B>>
 AXIAL_INLINE constexpr auto operator*(const A& a, const B& b) {
   return with_slope(value_of(a) * value_of(b), slope_of(a) * value_of(b) + value_of(a) * slope_of(b));
 }
+/// A dual number with the other sign.
 template <class V, class D>
 AXIAL_INLINE constexpr auto operator-(const Dual<V, D>& x) {
   return with_slope(-x.value, -x.slope);
 }
-///@}
 
 /// Plain numbers and structural scalars become dual numbers where a loop keeps one type for all links.
 template <class V, class D>
