@@ -238,7 +238,8 @@ def size_contract(data):
 
 def size_provenance(data):
     lines = [f"- `{board}`: `{flags}`\n" for board, flags in data.size_provenance["flags"].items()]
-    return (f"Measured in QEMU at commit `{data.size_provenance['commit']}` with {data.size_provenance['compiler']}:\n\n" +
+    anew = "".join(f", {board} at `{commit}`" for board, commit in data.size_provenance.get("anew", {}).items())
+    return (f"Measured in QEMU at commit `{data.size_provenance['commit']}`{anew} with {data.size_provenance['compiler']}:\n\n" +
             "".join(lines))
 
 

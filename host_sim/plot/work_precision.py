@@ -20,7 +20,7 @@ JOBS = {"inverse_dynamics": "Inverse dynamics", "forward_dynamics": "Forward dyn
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "h"]  # robots
 FLOOR = 1e-17  # of the error axis; exact results are drawn there
 CLOSED = ("closed_form",)
-BOARDS = ("stm32f405", "stm32f100", "nrf51", "rv32_virt")  # others repeat one of them
+BOARDS = ("stm32f405", "stm32f100", "nrf51", "rp2040", "rv32_virt")  # others repeat one of them
 
 
 DRAWN = ("scara", "puma560", "panda")  # in every number system; the page's tables have the others

@@ -3,7 +3,7 @@
 usage: report.py --errors FOLDER --sizes FILE [--separation FILE] [--more FOLDER] [--robot NAME] [--board NAME]
                  [--output FOLDER] [--json FILE] [--provenance FILE]
 
---errors: a folder of JSON files of the program `errors`. --sizes: JSON of ./axial size. --separation: of ./axial compare. --more: a
+--errors: a folder of JSON files of the program `errors`, or work_precision.json of an earlier report. --sizes: JSON of ./axial size. --separation: of ./axial compare. --more: a
 folder that may hold simulation.json and stability.json. --provenance: of ./axial size; the page shows it.
 """
 
@@ -40,6 +40,9 @@ def all_rows(options):
 
 
 def errors_in(folder):
+    """Of a folder; or, of a report that was written before, the errors that stand there."""
+    if pathlib.Path(folder).is_file():
+        return [{**row, "variant": row["form"]} for row in load(folder) if row.get("unit_of_work") == "bytes" and "job" in row]
     return [row for file in sorted(pathlib.Path(folder).glob("*.json")) for row in load(file)]
 
 
@@ -93,7 +96,8 @@ def main():
     stem = options.output / "work_precision"
     write_json(f"{stem}.json", rows)
     write_csv(f"{stem}.csv", rows)
-    write_json(options.output / "derivatives.json", kernels.derivatives(errors_in(options.errors)))
+    if pathlib.Path(options.errors).is_dir():
+        write_json(options.output / "derivatives.json", kernels.derivatives(errors_in(options.errors)))
     if options.json:
         write_json(options.json, rows)
     subprocess.run([sys.executable, "-E", PLOTS / "work_precision.py", f"{stem}.json"], check=True)

@@ -5,6 +5,7 @@ usage: size.py boards [choice]      prints the chosen boards
        size.py measure [choice] [--output FOLDER] [--json FILE]
        size.py budgets FILE         writes budgets from measurements, a little above them
        size.py provenance FILE      writes compiler, flags and commit
+       size.py anew FOLDER --board NAME   measures one board again: its rows and its commit into the data of FOLDER
 choice: [--quick] [--robot NAME] [--board NAME] [--scene NAME] [--algorithm NAME] [--scalar NAME]
         [--variant NAME] [--contract NAME]; but for the board each may be a list, separated by commas
 """
@@ -106,10 +107,7 @@ def run_measure(options):
     folder = pathlib.Path(options.output)
     folder.mkdir(parents=True, exist_ok=True)
     write_json(folder / "size.json", rows)
-    with open(folder / "size.csv", "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, FIELDS, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+    write_csv(folder / "size.csv", rows)
     plot = measure.ROOT / "host_sim/plot/size.py"
     subprocess.run([sys.executable, "-E", plot, folder / "size.json"], check=True)
     print(f"written: {folder}/size.json, size.csv" + ", size.png" * (folder / "size.png").exists())
@@ -148,10 +146,32 @@ def run_budgets(options):
     print(f"written: {options.file} ({len(budgets)} budgets)")
 
 
+def run_anew(options):
+    """The other boards' rows stay, with the commit that they have."""
+    folder = pathlib.Path(options.file)
+    file, made = folder / "size.json", folder / "size_provenance.json"
+    kept = [row for row in json.loads(file.read_text(encoding="utf-8")) if row["board"] != options.board]
+    rows = sorted(kept + measure_all(some_work_of(options)), key=lambda row: row["board"])
+    write_json(file, rows)
+    write_csv(folder / "size.csv", rows)
+    own = provenance({options.board: cached(options.board, "CMAKE_CXX_FLAGS")})
+    known = json.loads(made.read_text(encoding="utf-8"))
+    flags = {**known["flags"], **own["flags"]}
+    write_json(made, {**known, "flags": dict(sorted(flags.items())), "anew": {**known.get("anew", {}), options.board: own["commit"]}})
+    print(f"written: {options.board} into {file}")
+
+
+def write_csv(path, rows):
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, FIELDS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
 def parse(arguments):
     parser = argparse.ArgumentParser(usage=__doc__)
     verbs = parser.add_subparsers(dest="verb", required=True)
-    for run in (run_boards, run_targets, run_measure, run_budgets, run_provenance):
+    for run in (run_boards, run_targets, run_measure, run_budgets, run_provenance, run_anew):
         verb = run.__name__.removeprefix("run_")
         sub = verbs.add_parser(verb)
         sub.set_defaults(run=run)
@@ -160,7 +180,7 @@ def parse(arguments):
             sub.add_argument("--" + name)
         sub.add_argument("--json")
         sub.add_argument("--output", default=measure.ROOT / "output/size")
-        if verb in ("budgets", "provenance"):
+        if verb in ("budgets", "provenance", "anew"):
             sub.add_argument("file")
     return parser.parse_args(arguments)
 

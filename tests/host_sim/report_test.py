@@ -20,6 +20,7 @@ import kernels  # noqa: E402
 import other_rows  # noqa: E402
 import page  # noqa: E402
 import pareto  # noqa: E402
+import report  # noqa: E402
 import snippet  # noqa: E402
 import verify  # noqa: E402
 
@@ -80,6 +81,13 @@ class Rows(unittest.TestCase):
         figures = {"error": 1e-7, "error_in_state": 2e-7}
         rows = kernels.derivatives([error_row(), {**error_row("inverse_dynamics_derivatives"), "blocks": {"M": figures}}])
         self.assertEqual([(row["block"], row["error_in_state"]) for row in rows], [("M", 2e-7)])
+
+    def test_errors_of_an_earlier_report_make_the_same_rows(self):
+        """Costs may be measured anew, board by board, and errors stay."""
+        sizes = json.loads((ROOT / "doc/data/size.json").read_text(encoding="utf-8"))
+        again = kernels.joined(report.errors_in(choose.DATA), sizes)
+        self.assertEqual(again, [row for row in COMMITTED if "job" in row])
+        self.assertIn("rp2040", {row["board"] for row in again})
 
     def test_given_pairs_are_a_job_of_their_own(self):
         plain, given = error_row(), error_row(scene="sine_cosines")

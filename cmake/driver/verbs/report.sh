@@ -20,6 +20,7 @@ maintainers:
                       when an error is above its bound
   --documents         stands alone: runs all reports, demos, sizes, counts and comparisons anew and writes the tables and pictures of
                       README.md and doc/
+  --work-precision-anew  alone: as the next, with errors that doc/data/work_precision.json has already
   --work-precision    stands alone: those of doc/measurements/work_precision.md and of doc/guides/choosing.md, from the sizes and
                       simulations that are in doc/data
 END_OF_USAGE
@@ -30,6 +31,7 @@ run() {
   case ${1:-} in
     --documents) write_documents ;;
     --work-precision) write_work_precision ;;
+    --work-precision-anew) AXIAL_ERRORS=$AXIAL_ROOT/doc/data/work_precision.json write_work_precision ;;
     --on-board)
       shift
       build_host_sim
