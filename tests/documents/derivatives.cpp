@@ -57,4 +57,15 @@ TEST(DerivativesGuide, CostsAreAsItSays) {
   SUCCEED() << "the compiler has checked it";
 }
 
+TEST(DerivativesGuide, OfTheToolAreSlopesOfItsJacobian) {
+  const axial::ForceVector<axial::Vec3<float>, axial::Vec3<float>> wrench{{0.0F, 0.0F, 0.0F}, {10.0F, 0.0F, -20.0F}};
+#include "derivatives-8.inc"
+  const auto bias = axial::bias_acceleration(jacobian, qd);
+  float sum = 0.0F;
+  for (int k = 0; k < 6; ++k)
+    sum += rate[k].linear.x * qd[k];
+  EXPECT_NEAR(sum, bias.linear.x, 1e-6F);
+  EXPECT_EQ(slope(1, 2), slope(2, 1));
+}
+
 }  // namespace

@@ -34,6 +34,7 @@
 #include <axial/dynamics/shared_drives.hpp>
 #include <axial/dynamics/task_space_inertia.hpp>
 #include <axial/dynamics/tool_motion.hpp>
+#include <axial/dynamics/tool_slopes.hpp>
 #include <axial/dynamics/torque_rates.hpp>
 #include <axial/dynamics/torque_regressor.hpp>
 #include <axial/links/model.hpp>

@@ -13,6 +13,13 @@ constexpr void check_real() {
   static_assert(std::is_floating_point_v<T>,
                 "axial: products with a Jacobian have no formats in fixed point; compute them in float");
 }
+// Whether columns are those of joints' own axes, one behind the other.
+template <class R, class T>
+constexpr void check_axes() {
+  check_real<T>();
+  static_assert(!shares_drives_in<typename scene_of<R>::Robot>,
+                "axial: columns of drives are no axes, of which this is; take the Jacobian of JointCoordinates<Robot>");
+}
 template <class T>
 AXIAL_INLINE constexpr auto cross(const Vec3<T>& w, const MotionVector<Vec3<T>, Vec3<T>>& column) {
   return MotionVector<Vec3<T>, Vec3<T>>{axial::cross(w, column.angular), axial::cross(w, column.linear)};
@@ -50,6 +57,7 @@ template <class R, class T>
 template <class R, class T>
 [[nodiscard]] constexpr MotionVector<Vec3<T>, Vec3<T>> bias_acceleration(const Jacobian<R, T>& jacobian,
                                                                          const Velocities<R, T>& qd) {
+  detail::check_axes<R, T>();
   const auto velocity = tool_velocity(jacobian, qd);
   MotionVector<Vec3<T>, Vec3<T>> passed{}, acceleration{};
   for (int j = 0; j < joint_count<R>; ++j) {
