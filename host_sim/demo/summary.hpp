@@ -40,7 +40,7 @@ bool within_bound(const Summary& summary);
 /// The text that `./axial demo` prints.
 std::string describe(const Summary& summary);
 
-/// One object a joint, with the fields that every machine-readable `demo` has.
+/// One object per joint, with the fields that every machine-readable `demo` has.
 nlohmann::json to_json(const Summary& summary);
 
 }  // namespace host_sim

@@ -15,7 +15,7 @@ LEAST = 0.2  # of the largest amplitude that fits: what a joint moves at least
 
 @dataclasses.dataclass
 class Limits:
-    """Arrays, a value a joint; rad or m, s, N m or N."""
+    """Arrays, a value per joint; rad or m, s, N m or N."""
 
     low: np.ndarray
     high: np.ndarray

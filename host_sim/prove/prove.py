@@ -61,7 +61,7 @@ def check(script, limit):
 
 
 def largest_errors(script, limit):
-    """What Gappa finds by itself, one number a result; None where it finds nothing."""
+    """What Gappa finds by itself, one number per result; None where it finds nothing."""
     status, said, _ = run(["gappa", "-Eno-auto-dichotomy", str(script)], limit)
     if status != 0:
         return []
@@ -134,7 +134,7 @@ def approximations(folder, limit):
 
 
 def joined(rows):
-    """One row a result: the arcs of sine and cosine are one, with the largest of them."""
+    """One row per result: the arcs of sine and cosine are one, with the largest of them."""
     merged = {}
     for row in rows:
         key = (row["subject"], row["result"])

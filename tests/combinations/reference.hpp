@@ -21,7 +21,7 @@ struct Situation {
   double q[most_joints] = {}, qd[most_joints] = {}, qdd[most_joints] = {};
 };
 
-/// One number a joint: rad or m, N m or N, ... as the name of the function says.
+/// One number per joint: rad or m, N m or N, ... as the name of the function says.
 struct Numbers {
   double of[most_joints] = {};
   bool near_singular = false;  ///< of forward dynamics

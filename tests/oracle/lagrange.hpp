@@ -1,7 +1,7 @@
 // The oracle: Lagrange's equations written with the Jacobians of every link's centre of mass (see README.md).
 //
-// q, qd, qdd, tau hold one value a joint. Gravity has the sign of tau = M(q) qdd + c(q, qd) + g(q) + friction - J^T w:
-// g is the torque that holds the chain still. Rotor inertia counts wherever the chain declares it.
+// q, qd, qdd, tau hold one value per joint. Gravity has the sign of tau = M(q) qdd + c(q, qd) + g(q) + friction - J^T
+// w: g is the torque that holds the chain still. Rotor inertia counts wherever the chain declares it.
 #pragma once
 
 #include <oracle/chain.hpp>

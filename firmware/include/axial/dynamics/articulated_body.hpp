@@ -212,7 +212,7 @@ AXIAL_INLINE constexpr Answer write_base(const Links& links, const Input& in, co
   return status;
 }
 
-/// The algorithm over any form of links and the screws at q; writes one acceleration a joint.
+/// The algorithm over any form of links and the screws at q; writes one acceleration per joint.
 template <class Links, class Input, class Screws, class Situation, class Tau, class A>
 AXIAL_INLINE constexpr auto accelerations(const Links& links, const Input& in, const Screws& screws,
                                           const Situation& situation, const Tau& tau, A& qdd) {

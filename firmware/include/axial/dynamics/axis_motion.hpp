@@ -63,7 +63,7 @@ AXIAL_INLINE constexpr auto origin_velocity(Revolute, const Link& link, const Sc
                                             const M& motion, const V&) {
   return link.sum(quantity::LinearVelocity{}, to_child(screw, frame.v), cross_z(motion.w, screw.shift));
 }
-/// Of a prismatic joint, which moves along its axis.
+/// Prismatic overload: the link moves along its axis.
 template <class Link, class Screw, class F, class M, class V>
 AXIAL_INLINE constexpr auto origin_velocity(Prismatic, const Link& link, const Screw& screw, const F& frame,
                                             const M& motion, const V& qd) {
@@ -213,7 +213,7 @@ template <class X, class Y, class Z>
 AXIAL_INLINE constexpr auto doubled(const Vec3<X, Y, Z>& v) {
   return Vec3{twice(v.x), twice(v.y), twice(v.z)};
 }
-/// Of a revolute joint.
+/// Revolute overload.
 template <class Link, class F>
 AXIAL_INLINE constexpr auto axis_motion(Revolute, const Link& link, const F& frame) {
   const MotionVector first{across(frame.w), across(frame.v)};
@@ -221,7 +221,7 @@ AXIAL_INLINE constexpr auto axis_motion(Revolute, const Link& link, const F& fra
   auto second = link.sum(quantity::AxisAcceleration{}, across(frame.a), cross(frame.v, twofold.angular));
   return AxisMotion{first, twofold, MotionVector{frame.column, second}};
 }
-/// Of a prismatic joint, whose axis only turns.
+/// Prismatic overload: the axis only turns.
 template <class Link, class F>
 AXIAL_INLINE constexpr auto axis_motion(Prismatic, const Link&, const F& frame) {
   const MotionVector first{ZeroVec3{}, across(frame.w)};

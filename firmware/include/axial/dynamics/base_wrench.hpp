@@ -55,7 +55,7 @@ template <class S, class T>
                 "BaseParameters out of the scene");
   return rnea::force_on_base(links_of<S, T, FullParameters, recursion::BaseForce>(), in, q, qd, qdd);
 }
-/// The same for a run-time model.
+/// Overload for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Wrench<T> base_wrench(const Model<N, F...>& model, const Positions<M, T>& q,
                                               const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,

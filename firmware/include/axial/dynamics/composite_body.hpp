@@ -171,7 +171,7 @@ AXIAL_INLINE constexpr auto solve(const Links& links, Matrix& m, X& x) {
   return status_from(select(is_negative(singular), loss.code(), lost), singular);
 }
 
-/// The algorithm over any form of links; writes one acceleration a joint.
+/// The algorithm over any form of links; writes one acceleration per joint.
 template <class Links, class Input, class Q, class V, class Tau, class A>
 AXIAL_INLINE constexpr auto run_solve(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
                                       A& qdd) {

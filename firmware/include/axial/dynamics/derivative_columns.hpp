@@ -69,7 +69,7 @@ template <class F>
 AXIAL_INLINE constexpr auto turned_force(Revolute, const F& f) {
   return ForceVector{-across(f.moment), -across(f.force)};
 }
-/// Of a prismatic joint.
+/// Prismatic overload.
 template <class F>
 AXIAL_INLINE constexpr auto turned_force(Prismatic, const F& f) {
   return ForceVector{-across(f.force), ZeroVec3{}};

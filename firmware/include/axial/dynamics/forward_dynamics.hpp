@@ -81,7 +81,7 @@ template <class S, class T>
   check.judge(result);
   return result;
 }
-/// The same for a run-time model: ABA, unless its features name another form.
+/// Overload for a run-time model: ABA, unless its features name another form.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr ForwardDynamicsOf<M, T> forward_dynamics(const Model<N, F...>& model, const Positions<M, T>& q,
                                                                  const Velocities<M, T>& qd, const Efforts<M, T>& tau,

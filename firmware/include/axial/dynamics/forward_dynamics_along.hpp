@@ -64,7 +64,7 @@ template <class S, class T>
   check.judge(result.qdd);
   return result;
 }
-/// The same for a run-time model.
+/// Overload for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr AccelerationsAlong<M, T> forward_dynamics_along(
     const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd, const Efforts<M, T>& tau,

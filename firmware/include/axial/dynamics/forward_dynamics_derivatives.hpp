@@ -165,7 +165,7 @@ template <class S, class... Wanted, class T>
   check.judge(result.qdd);
   return result;
 }
-/// The same for a run-time model.
+/// Overload for a run-time model.
 template <class... Wanted, int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr ForwardDynamicsDerivatives<M, T, Wanted...> forward_dynamics_derivatives(
     const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd, const Efforts<M, T>& tau,

@@ -253,7 +253,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
   rnea::run(model.template links<T>(), in, q, qd, qdd, tau);
   return tau;
 }
-/// The same for a run-time model, in the looped form.
+/// Overload for a run-time model, in the looped form.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Efforts<M, T> gravity_torque(const Model<N, F...>& model, const Positions<M, T>& q,
                                                      const Inputs<M, T>& in = {}) {
@@ -261,7 +261,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
   rnea::run(model.template links<T>(), in, q, NoMotion{}, NoMotion{}, tau);
   return tau;
 }
-/// The same for a run-time model, in the looped form.
+/// Overload for a run-time model, in the looped form.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Efforts<M, T> bias_torque(const Model<N, F...>& model, const Positions<M, T>& q,
                                                   const Velocities<M, T>& qd, const Inputs<M, T>& in = {}) {

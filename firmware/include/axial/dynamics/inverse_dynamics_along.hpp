@@ -69,7 +69,7 @@ template <class S, class T>
   derivatives::efforts_along(links_of<S, T, BaseParameters>(), in, q, qd, qdd, direction, result);
   return result;
 }
-/// The same for a run-time model.
+/// Overload for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr EffortsAlong<M, T> inverse_dynamics_along(const Model<N, F...>& model, const Positions<M, T>& q,
                                                                   const Velocities<M, T>& qd,

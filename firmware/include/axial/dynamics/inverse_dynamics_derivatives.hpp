@@ -91,7 +91,7 @@ template <class S, class... Wanted, class T>
   return derivatives::results<InverseDynamicsDerivatives<S, T, Wanted...>>(
       links_of<S, T, BaseParameters, recursion::Derivatives>(), in, q, qd, qdd);
 }
-/// The same for a run-time model.
+/// Overload for a run-time model.
 template <class... Wanted, int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr InverseDynamicsDerivatives<M, T, Wanted...> inverse_dynamics_derivatives(
     const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,

@@ -13,7 +13,7 @@ template <class F>
 AXIAL_INLINE constexpr auto along_joint(Revolute, const F& f) {
   return f.moment.z;
 }
-/// Of a prismatic joint: the force along it.
+/// Prismatic overload: the force along the joint.
 template <class F>
 AXIAL_INLINE constexpr auto along_joint(Prismatic, const F& f) {
   return f.force.z;
@@ -24,7 +24,7 @@ template <class A>
 AXIAL_INLINE constexpr auto along_axis(Revolute, const A& qdd) {
   return MotionVector{along_z(qdd), ZeroVec3{}};
 }
-/// Of a prismatic joint: a linear motion.
+/// Prismatic overload: a linear motion.
 template <class A>
 AXIAL_INLINE constexpr auto along_axis(Prismatic, const A& qdd) {
   return MotionVector{ZeroVec3{}, along_z(qdd)};

@@ -100,7 +100,7 @@ template <class S, class T>
   detail::PairsOf<S, T>::fill(q, turns);
   return turns;
 }
-/// The same for a run-time model.
+/// Overload for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Joints<M, SinCos<T>> sine_cosines(const Model<N, F...>& model, const Positions<M, T>& q) {
   Joints<M, SinCos<T>> turns{};

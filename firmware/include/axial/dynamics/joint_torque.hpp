@@ -144,7 +144,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
                                        const Inputs<M, T>& in = {}) {
   return rnea::run_joint(model.template links<T>(), in, joint, q, qd, qdd);
 }
-/// The same for a run-time model, 0 <= joint < model.size().
+/// Overload for a run-time model, 0 <= joint < model.size().
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr T gravity_torque(const Model<N, F...>& model, int joint, const Positions<M, T>& q,
                                          const Inputs<M, T>& in = {}) {

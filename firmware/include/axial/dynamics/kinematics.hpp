@@ -164,7 +164,7 @@ template <class S, class T>
   detail::PositionCheck<S, T>::name(result.status, in, q);
   return result;
 }
-/// The same for a run-time model.
+/// Overload for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr ForwardKinematics<M, T> forward_kinematics(const Model<N, F...>& model,
                                                                    const Positions<M, T>& q,
@@ -199,7 +199,7 @@ template <class S, int Link, class T>
   detail::PositionCheck<S, T>::name(result.status, in, q);
   return result;
 }
-/// The same for a run-time model.
+/// Overload for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, const Positions<M, T>& q,
                                                 const Inputs<M, T>& in = {}) {

@@ -146,7 +146,7 @@ template <class C, class P>
 AXIAL_INLINE constexpr const auto& joint_row(Revolute, const MassFlow<C, P>& flow) {
   return flow.moment.z;
 }
-/// Of a prismatic joint.
+/// Prismatic overload.
 template <class C, class P>
 AXIAL_INLINE constexpr auto joint_row(Prismatic, const MassFlow<C, P>& flow) {
   return Vec3{flow.momentum.y, -flow.momentum.x, Zero{}};

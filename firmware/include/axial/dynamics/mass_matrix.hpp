@@ -52,7 +52,7 @@ AXIAL_INLINE constexpr auto unit_force(Revolute, const B& body) {
   const auto& h = body.first_moment;
   return ForceVector{Vec3{body.inertia.xz, body.inertia.yz, body.inertia.zz}, Vec3{-h.y, h.x, Zero{}}};
 }
-/// Of a prismatic joint.
+/// Prismatic overload.
 template <class B>
 AXIAL_INLINE constexpr auto unit_force(Prismatic, const B& body) {
   const auto& h = body.first_moment;
@@ -168,7 +168,7 @@ template <class S, class T>
   crba::run(links_of<S, T, BaseParameters, recursion::CompositeBodies>(), in, q, m);
   return m;
 }
-/// The same for a run-time model.
+/// Overload for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr MassMatrix<M, T> mass_matrix(const Model<N, F...>& model, const Positions<M, T>& q,
                                                      const Inputs<M, T>& in = {}) {

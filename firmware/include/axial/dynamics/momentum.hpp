@@ -54,7 +54,7 @@ template <class M, class H>
 AXIAL_INLINE constexpr auto kinetic_slope(Revolute, const M& motion, const H& h) {
   return axial_product(motion.dw, h.moment) + axial_product(motion.a, h.force);
 }
-/// Of a prismatic joint.
+/// Prismatic overload.
 template <class M, class H>
 AXIAL_INLINE constexpr auto kinetic_slope(Prismatic, const M& motion, const H& h) {
   return axial_product(motion.dw, h.force);
@@ -172,7 +172,7 @@ template <class S, class T>
   detail::StateCheck<S, T>(in, q, qd).name(terms.status);
   return terms;
 }
-/// The same for a run-time model.
+/// Overload for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr MomentumTerms<M, T> momentum_terms(const Model<N, F...>& model, const Positions<M, T>& q,
                                                            const Velocities<M, T>& qd, const Inputs<M, T>& in = {}) {

@@ -38,7 +38,7 @@ struct SlotsOf<std::integer_sequence<int, I...>, V...> : Slot<I, V>... {
 
 }  // namespace detail
 
-/// One value a link, each of its own type; `slots[Index<2>{}]`.
+/// One value per link, each of its own type; `slots[Index<2>{}]`.
 template <class... V>
 struct Slots : detail::SlotsOf<std::make_integer_sequence<int, sizeof...(V)>, V...> {
   /// slots with one more
@@ -46,7 +46,7 @@ struct Slots : detail::SlotsOf<std::make_integer_sequence<int, sizeof...(V)>, V.
   using Append = Slots<V..., Next>;
 };
 
-/// One value a link, all of one type.
+/// One value per link, all of one type.
 template <class V, int N>
 struct Row {
   V values[N] = {};                                                  ///< one per link

@@ -14,7 +14,7 @@ template <class I>
 AXIAL_INLINE constexpr auto joint_column(Revolute, const I& i) {
   return MotionVector{Vec3{i.angular.xz, i.angular.yz, i.angular.zz}, i.coupling.z};
 }
-/// Of a prismatic joint.
+/// Prismatic overload.
 template <class I>
 AXIAL_INLINE constexpr auto joint_column(Prismatic, const I& i) {
   return MotionVector{Vec3{i.coupling.x.z, i.coupling.y.z, i.coupling.z.z},
@@ -74,7 +74,7 @@ AXIAL_INLINE constexpr auto reflected(Revolute, const Link& link, const I& i, co
       Mat3{row(i.coupling.x, u.angular.x), row(i.coupling.y, u.angular.y), link.sum(FirstMoment{}, rotor * k.linear)},
       detail::reduced(link, Mass{}, i.linear, u.linear, k.linear)};
 }
-/// Of a prismatic joint.
+/// Prismatic overload.
 template <class Link, class I, class U, class K, class KS, class J>
 AXIAL_INLINE constexpr auto reflected(Prismatic, const Link& link, const I& i, const U& u, const K& k, const KS& axis,
                                       const J& rotor) {
@@ -119,7 +119,7 @@ AXIAL_INLINE constexpr auto passed_bias(Revolute, const Link& link, const P& p, 
   return ForceVector{link.sum(Moment{}, carried, n.turning_moment, n.moment, gained),
                      link.sum(Force{}, p.force, n.turning_force, n.force, u * k.linear)};
 }
-/// Of a prismatic joint.
+/// Prismatic overload.
 template <class Link, class P, class N, class K, class U, class S>
 AXIAL_INLINE constexpr auto passed_bias(Prismatic, const Link& link, const P& p, const N& n, const K& k, const U& u,
                                         const S& axis) {

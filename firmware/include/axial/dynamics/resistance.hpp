@@ -12,12 +12,12 @@ namespace axial {
 /// Composite inertia that a joint's D is compared with: about the axis (bounded by the polar moment), or the mass.
 AXIAL_INLINE constexpr Unscaled singularity_scale(Revolute, Unscaled) { return {}; }
 AXIAL_INLINE constexpr Unscaled singularity_scale(Prismatic, Unscaled) { return {}; }  ///< nor of a slide
-/// Of a revolute joint, kg m^2.
+/// Revolute overload, kg m^2.
 template <class R>
 AXIAL_INLINE constexpr auto singularity_scale(Revolute, const R& scale) {
   return scale.polar;
 }
-/// Of a prismatic joint, kg.
+/// Prismatic overload, kg.
 template <class R>
 AXIAL_INLINE constexpr auto singularity_scale(Prismatic, const R& scale) {
   return scale.mass;

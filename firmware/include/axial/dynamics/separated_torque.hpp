@@ -164,7 +164,7 @@ template <class S, class T>
                                                const Accelerations<robot_of<S>, T>& qdd) {
   return separation::TorqueOf<S, T>::from(links_of<S, T, BaseParameters, recursion::Separation>(), separated, qd, qdd);
 }
-/// The same for a run-time model.
+/// Overload for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Efforts<M, T> torque(const Model<N, F...>& model, const Separated<M, T>& separated,
                                              const Velocities<M, T>& qd, const Accelerations<M, T>& qdd) {

@@ -41,7 +41,7 @@ template <class B, class A>
 AXIAL_INLINE constexpr auto weight(Revolute, const B& body, const A& a) {
   return body.first_moment.x * a.y - body.first_moment.y * a.x;
 }
-/// Of a prismatic joint.
+/// Prismatic overload.
 template <class B, class A>
 AXIAL_INLINE constexpr auto weight(Prismatic, const B& body, const A& a) {
   return mass_along_z(body.mass) * a.z;
@@ -54,7 +54,7 @@ AXIAL_INLINE constexpr auto square_force(Revolute, const B& body) {
   const auto& j = body.inertia;
   return ForceVector{Vec3{-j.yz, j.xz, Zero{}}, Vec3{-h.x, -h.y, Zero{}}};
 }
-/// Of a prismatic joint: none.
+/// Prismatic overload: none.
 template <class B>
 AXIAL_INLINE constexpr auto square_force(Prismatic, const B&) {
   return ForceVector<ZeroVec3, ZeroVec3>{};
@@ -79,7 +79,7 @@ AXIAL_INLINE constexpr auto product_force(Revolute, const Link& link, const B& b
            Zero{}},
       Vec3{link.sum(Force{}, -(w.z * hx)), link.sum(Force{}, -(w.z * hy)), link.sum(Force{}, w.x * hx, w.y * hy)}};
 }
-/// Of a prismatic joint.
+/// Prismatic overload.
 template <class Link, class B, class W>
 AXIAL_INLINE constexpr auto product_force(Prismatic, const Link& link, const B& body, const W& w) {
   using namespace quantity;

@@ -197,7 +197,7 @@ template <class S, class T>
   regressor::run(links_of<S, T>(), in, q, qd, qdd, y);
   return y;
 }
-/// The same for a run-time model.
+/// Overload for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr TorqueRegressor<M, T> torque_regressor(const Model<N, F...>& model, const Positions<M, T>& q,
                                                                const Velocities<M, T>& qd,

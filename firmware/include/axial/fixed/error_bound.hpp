@@ -14,7 +14,7 @@ namespace axial {
 template <int N>
 struct ErrorBound {
   static constexpr int size = N;  ///< number of results
-  double of[N] = {};              ///< one a result, in its SI unit
+  double of[N] = {};              ///< one per result, in its SI unit
 
   constexpr double operator[](int i) const { return of[i]; }  ///< bound of result i; the index is not checked
   /// The largest of them.

@@ -22,7 +22,7 @@ struct Differential {
 /// A differential wrist: q_a = (u_a + u_b) / 2, q_b = ratio (u_a - u_b) / 2.
 constexpr Differential differential(double ratio = 1.0) { return {ratio}; }
 
-/// G, row by row: a row a joint, a column the drive of each joint; a column of zeros where a joint has none.
+/// G, row by row: a row per joint, a column the drive of each joint; a column of zeros where a joint has none.
 template <int N>
 struct DriveRatios {
   double rows[N][N] = {};  ///< rad or m of a joint a unit of a drive

@@ -1,4 +1,4 @@
-// One value a joint.
+// One value per joint.
 #pragma once
 
 #include <axial/scene/scene.hpp>

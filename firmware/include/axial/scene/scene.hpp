@@ -117,8 +117,8 @@ using scene_of = typename detail::SceneOf<S>::type;
 template <class S>
 using robot_of = typename detail::Computed<typename scene_of<S>::Robot>::Named;
 
-/// Number of joint values of a robot or a scene: one a joint, or one a drive where joints share drives; for a run-time
-/// Model<N>, its capacity.
+/// Number of joint values of a robot or a scene: one per joint, or one per drive where joints share drives; for a
+/// run-time Model<N>, its capacity.
 template <class S>
 inline constexpr int joint_count = scene_of<S>::Robot::chain.size;
 /// Number of links.

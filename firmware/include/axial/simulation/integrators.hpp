@@ -200,7 +200,7 @@ template <class Method, class X, class Drive>
   detail::check_fixed_base<typename X::Subject>();
   return detail::advance_in<Method>(detail::StaticSystem<typename X::Subject>{}, x, h, drive);
 }
-/// The same for a run-time model.
+/// Overload for a run-time model.
 template <class Method, int N, class... F, class X, class Drive>
 [[nodiscard]] constexpr Status advance(const Model<N, F...>& model, X& x, typename X::Scalar h, const Drive& drive) {
   detail::check_fixed_base<Model<N, F...>>();

@@ -185,7 +185,7 @@ template <class Method, class S, class T, class Stiffness = NoStiffness>
                                                 const Stiffness& drive = {}) {
   return detail::step_limit_in<Method, T>(detail::StaticSystem<S>{}, q, in, drive);
 }
-/// The same for a run-time model.
+/// Overload for a run-time model.
 template <class Method, int N, class... F, class T, class Stiffness = NoStiffness, class M = Model<N, F...>>
 [[nodiscard]] constexpr StepLimit<T> step_limit(const Model<N, F...>& model, const Positions<M, T>& q,
                                                 const Inputs<M, T>& in = {}, const Stiffness& drive = {}) {

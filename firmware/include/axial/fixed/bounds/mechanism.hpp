@@ -119,7 +119,7 @@ inline constexpr int LinkFormat::*all_formats[] = {&LinkFormat::angular_velocity
 /// these formats take another, which code that computes has no use for.
 enum class Wanted { formats, errors };
 
-/// One of each a link.
+/// Ranges and formats of all links.
 template <int N>
 struct Ranges {
   LinkRange range[N] = {};    ///< of the quantities of each link
@@ -127,7 +127,7 @@ struct Ranges {
   int halvings = 0;           ///< of a drive that is solved for first, where formats are those of the declared motion
 };
 
-/// What one step for all links makes of a robot: one format a quantity, constants in columns of one exponent each.
+/// What one step for all links makes of a robot: one format per quantity, constants in columns of one exponent each.
 struct SharedSteps {
   bool shared = false;   ///< whether one format serves all links
   LinkFormat format{};   ///< of all links

@@ -90,7 +90,7 @@ struct SeparatedBounds {
 /// Exponents of coefficients, by the outermost joint of their indices, and of efforts at rest.
 template <int N>
 struct SeparatedFormats {
-  int coefficient[N] = {}, rest[N] = {};  ///< one a joint
+  int coefficient[N] = {}, rest[N] = {};  ///< one per joint
 };
 
 /// Takes what the kernel hands over, and notes what coefficients have to have room for.

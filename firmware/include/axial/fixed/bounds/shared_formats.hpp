@@ -1,4 +1,4 @@
-// The looped form in fixed point: one format a quantity for all links, from the formats that each would have alone.
+// The looped form in fixed point: one format per quantity for all links, from the formats that each would have alone.
 #pragma once
 
 #include <axial/fixed/bounds/mechanism.hpp>

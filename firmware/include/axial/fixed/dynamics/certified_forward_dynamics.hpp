@@ -1,5 +1,5 @@
 // Forward dynamics in fixed point with a certificate of each answer: its residual by inverse dynamics, and the
-// structure's answers to one drive a joint as an approximate inverse of the mass matrix.
+// structure's answers to one drive per joint as an approximate inverse of the mass matrix.
 #pragma once
 
 #include <axial/fixed/dynamics/enclosure.hpp>

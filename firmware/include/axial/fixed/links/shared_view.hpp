@@ -1,4 +1,4 @@
-// Joint values where all links share their formats: read from, and written to, a format a joint.
+// Joint values where all links share their formats: read from, and written to, a format per joint.
 #pragma once
 
 #include <axial/fixed/links/fixed_values.hpp>
@@ -23,7 +23,7 @@ AXIAL_INLINE constexpr Fx<Length, S> joint_length(const SharedPosition<Length, S
   return q.length;
 }
 
-/// How far words of one role, in a format a joint, are from a common one.
+/// How far words of one role, in a format per joint, are from a common one.
 template <class Values, int Shared>
 struct Shifts {
   static constexpr int size = Values::size;

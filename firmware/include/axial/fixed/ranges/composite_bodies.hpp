@@ -23,7 +23,7 @@ constexpr CompositeRange operator+(const CompositeRange& a, const CompositeRange
   return {a.mass + b.mass, a.moment + b.moment, a.inertia + b.inertia};
 }
 
-/// One composite body a link.
+/// One composite body per link.
 template <int N>
 struct CompositeRanges {
   CompositeRange own[N] = {};     ///< about the link's origin, everything outboard included

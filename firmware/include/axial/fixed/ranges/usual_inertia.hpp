@@ -11,7 +11,7 @@
 namespace axial {
 namespace detail {
 
-/// One number a joint, SI.
+/// One number per joint, SI.
 template <int N>
 struct PerJoint {
   double of[N] = {};
