@@ -25,7 +25,9 @@ enum class MessageType : std::uint8_t {
   shutdown = 7,       ///< host: end the emulator; in images for fault injection alone
   start = 8,          ///< host: open a session and choose a mode
   measurement = 9,    ///< host: what the encoders say, for images that close a loop; before the tick's set-point
-  injection = 10      ///< host: fail; in images for fault injection alone
+  injection = 10,     ///< host: fail; in images for fault injection alone
+  derivatives =
+      11  ///< host: third and fourth derivative of the motion, for images that take them; before the set-point
 };
 
 enum class Mode : std::uint8_t {
@@ -141,12 +143,26 @@ struct Injection {
   std::uint32_t address;
 };
 
+/// What the motion's own torque is computed for.
+enum class FeedForward : std::uint8_t {
+  none = 0,  ///< the feedback alone; of a hand-guiding image: gravity compensation
+  full = 1,  ///< the robot as it is declared
+  rigid = 2  ///< an image that knows elastic joints takes them as rigid
+};
+
 /// Encoders: 2^-32 turns, or 0.1 um on a slide. No answer: the set-point that follows has one.
 struct Measurement {
   static constexpr MessageType type = MessageType::measurement;
   std::size_t joints;  ///< not sent: the payload's length tells
   std::array<std::int32_t, max_joints> position;
-  std::uint8_t feeds_forward;  ///< 0: the feedback alone; of a hand-guiding image: gravity compensation
+  std::uint8_t feeds_forward;  ///< see FeedForward
+};
+
+/// More of the set-point that follows: rad or m per s^3, per s^4. No answer.
+struct Derivatives {
+  static constexpr MessageType type = MessageType::derivatives;
+  std::size_t joints;  ///< not sent: the payload's length tells
+  std::array<float, max_joints> q3, q4;
 };
 
 template <class Archive, class Array>
@@ -214,6 +230,11 @@ void layout(Archive& a, Injection& m) {
 }
 
 template <class Archive>
+void layout(Archive& a, Derivatives& m) {
+  each(a, m.q3, m.joints), each(a, m.q4, m.joints);
+}
+
+template <class Archive>
 void layout(Archive& a, Measurement& m) {
   for (std::size_t i = 0; i < m.joints; ++i) {
     auto word = static_cast<std::uint32_t>(m.position[i]);
@@ -226,6 +247,7 @@ void layout(Archive& a, Measurement& m) {
 constexpr std::size_t set_point_size(std::size_t joints) { return 12 * joints; }
 constexpr std::size_t torque_size(std::size_t joints) { return 4 * joints + 9; }
 constexpr std::size_t measurement_size(std::size_t joints) { return 4 * joints + 1; }
+constexpr std::size_t derivatives_size(std::size_t joints) { return 8 * joints; }
 static_assert(set_point_size(max_joints) <= max_payload && torque_size(max_joints) <= max_payload);
 
 /// Bytes of a message with a frame around it.
@@ -265,6 +287,10 @@ inline bool set_joints(Measurement& m, std::size_t length) {
   m.joints = length / 4;
   return length == measurement_size(m.joints) && m.joints <= max_joints;
 }
+inline bool set_joints(Derivatives& m, std::size_t length) {
+  m.joints = length / 8;
+  return length % 8 == 0 && m.joints <= max_joints;
+}
 
 /// Reads `frame` as a `Message`; false when the type or the payload's length does not fit.
 template <class Message>
@@ -283,9 +309,12 @@ constexpr Name make_name(const char* text) {
 }
 
 /// Whether a set-point and its answer, one after the other, fit one tick on a line of 10 bits a byte; with a
-/// measurement before them where the loop is closed.
-constexpr bool fits_tick(std::size_t joints, std::uint32_t baud, std::uint32_t tick_Hz, bool closes_loop = false) {
-  const std::size_t bytes = wire_size(set_point_size(joints)) + wire_size(torque_size(joints)) +
+/// measurement before them where the loop is closed. Where two more derivatives are taken the answer may leave while
+/// the next set-point comes in, for the line is duplex: then a torque is that of the tick before.
+constexpr bool fits_tick(std::size_t joints, std::uint32_t baud, std::uint32_t tick_Hz, bool closes_loop = false,
+                         bool takes_derivatives = false) {
+  const std::size_t bytes = wire_size(set_point_size(joints)) +
+                            (takes_derivatives ? wire_size(derivatives_size(joints)) : wire_size(torque_size(joints))) +
                             (closes_loop ? wire_size(measurement_size(joints)) : 0);
   return bytes * 10 * tick_Hz <= baud;
 }

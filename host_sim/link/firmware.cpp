@@ -85,6 +85,8 @@ link::Torque Firmware::torque(const link::Measurement& measurement, const link::
   return torque(set_point);
 }
 
+void Firmware::send_derivatives(const link::Derivatives& derivatives) { send(derivatives, sequence_); }
+
 link::Stats Firmware::stats() {
   send(link::StatsRequest{}, ++sequence_);
   return wait_for<link::Stats>(answer_limit, "statistics");
@@ -132,6 +134,15 @@ link::SetPoint to_message(const SetPoint& point) {
   std::transform(point.q.begin(), point.q.end(), message.q.begin(), narrow);
   std::transform(point.qd.begin(), point.qd.end(), message.qd.begin(), narrow);
   std::transform(point.qdd.begin(), point.qdd.end(), message.qdd.begin(), narrow);
+  return message;
+}
+
+link::Derivatives derivatives_of(const SetPoint& point) {
+  link::Derivatives message{};
+  message.joints = point.q3.size();
+  const auto narrow = [](double value) { return static_cast<float>(value); };
+  std::transform(point.q3.begin(), point.q3.end(), message.q3.begin(), narrow);
+  std::transform(point.q4.begin(), point.q4.end(), message.q4.begin(), narrow);
   return message;
 }
 

@@ -26,6 +26,8 @@ class Firmware {
   link::Torque torque(const link::SetPoint& set_point);
   /// The same from an image that closes a loop, which is told first what the encoders say.
   link::Torque torque(const link::Measurement& measurement, const link::SetPoint& set_point);
+  /// Third and fourth derivative of the set-point that comes next, to an image that takes them.
+  void send_derivatives(const link::Derivatives& derivatives);
   link::Stats stats();
 
  private:
@@ -48,5 +50,7 @@ class Firmware {
 
 /// The float set-point that stands for a desired motion; what is sent and what the oracle evaluates.
 link::SetPoint to_message(const SetPoint& point);
+/// Its third and fourth derivative, as float.
+link::Derivatives derivatives_of(const SetPoint& point);
 
 }  // namespace host_sim

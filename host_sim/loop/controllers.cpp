@@ -21,6 +21,8 @@ class Emulated : public Controller {
  public:
   Emulated(const Board& board, const std::string& image) : emulator_(board, image), firmware_(emulator_.serial()) {}
 
+  void take(const link::Derivatives& derivatives) override { firmware_.send_derivatives(derivatives); }
+
   link::Torque answer(const link::Measurement& measurement, const link::SetPoint& wanted) override {
     try {
       return firmware_.torque(measurement, wanted);

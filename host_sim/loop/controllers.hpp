@@ -14,6 +14,8 @@ namespace link = axial::hal::link;
 class Controller {
  public:
   virtual ~Controller() = default;
+  /// Told before each answer where the motion has four derivatives; nothing to most controllers.
+  virtual void take(const link::Derivatives&) {}
   /// What the encoders say and what is wanted, to the torque that answers. Throws std::runtime_error when none comes.
   virtual link::Torque answer(const link::Measurement& measurement, const link::SetPoint& wanted) = 0;
 };
@@ -37,6 +39,7 @@ std::uint32_t last_places(float a, float b);
 class Both : public Controller {
  public:
   Both(Controller& board, Controller& host) : board_(board), host_(host) {}  // both are referred to
+  void take(const link::Derivatives& derivatives) override { board_.take(derivatives), host_.take(derivatives); }
   /// The image's answer. Throws std::runtime_error where the statuses differ, too.
   link::Torque answer(const link::Measurement& measurement, const link::SetPoint& wanted) override;
 

@@ -2,7 +2,7 @@
 #include <host_sim/loop/loop.hpp>
 
 #include <host_sim/link/firmware.hpp>
-#include <host_sim/simulation/integrate.hpp>
+#include <host_sim/simulation/elastic.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -19,8 +19,9 @@ namespace simulation = host_sim::simulation;
 using Values = simulation::Values<double>;
 
 constexpr double tick = control_tick;
-constexpr int steps_a_tick = 4;
+constexpr int least_steps = 4;  // a tick
 constexpr double slide_count = 1e-7;
+constexpr double pi = 3.14159265358979323846;
 
 /// +1 or -1.
 struct Signs {
@@ -30,10 +31,12 @@ struct Signs {
 
 std::vector<axial::LinkParameters> plant_links(const Case& situation) {
   auto links = simulation::robot_links(situation.robot);
+  if (situation.resonance > 0) links = simulation::elastic_links(situation.robot, links, situation.resonance);
   Signs sign{std::mt19937(situation.seed)};
   const auto off = [&](double& value) { value *= 1.0 + situation.parameter_error * sign(); };
   for (auto& link : links) {
     off(link.mass), off(link.rotor_inertia);
+    link.stiffness *= 1.0 + situation.stiffness_error;
     for (double& c : link.com)
       off(c);
     for (double& i : link.inertia_com)
@@ -42,6 +45,20 @@ std::vector<axial::LinkParameters> plant_links(const Case& situation) {
     link.viscous = link.coulomb_forward = link.coulomb_backward = link.static_friction = 0.0;
   }
   return links;
+}
+
+link::FeedForward feed_of(const Case& situation) {
+  if (!situation.feeds_forward) return link::FeedForward::none;
+  return situation.as_rigid ? link::FeedForward::rigid : link::FeedForward::full;
+}
+
+/// 2 zeta sqrt(K M) of each joint, of which K is w^2 M.
+std::vector<double> damping_of(const Case& situation, const std::vector<axial::LinkParameters>& links) {
+  std::vector<double> damping;
+  if (situation.damping_ratio > 0.0)
+    for (const auto& link : links)
+      damping.push_back(2.0 * situation.damping_ratio * link.stiffness / (2.0 * pi * situation.resonance));
+  return damping;
 }
 
 Values values_of(const std::vector<double>& from) {
@@ -55,17 +72,21 @@ class Plant {
  public:
   Plant(const Case& situation, const SetPoint& start)
       : links_(plant_links(situation)),
-        model_(simulation::model_of(situation.robot, links_)),
+        rigid_(simulation::model_of(situation.robot, links_)),
+        arm_(situation.robot, situation.resonance > 0 ? links_ : rigid(links_), damping_of(situation, links_)),
         bits_(situation.encoder_bits),
         noisy_(situation.encoder_noise > 0.0),
         noise_(0.0, noisy_ ? situation.encoder_noise : 1.0),
         draws_(situation.seed),
         waiting_(static_cast<std::size_t>(situation.delay)) {
-    x_.q = values_of(start.q), x_.qd = values_of(start.qd);
+    Values q = values_of(start.q);
     for (std::size_t i = 0; i < situation.push.size(); ++i)
-      x_.q[static_cast<int>(i)] += situation.push[i];
+      q[static_cast<int>(i)] += situation.push[i];
     // Until the first torque arrives the robot is held against gravity.
-    const auto weight = axial::gravity_torque(model_, x_.q);
+    const auto weight = axial::gravity_torque(rigid_, q);
+    x_ = arm_.state(q, values_of(start.qd), weight);
+    const double limit = simulation::step_limit(simulation::Method::rk4, arm_.model(), x_.q);
+    steps_ = std::max(least_steps, static_cast<int>(std::ceil(tick / (0.25 * limit))));
     for (Values& tau : waiting_)
       tau = weight;
   }
@@ -73,37 +94,44 @@ class Plant {
   link::Measurement read() {
     link::Measurement m{};
     m.joints = links_.size();
-    for (int i = 0; i < model_.size(); ++i)
-      m.position[static_cast<std::size_t>(i)] = slides(i) ? slide(x_.q[i]) : angle(x_.q[i]);
+    const auto seen = arm_.motors(x_.q);
+    for (int i = 0; i < joints(); ++i)
+      m.position[static_cast<std::size_t>(i)] = slides(i) ? slide(seen[i]) : angle(seen[i]);
     return m;
   }
 
   void run(const link::Torque& answer) {
     Values tau{};
-    for (int i = 0; i < model_.size(); ++i)
+    for (int i = 0; i < joints(); ++i)
       tau[i] = static_cast<double>(answer.tau[static_cast<std::size_t>(i)]);
     waiting_.push_back(tau);
-    const Values now = waiting_.front();
+    const Values now = arm_.efforts(waiting_.front());
     waiting_.pop_front();
     const simulation::Drive<double> hold = [&](const auto&, Values& effort, auto&, auto&) { effort = now; };
-    for (int k = 0; k < steps_a_tick; ++k)
-      simulation::step(simulation::Method::rk4, model_, x_, tick / steps_a_tick, hold);
+    for (int k = 0; k < steps_; ++k)
+      simulation::step(simulation::Method::rk4, arm_.model(), x_, tick / steps_, hold);
   }
 
-  const Values& position() const { return x_.q; }
+  Values position() const { return arm_.positions(x_); }
   JointState state() const {
     const int n = joints();
-    return {{x_.q.values, x_.q.values + n}, {x_.qd.values, x_.qd.values + n}};
+    const Values q = arm_.positions(x_), qd = arm_.velocities(x_);
+    return {{q.values, q.values + n}, {qd.values, qd.values + n}};
   }
-  axial::Vec3<double> tool(const Values& q) const { return axial::forward_kinematics(model_, q).tool.position; }
-  int joints() const { return model_.size(); }
+  axial::Vec3<double> tool(const Values& q) const { return axial::forward_kinematics(rigid_, q).tool.position; }
+  int joints() const { return rigid_.size(); }
 
  private:
+  static std::vector<axial::LinkParameters> rigid(std::vector<axial::LinkParameters> links) {
+    for (auto& link : links)
+      link.stiffness = axial::LinkParameters::unlimited;
+    return links;
+  }
   bool slides(int i) const { return links_[static_cast<std::size_t>(i)].type == axial::JointType::prismatic; }
   double noise() { return noisy_ ? noise_(draws_) : 0.0; }
   // Whole counts of the encoder, as binary angles.
   std::int32_t angle(double q) {
-    const double turns = q / (2.0 * 3.14159265358979323846);
+    const double turns = q / (2.0 * pi);
     const auto counts = static_cast<std::int64_t>(std::llround(std::ldexp(turns, bits_) + noise()));
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(counts << (32 - bits_)));
   }
@@ -113,8 +141,10 @@ class Plant {
   }
 
   std::vector<axial::LinkParameters> links_;
-  simulation::Model model_;
+  simulation::Model rigid_;     // for poses and weight
+  simulation::ElasticArm arm_;  // what moves
   simulation::Motion<double> x_;
+  int steps_ = least_steps;
   int bits_;
   bool noisy_;
   std::normal_distribution<double> noise_;
@@ -154,7 +184,7 @@ class Statistics {
 }  // namespace
 
 Tracking follow(const Case& situation, Controller& controller, const Watch& watch) {
-  const Trajectory cycle = cycle_of(situation.robot);
+  const Trajectory cycle = cycle_of(situation.robot, situation.resonance > 0);
   const auto first = static_cast<std::size_t>(std::lround(situation.start / tick));
   Plant plant(situation, cycle[first % cycle.size()]);
   Statistics statistics(plant.joints());
@@ -164,7 +194,8 @@ Tracking follow(const Case& situation, Controller& controller, const Watch& watc
     const SetPoint& wanted = cycle[(first + k) % cycle.size()];
     statistics.add(wanted.q, plant.position(), plant.tool(values_of(wanted.q)) - plant.tool(plant.position()));
     auto measurement = plant.read();
-    measurement.feeds_forward = situation.feeds_forward ? 1 : 0;
+    measurement.feeds_forward = static_cast<std::uint8_t>(feed_of(situation));
+    if (!wanted.q3.empty()) controller.take(derivatives_of(wanted));
     const link::Torque answer = controller.answer(measurement, to_message(wanted));
     const auto status = static_cast<link::TorqueStatus>(answer.status);
     refused += status != link::TorqueStatus::ok && status != link::TorqueStatus::effort_limited ? 1 : 0;
@@ -201,6 +232,10 @@ nlohmann::json to_json(const std::vector<Row>& rows) {
                        {"tool_error_max", r.tracking.tool_largest},
                        {"ticks", r.tracking.ticks},
                        {"refused", r.tracking.refused}};
+    if (r.situation.resonance > 0) {
+      row["resonance_Hz"] = r.situation.resonance;
+      row["feed_forward"] = r.situation.as_rigid ? "rigid" : "elastic";
+    }
     if (r.ratio > 0.0) row["ratio"] = r.ratio;
     list.push_back(row);
   }

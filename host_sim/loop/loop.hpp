@@ -23,8 +23,12 @@ struct Case {
   double encoder_noise = 0.0;    ///< counts of that encoder, standard deviation, before it counts
   int delay = 0;                 ///< ticks between a measurement and the torque that answers it
   double seconds = 10.0;
-  double start = 0.0;        ///< s into the cycle, in motion as it is wanted
-  std::vector<double> push;  ///< rad or m, by which each joint is off then; none where it is not pushed
+  double start = 0.0;            ///< s into the cycle, in motion as it is wanted
+  bool as_rigid = false;         ///< feed-forward of rigid joints, by a controller that knows elastic ones
+  int resonance = 0;             ///< Hz of each joint with its motor locked (ElasticArm); 0: rigid joints
+  double damping_ratio = 0.0;    ///< of that swing, by the transmission
+  double stiffness_error = 0.0;  ///< the plant's stiffness over the firmware's, less 1
+  std::vector<double> push;      ///< rad or m, by which each joint is off then; none where it is not pushed
 };
 
 /// Tracking errors over a motion.
@@ -43,8 +47,9 @@ struct JointState {
 /// Told after every tick: wanted motion, the joints when they were measured, what was measured, the answer.
 using Watch = std::function<void(const SetPoint&, const JointState&, const link::Measurement&, const link::Torque&)>;
 
-/// The cycle of host_sim/trajectories, again and again. The plant is in double, by four Runge-Kutta steps a tick under
-/// a torque that is held.
+/// The cycle of host_sim/trajectories, again and again; with elastic joints its moves have four continuous derivatives
+/// and encoders are on the motors. The plant is in double, by four Runge-Kutta steps a tick or as many as its springs
+/// need, under a torque that is held.
 Tracking follow(const Case& situation, Controller& controller, const Watch& watch = {});
 
 /// Whether a plant of this robot can have friction.

@@ -3,11 +3,16 @@
 
 #include <host_sim/loop/controllers.hpp>
 
+#include <firmware/apps/feedforward/feedforward.hpp>
+
 namespace host_sim::loop {
 
 template <class App>
 class OnHost : public Controller {
  public:
+  void take(const link::Derivatives& derivatives) override {
+    if constexpr (axial::apps::takes_derivatives<App>) app_.take(derivatives);
+  }
   link::Torque answer(const link::Measurement& measurement, const link::SetPoint& wanted) override {
     link::Torque torque{};
     app_.measure(measurement);

@@ -102,8 +102,9 @@ Values<double> ElasticArm::efforts(const Values<double>& tau_m) const {
   return result;
 }
 
-std::vector<double> stiffness_of(const std::string& robot, const std::vector<LinkParameters>& links, double resonance) {
-  auto bare = links;
+std::vector<LinkParameters> elastic_links(const std::string& robot, const std::vector<LinkParameters>& links,
+                                          double resonance) {
+  auto bare = links, result = links;
   Values<double> middle{};
   for (std::size_t i = 0; i < links.size(); ++i) {
     bare[i].rotor_inertia = 0.0;
@@ -111,9 +112,11 @@ std::vector<double> stiffness_of(const std::string& robot, const std::vector<Lin
   }
   const auto mass = axial::mass_matrix(model_of(robot, bare), middle);
   const double w = 2.0 * 3.14159265358979323846 * resonance;
-  std::vector<double> result;
-  for (int i = 0; i < static_cast<int>(links.size()); ++i)
-    result.push_back(w * w * mass(i, i));
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const double own = mass(static_cast<int>(i), static_cast<int>(i));
+    result[i].stiffness = w * w * own;
+    if (!(links[i].rotor_inertia > 0.0)) result[i].rotor_inertia = own, result[i].gear = 1.0;
+  }
   return result;
 }
 

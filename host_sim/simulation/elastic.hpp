@@ -42,9 +42,10 @@ class ElasticArm {
   std::vector<double> stiffness_;
 };
 
-/// K of each joint so that with its motor locked, and the others rigid in the middle of their travel, it swings at
-/// `resonance` Hz: w^2 M_ii of the links alone. How stiff harmonic drives are is told like this.
-std::vector<double> stiffness_of(const std::string& robot, const std::vector<axial::LinkParameters>& links,
-                                 double resonance);
+/// Links so elastic that each joint with its motor locked, and the others rigid in the middle of their travel, swings
+/// at `resonance` Hz: K = w^2 M_ii of the links alone, as harmonic drives are told apart. Where no rotor is declared it
+/// is as heavy as the links, gear^2 J = M_ii.
+std::vector<axial::LinkParameters> elastic_links(const std::string& robot,
+                                                 const std::vector<axial::LinkParameters>& links, double resonance);
 
 }  // namespace host_sim::simulation

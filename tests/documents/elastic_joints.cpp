@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
 #include <axial/cost.hpp>
+#include <axial/dynamics/elastic_damping.hpp>
 #include <robots/puma560.hpp>
 
 namespace {
@@ -31,6 +32,16 @@ TEST(ElasticJointsGuide, ItsLinesCompileAndAgree) {
   EXPECT_EQ(rate.taud[i], rates.taud[i]);
   EXPECT_NE(rates.taudd[i], 0.0F);
   EXPECT_NEAR(rate.tau[i], spring + 0.3F * qdd[i], 1e-5F) << "rigid joints move rotors as their links";
+}
+
+TEST(ElasticJointsGuide, DampingStaysClose) {
+#include "elastic_joints-2.inc"
+#include "elastic_joints-6.inc"
+  EXPECT_NE(damped.theta[1], position);
+  EXPECT_NEAR(damped.theta[1], position, 12.0F / 2500.0F) << "speeds are below 10 rad/s";
+  EXPECT_EQ(damped.tau_l[1], spring);
+  EXPECT_NE(damped.tau_m[1], torque);
+  EXPECT_NE(damped.thetad[1], speed);
 }
 
 TEST(ElasticJointsGuide, CostsAreAsItSays) {

@@ -1,5 +1,6 @@
 // The closed loop on the host: what feeding forward is worth, and what takes it away. The image is held to the same
 // source, bit by bit, by `loop --check` (host_sim.Loop.*).
+#include <host_sim/loop/elastic.hpp>
 #include <host_sim/loop/loop.hpp>
 
 #include <gtest/gtest.h>
@@ -96,4 +97,37 @@ TEST(LastPlaces, AreCountedAcrossZero) {
 TEST(Loop, SaysWhatItDoesNotKnow) {
   EXPECT_THROW(on_host("panda", "float"), std::runtime_error);
   EXPECT_THROW(on_host("scara", "double"), std::runtime_error);
+}
+
+// Springs of harmonic drives, 12 Hz with a locked motor, encoders on the motors, the same gains.
+TEST(Loop, MotorsThatLeadTheirLinksAreTenTimesAsExact) {
+  for (const std::string& robot : robots()) {
+    Case c;
+    c.robot = robot, c.resonance = 12, c.seconds = 2.0;
+    const auto by = [&](bool as_rigid) {
+      c.as_rigid = as_rigid;
+      const auto controller = elastic_on_host(robot, 12);
+      return follow(c, *controller);
+    };
+    const Tracking elastic = by(false), rigid = by(true);
+    std::printf("%s: tool error RMS %.3g m, as rigid %.3g m\n", robot.c_str(), elastic.tool_rms, rigid.tool_rms);
+    EXPECT_EQ(elastic.refused, 0);
+    EXPECT_GE(rigid.tool_rms, 10.0 * elastic.tool_rms) << robot;
+    EXPECT_LT(elastic.tool_rms, 30e-6) << robot;  // a torque held for a millisecond
+  }
+}
+
+TEST(Loop, ASetPointWithoutItsDerivativesIsRefused) {
+  const auto controller = elastic_on_host("scara", 12);
+  link::SetPoint still{};
+  link::Measurement seen{};
+  link::Derivatives more{};
+  still.joints = seen.joints = more.joints = 3, seen.feeds_forward = 1;
+  still.q[2] = 0.05F, seen.position[2] = 500'000;
+  controller->take(more);
+  EXPECT_EQ(controller->answer(seen, still).status, static_cast<std::uint8_t>(link::TorqueStatus::ok));
+  EXPECT_EQ(controller->answer(seen, still).status, static_cast<std::uint8_t>(link::TorqueStatus::not_measured));
+  more.q4[0] = std::numeric_limits<float>::quiet_NaN();
+  controller->take(more);
+  EXPECT_EQ(controller->answer(seen, still).status, static_cast<std::uint8_t>(link::TorqueStatus::not_finite));
 }

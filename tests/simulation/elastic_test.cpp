@@ -12,13 +12,9 @@ using namespace host_sim::simulation;
 namespace {
 
 std::vector<axial::LinkParameters> sprung(const std::string& robot, double resonance) {
-  auto links = robot_links(robot);
-  const auto stiffness = stiffness_of(robot, links, resonance);
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    links[i].stiffness = stiffness[i];
-    if (!(links[i].rotor_inertia > 0.0)) links[i].rotor_inertia = 0.5, links[i].gear = 1.0;
-    links[i].viscous = links[i].coulomb_forward = links[i].coulomb_backward = links[i].static_friction = 0.0;
-  }
+  auto links = elastic_links(robot, robot_links(robot), resonance);
+  for (auto& link : links)
+    link.viscous = link.coulomb_forward = link.coulomb_backward = link.static_friction = 0.0;
   return links;
 }
 

@@ -8,14 +8,16 @@ usage: ./axial loop [options]
 Installs and builds what is missing, starts the tracking firmware of a board in its emulator and lets it drive a plant in double, in lock-step
 at 1 kHz over the serial line: feed-forward and a proportional-derivative torque, then the feedback alone (at most 10 s of it). Prints
 tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a picture (doc/measurements/simulation.md).
-  --robot ROBOT       scara (default) or puma560; puma560 is the default of --controller lqr and --export
+  --robot ROBOT       scara (default) or puma560; puma560 is the default of --controller lqr, elastic and --export
   --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt, rp2040, rp2040_ram
   --number float|fixed32  what the firmware computes in; default float
-  --controller pd|lqr|ekf  default pd. lqr: a linear-quadratic regulator whose gains the board computes from the arm's derivatives, on the stm32f405 in
+  --controller pd|lqr|ekf|elastic  default pd. lqr: a linear-quadratic regulator whose gains the board computes from the arm's derivatives, on the stm32f405 in
                       float, brings the arm back from a push of 0.1 rad on every joint; beside pd (doc/measurements/linearisation.md).
+                      elastic: an arm behind harmonic drives of 12 Hz, by the feed-forward of elastic joints beside that of rigid ones
+                      (doc/measurements/elastic.md)
                       ekf: pd of what an extended Kalman filter on the board makes of noisy encoders, beside pd of their differences
   --seconds NUMBER    of motion; default 10 (a few hundred ticks a second run in QEMU: 60 s take some minutes)
-  --sweep             besides, the same sources on the host: wrong parameters, friction, coarse encoders, late torques
+  --sweep             besides, the same sources on the host: wrong parameters, friction, coarse encoders, late torques; of elastic: stiffness
   --check             only: image and host, told the same, give the same torques (fixed32: bits; float: within 4 last places)
   --export tinympc|json  instead: the arm linearised at a point of its motion, discretised, with weights and bounds, for solvers of other people:
                       a header in the layout of TinyMPC's examples, or JSON; any robot that has a cycle in host_sim/trajectories
@@ -24,11 +26,12 @@ tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a p
   --json FILE         the rows once more, as an array of objects
 Exits non-zero when feed-forward cuts the error less than 20-fold with exact parameters, or an answer is refused; with lqr when the arm is
 not back within half a second, a torque is beyond its limit, or pd follows the motion better;
-with ekf when velocities are less than ten times as exact as differences.
+with ekf when velocities are less than ten times as exact as differences; with elastic when the tool's error is not ten times below rigid feed-forward's.
 maintainers:
   --documents         alone: 60 s of each robot with sweeps, on the nrf51 in fixed32, to doc/data, doc/pictures and the tables of
                       doc/measurements/simulation.md
   --linearisation-documents  alone: the Puma 560 by lqr and ekf with sweeps, to doc/data, doc/pictures and doc/measurements/linearisation.md
+  --elastic-documents  alone: both robots by elastic with sweeps, to doc/data and doc/measurements/elastic.md
 END_OF_USAGE
 }
 
@@ -37,20 +40,27 @@ run() {
   case "${1:-} $(option_of --controller "$(option_of --export pd "$@")" "$@")" in
     --documents*) build "$HOST_PRESET" loop && write_loop_documents ;;
     --linearisation-documents*) build "$HOST_PRESET" pushes observers && write_linearisation_documents ;;
-    *lqr | *ekf) regulate "$@" ;;
+    --elastic-documents*) build "$HOST_PRESET" elastic && write_elastic_documents ;;
+    *lqr | *ekf | *elastic) regulate "$@" ;;
     *tinympc | *json) build "$HOST_PRESET" linearise && "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/linearise" "$@" ;;
     *) build "$HOST_PRESET" loop && build_board_of_loop "$@" && drop_options --controller "$@" && loop_program "${ARGUMENTS[@]}" ;;
   esac
 }
 
-# The program of --controller lqr or ekf.
-regulating() { [[ $1 == lqr ]] && echo pushes || echo observers; }
+# The program of --controller lqr, ekf or elastic.
+regulating() {
+  case $1 in
+    lqr) echo pushes ;;
+    ekf) echo observers ;;
+    *) echo elastic ;;
+  esac
+}
 
 regulate() {
   local name
   name=$(option_of --controller '' "$@")
   build "$HOST_PRESET" "$(regulating "$name")"
-  build_regulators
+  build_regulators "$name"
   drop_options --controller "$@"
   regulating_program "$name" "${ARGUMENTS[@]}"
 }
@@ -61,7 +71,13 @@ regulating_program() {
   "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/$(regulating "$name")" "$@"
 }
 
-build_regulators() { build stm32f405 {lqr,ekf}-{scara,puma560} tracking-scara tracking-puma560; }
+build_regulators() {
+  if [[ ${1:-} == elastic ]]; then
+    build stm32f405 elastic-scara elastic-puma560
+  else
+    build stm32f405 {lqr,ekf}-{scara,puma560} tracking-scara tracking-puma560
+  fi
+}
 
 loop_program() { "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/loop" "$@"; }
 
@@ -91,4 +107,14 @@ write_linearisation_documents() {
   regulating_program ekf --robot puma560 --seconds 10 --sweep --output "$AXIAL_ROOT/output/ekf" --json "$doc/data/ekf-puma560.json"
   cp "$AXIAL_ROOT/output/lqr/lqr-puma560.png" "$AXIAL_ROOT/output/ekf/ekf-puma560.png" "$doc/pictures"
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/linearisation_tables.py" "$doc/data" "$doc/measurements/linearisation.md"
+}
+
+write_elastic_documents() {
+  local doc=$AXIAL_ROOT/doc robot
+  build_regulators elastic
+  for robot in puma560 scara; do
+    regulating_program elastic --robot "$robot" --sweep --output "$AXIAL_ROOT/output/elastic" --json "$doc/data/elastic-$robot.json" \
+      --provenance "$doc/data/elastic_provenance.json"
+  done
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/elastic_tables.py" "$doc/data" "$doc/measurements/elastic.md"
 }

@@ -29,13 +29,21 @@ inline constexpr bool closes_loop = false;
 template <class Controller>
 inline constexpr bool closes_loop<Controller, std::void_t<decltype(&Controller::measure)>> = true;
 
+/// Whether a controller takes third and fourth derivatives: it has take(derivatives).
+template <class Controller, class = void>
+inline constexpr bool takes_derivatives = false;
+template <class Controller>
+inline constexpr bool takes_derivatives<Controller, std::void_t<decltype(&Controller::take)>> = true;
+
 /// `Board`: see hal/README.md. `Controller`: see controller.hpp; `joints`, `name`, load(set-point), compute(), which is
 /// measured, settle(set-point), store(torque), and of its fall-back store_exerted(torque), set_times(times),
-/// advance(ticks), restart(), phase(); where it closes a loop, measure(measurement). `injectable` images end and fail
+/// advance(ticks), restart(), phase(); where it closes a loop, measure(measurement), and where it knows elastic joints
+/// take(derivatives). `injectable` images end and fail
 /// on request; they are for emulators.
 template <class Board, class Controller, bool injectable = false>
 class Feedforward {
-  static_assert(link::fits_tick(Controller::joints, Board::baud, Board::tick_Hz, closes_loop<Controller>),
+  static_assert(link::fits_tick(Controller::joints, Board::baud, Board::tick_Hz, closes_loop<Controller>,
+                                takes_derivatives<Controller>),
                 "A set-point and its answer do not fit a tick: raise the board's baud rate or lower its tick_Hz.");
 
  public:
@@ -81,6 +89,8 @@ class Feedforward {
   }
 
   void handle(const link::FrameView& frame) {
+    if constexpr (takes_derivatives<Controller>)
+      if (frame.type == static_cast<std::uint8_t>(link::MessageType::derivatives)) return take_derivatives(frame);
     switch (static_cast<link::MessageType>(frame.type)) {
       case link::MessageType::set_point:
         return take_set_point(frame);
@@ -117,6 +127,12 @@ class Feedforward {
       if (!in_session(frame)) return tally_.refuse(link::Fault::no_session);
       with<link::Measurement>(frame, [&](auto& m) { controller_.measure(m); });
     }
+  }
+
+  void take_derivatives(const link::FrameView& frame) {
+    if (frame.length != link::derivatives_size(Controller::joints)) return tally_.refuse(link::Fault::bad_payload);
+    if (!in_session(frame)) return tally_.refuse(link::Fault::no_session);
+    with<link::Derivatives>(frame, [&](auto& m) { controller_.take(m); });
   }
 
   template <class Message, class Action>

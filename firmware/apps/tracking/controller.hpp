@@ -59,7 +59,7 @@ class TrackingController : public Controller<Scene, Number> {
   void compute() {
     Base::compute();
     sum_ = this->result_.tau;
-    if (this->met()) add_all(std::make_integer_sequence<int, n>{});
+    if (this->met()) add_feedback();
   }
 
   void settle(const hal::link::SetPoint& request) {
@@ -98,6 +98,11 @@ class TrackingController : public Controller<Scene, Number> {
       return difference(this->request_.q[I].raw, counts);
     }
   }
+
+  /// Adds the feedback to `sum_`.
+  void add_feedback() { add_all(std::make_integer_sequence<int, n>{}); }
+  /// The next set-point is refused as one without a measurement.
+  void forget_measurement() { measured_ = false; }
 
   Error last_[n] = {};
   Tau sum_{};

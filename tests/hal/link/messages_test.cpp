@@ -139,6 +139,8 @@ TEST(Messages, AsManyJointsAsThereMayBeAndNotOneMore) {
   EXPECT_FALSE(decodes(Torque{}, torque_size(max_joints + 1)));
   EXPECT_TRUE(decodes(Measurement{}, measurement_size(max_joints)));
   EXPECT_FALSE(decodes(Measurement{}, measurement_size(max_joints + 1)));
+  EXPECT_TRUE(decodes(Derivatives{}, derivatives_size(max_joints)));
+  EXPECT_FALSE(decodes(Derivatives{}, derivatives_size(max_joints + 1)));
 }
 
 // 7 joints: 84 + 37 bytes of payload, 11 of header and CRC, 1 of stuffing and 2 delimiters each: 149 bytes, 1 490 bits.

@@ -87,6 +87,24 @@ AXIAL_INLINE constexpr void drive(const Motors& motors, I i, const Tau& tau, con
 
 }  // namespace elastic
 
+namespace detail {
+
+// Scenes and numbers that elastic joints are offered for.
+template <class S, class T>
+constexpr void check_elastic() {
+  static_assert(!elastic::is_scene<S> || scene_of<S>::template has<ElasticJoints>,
+                "axial: elastic_feedforward takes joints as elastic; add ElasticJoints to the scene, or call "
+                "inverse_dynamics for rigid ones");
+  static_assert(!scene_of<S>::template has<RotorDynamics>,
+                "axial: elastic_feedforward leaves out how rotors turn with their links; take RotorDynamics out of the "
+                "scene and name RotorInertia");
+  static_assert(elastic::is_elastic<typename scene_of<S>::Robot>(),
+                "axial: no joint of the robot is elastic; declare stiffness(K), N m/rad or N/m, of those that are");
+  check_rates<typename elastic::WithoutMotors<scene_of<S>>::type, T>();
+}
+
+}  // namespace detail
+
 /// Feed-forward of elastic joints: the motors' torques tau_m, positions theta and velocities for a motion of the links
 /// with its derivatives up to the fourth (q rad or m; q3 and q4 rad/s^3 and rad/s^4, or m), so that the links follow it
 /// exactly: tau_l = M(q) qdd + c + g = K (theta - q), B theta-dd + tau_l = tau_m with B = gear^2 J. Stiffness is what
@@ -99,16 +117,8 @@ template <class S, class T>
 [[nodiscard]] constexpr ElasticFeedforward<S, T> elastic_feedforward(
     const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const Accelerations<robot_of<S>, T>& qdd,
     const Joints<robot_of<S>, T>& q3, const Joints<robot_of<S>, T>& q4, const Inputs<S, T>& in = {}) {
-  static_assert(!elastic::is_scene<S> || scene_of<S>::template has<ElasticJoints>,
-                "axial: elastic_feedforward takes joints as elastic; add ElasticJoints to the scene, or call "
-                "inverse_dynamics for rigid ones");
-  static_assert(!scene_of<S>::template has<RotorDynamics>,
-                "axial: elastic_feedforward leaves out how rotors turn with their links; take RotorDynamics out of the "
-                "scene and name RotorInertia");
-  static_assert(elastic::is_elastic<typename scene_of<S>::Robot>(),
-                "axial: no joint of the robot is elastic; declare stiffness(K), N m/rad or N/m, of those that are");
+  detail::check_elastic<S, T>();
   using Links = typename elastic::WithoutMotors<scene_of<S>>::type;
-  detail::check_rates<Links, T>();
   const auto motors = links_of<S, T, FullParameters>();
   ElasticFeedforward<S, T> result{};
   result.theta = q;
