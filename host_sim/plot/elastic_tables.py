@@ -21,7 +21,7 @@ def micrometres(row):
 
 
 def in_the_loop(folder):
-    rows = [[robot, elastic["resonance_Hz"], micrometres(elastic), micrometres(rigid), f"{elastic['ratio']:.3g}",
+    rows = [[robot, str(elastic["resonance_Hz"]), micrometres(elastic), micrometres(rigid), f"{elastic['ratio']:.3g}",
              grouped(elastic["count_most"]), grouped(rigid["count_most"])]
             for robot in ROBOTS for elastic, rigid in pairs(folder, robot, lambda row: row["board"] != "host")]
     return markdown(["robot", "resonance, Hz", "tool error, RMS, um: elastic", "rigid", "rigid / elastic",
@@ -29,7 +29,7 @@ def in_the_loop(folder):
 
 
 def stiffness(folder):
-    rows = [[robot, elastic["resonance_Hz"], micrometres(elastic), micrometres(rigid), f"{elastic['ratio']:.3g}"]
+    rows = [[robot, str(elastic["resonance_Hz"]), micrometres(elastic), micrometres(rigid), f"{elastic['ratio']:.3g}"]
             for robot in ROBOTS for elastic, rigid in pairs(folder, robot, lambda row: row["name"] == "stiffness")]
     return markdown(["robot", "resonance, Hz", "tool error, RMS, um: elastic", "rigid", "rigid / elastic"], rows)
 
