@@ -35,6 +35,7 @@ TEST(ElasticJointsGuide, ItsLinesCompileAndAgree) {
 }
 
 TEST(ElasticJointsGuide, DampingStaysClose) {
+  const int i = 1;
 #include "elastic_joints-2.inc"
 #include "elastic_joints-6.inc"
   EXPECT_NE(damped.theta[1], position);

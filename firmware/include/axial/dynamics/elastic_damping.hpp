@@ -15,6 +15,7 @@ namespace elastic {
 /// less `added` = (1 - e^-x) / x of what was asked more since. Set-up, in double.
 struct Lag {
   double kept = 0.0, added = 0.0;  ///< both 0 where there is no lag
+  /// Of a period of x lags; infinite without any.
   constexpr explicit Lag(double x) {
     added = 1.0 / x;
     if (!(x < most)) return;
@@ -62,10 +63,10 @@ class ElasticState {
   constexpr void restart() { started_ = false; }
 
   /// Of joint i: D / K, s.
-  constexpr const T& lag(int i) const { return lag_[i]; }
+  [[nodiscard]] constexpr const T& lag(int i) const { return lag_[i]; }
   /// Acceleration of the deflection of joint i where without damping it would be `wanted`; remembers it, unless that
   /// is no number.
-  constexpr T acceleration(int i, const T& wanted) {
+  [[nodiscard]] constexpr T acceleration(int i, const T& wanted) {
     const T lacks = select(started_, kept_[i] * lacks_[i] - added_[i] * (wanted - last_[i]), T(0));
     const bool finite = is_finite(wanted);
     lacks_[i] = select(finite, lacks, lacks_[i]), last_[i] = select(finite, wanted, last_[i]);
