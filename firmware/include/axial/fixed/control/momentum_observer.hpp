@@ -10,39 +10,50 @@
 namespace axial {
 namespace detail {
 
-/// Exponents of residuals, and the factors in 2^-31 that bring momenta, efforts and drifts there. Sums of the largest
-/// words that those formats hold fit, so no input overflows.
-template <class S, class Word, class Tuning>
-struct ResidualFormats {
-  static constexpr int size = joint_count<S>;
+/// Exponents of the words that pass an observer's lag as one number; an effort may be missing.
+struct LaggedWords {
+  int momentum = 0, drift = 0, effort = none;
+  static constexpr int none = 1000;
+  constexpr bool has_effort() const { return effort != none; }
+};
+
+/// Exponents of what passes an observer's lag, and the factors in 2^-31 that bring momenta, efforts and drifts there.
+/// Sums of the largest words that those formats hold fit, so no input overflows.
+template <class Tuning, int size>
+struct LaggedFormats {
   int exponent[size] = {};
   std::int32_t momentum[size] = {}, effort[size] = {}, half_drift[size] = {};
 
-  static constexpr ResidualFormats chosen() {
-    static_assert(sizeof(Word) == 4, "axial: the momentum observer takes Fixed32, float or double");
-    using T = Stored<Word>;
+  constexpr void choose(int i, const LaggedWords& words) {
     constexpr WordRounding rounding{32, true, false, 0.0};
-    ResidualFormats all;
-    for (int i = 0; i < size; ++i) {
-      const int p = MomentaOf<S, T>::exponent(i), e = EffortsOf<S, T>::exponent(i);
-      const int d = MomentumRatesOf<S, T>::exponent(i);
-      const int own =
-          rounding.exponent(power_of_two(32 - p) / Tuning::period + power_of_two(31 - e) + power_of_two(31 - d));
-      all.exponent[i] = own;
-      all.momentum[i] = factor(power_of_two(own - p) / Tuning::period);
-      all.effort[i] = factor(power_of_two(own - e));
-      all.half_drift[i] = factor(0.5 * power_of_two(own - d));
-    }
-    return all;
+    const int p = words.momentum, d = words.drift, e = words.effort;
+    const int own = rounding.exponent(power_of_two(32 - p) / Tuning::period +
+                                      (words.has_effort() ? power_of_two(31 - e) : 0.0) + power_of_two(31 - d));
+    exponent[i] = own;
+    momentum[i] = factor(power_of_two(own - p) / Tuning::period);
+    effort[i] = words.has_effort() ? factor(power_of_two(own - e)) : 0;
+    half_drift[i] = factor(0.5 * power_of_two(own - d));
   }
-
- private:
   static constexpr std::int32_t factor(double x) {
     return static_cast<std::int32_t>(nearest_integer(x * power_of_two(31)));
   }
 };
+
+/// What joint i's residual is made of.
+template <class S, class T>
+constexpr LaggedWords residual_words(int i) {
+  return {MomentaOf<S, T>::exponent(i), MomentumRatesOf<S, T>::exponent(i), EffortsOf<S, T>::exponent(i)};
+}
 template <class S, class Word, class Tuning>
-inline constexpr auto residual_formats = ResidualFormats<S, Word, Tuning>::chosen();
+constexpr auto chosen_residual_formats() {
+  static_assert(sizeof(Word) == 4, "axial: the momentum observer takes Fixed32, float or double");
+  LaggedFormats<Tuning, joint_count<S>> all;
+  for (int i = 0; i < joint_count<S>; ++i)
+    all.choose(i, residual_words<S, Stored<Word>>(i));
+  return all;
+}
+template <class S, class Word, class Tuning>
+inline constexpr auto residual_formats = chosen_residual_formats<S, Word, Tuning>();
 
 }  // namespace detail
 

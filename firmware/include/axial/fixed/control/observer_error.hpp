@@ -48,21 +48,23 @@ constexpr RawBound lowered(const RawSum& x) {
 }
 ///@}
 
-/// The factors of ResidualFormats in bounds.
-template <class S, class Word, class Tuning>
-struct BoundedResidualFormats {
-  static constexpr int size = joint_count<S>;
+/// The factors of LaggedFormats in bounds.
+template <class Tuning, int size>
+struct BoundedLaggedFormats {
   RawFactor momentum[size] = {}, effort[size] = {}, half_drift[size] = {};
 
+  constexpr void choose(int i, const LaggedFormats<Tuning, size>& f, const LaggedWords& words) {
+    const int own = f.exponent[i] + 31;
+    momentum[i] = raw_factor(f.momentum[i], power_of_two(own - words.momentum) / Tuning::period);
+    if (words.has_effort()) effort[i] = raw_factor(f.effort[i], power_of_two(own - words.effort));
+    half_drift[i] = raw_factor(f.half_drift[i], 0.5 * power_of_two(own - words.drift));
+  }
+};
+template <class S, class Word, class Tuning>
+struct BoundedResidualFormats : BoundedLaggedFormats<Tuning, joint_count<S>> {
   constexpr BoundedResidualFormats() {
-    using T = Stored<Word>;
-    constexpr const auto& f = residual_formats<S, Word, Tuning>;
-    for (int i = 0; i < size; ++i) {
-      const int own = f.exponent[i] + 31;
-      momentum[i] = raw_factor(f.momentum[i], power_of_two(own - MomentaOf<S, T>::exponent(i)) / Tuning::period);
-      effort[i] = raw_factor(f.effort[i], power_of_two(own - EffortsOf<S, T>::exponent(i)));
-      half_drift[i] = raw_factor(f.half_drift[i], 0.5 * power_of_two(own - MomentumRatesOf<S, T>::exponent(i)));
-    }
+    for (int i = 0; i < joint_count<S>; ++i)
+      this->choose(i, residual_formats<S, Word, Tuning>, residual_words<S, Stored<Word>>(i));
   }
 };
 

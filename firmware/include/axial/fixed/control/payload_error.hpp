@@ -138,17 +138,11 @@ namespace detail {
 
 /// The factors of PayloadSums in bounds; no effort is among a payload's own.
 template <class S, class Word, class Tuning>
-struct BoundedPayloadFormats {
-  RawFactor momentum[4] = {}, effort[4] = {}, half_drift[4] = {};
-
+struct BoundedPayloadFormats : BoundedLaggedFormats<Tuning, 4> {
   constexpr BoundedPayloadFormats() {
-    using F = ColumnRounding<S, Stored<Word>>;
-    constexpr const auto& f = PayloadSums<S, Stored<Word>, Tuning>::formats;
-    for (int k = 0; k < 4; ++k) {
-      const int own = f.exponent[k] + 31;
-      momentum[k] = raw_factor(f.momentum[k], power_of_two(own - F::momentum[k > 0]) / Tuning::period);
-      half_drift[k] = raw_factor(f.half_drift[k], 0.5 * power_of_two(own - F::drift[k > 0]));
-    }
+    using Sums = PayloadSums<S, Stored<Word>, Tuning>;
+    for (int k = 0; k < 4; ++k)
+      this->choose(k, Sums::formats, Sums::words(k));
   }
 };
 

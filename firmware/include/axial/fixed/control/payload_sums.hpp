@@ -23,23 +23,18 @@ struct PayloadSums<S, Stored<Word>, Tuning> {
   using Sum = integer::WideSum;
   static constexpr int n = joint_count<S>;
 
-  struct Formats {
-    int exponent[4] = {}, row[4] = {}, residual_exponent = 0, memory = 0;
-    std::int32_t momentum[4] = {}, effort[4] = {}, half_drift[4] = {};  ///< as next_residual() has them
+  struct Formats : LaggedFormats<Tuning, 4> {
+    int row[4] = {}, residual_exponent = 0, memory = 0;
     std::int32_t row_factor[n] = {}, residual_factor[n] = {};
   };
-  static constexpr std::int32_t q31(double x) {
-    return static_cast<std::int32_t>(nearest_integer(x * power_of_two(31)));
+  static constexpr LaggedWords words(int k) {
+    using F = ColumnRounding<S, T>;
+    return {F::momentum[k > 0], F::drift[k > 0]};
   }
   static constexpr Formats formats = [] {
-    using F = ColumnRounding<S, T>;
     Formats all;
-    for (int k = 0; k < 4; ++k) {
-      const int p = F::momentum[k > 0], d = F::drift[k > 0];
-      all.exponent[k] = F::rounding.exponent(power_of_two(32 - p) / Tuning::period + power_of_two(31 - d));
-      all.momentum[k] = q31(power_of_two(all.exponent[k] - p) / Tuning::period);
-      all.half_drift[k] = q31(0.5 * power_of_two(all.exponent[k] - d));
-    }
+    for (int k = 0; k < 4; ++k)
+      all.choose(k, words(k));
     int rows = -60, residuals = 60;  // powers of two below which factors fit
     for (int i = 0; i < n; ++i) {
       const double per = 1.0 / residual_deviation<S, Tuning>(i);
@@ -51,8 +46,8 @@ struct PayloadSums<S, Stored<Word>, Tuning> {
     }
     for (int i = 0; i < n; ++i) {
       const double per = 1.0 / residual_deviation<S, Tuning>(i);
-      all.row_factor[i] = q31(per * power_of_two(-rows));
-      all.residual_factor[i] = q31(per * power_of_two(residuals - Residuals<S, T, Tuning>::exponent(i)));
+      all.row_factor[i] = Formats::factor(per * power_of_two(-rows));
+      all.residual_factor[i] = Formats::factor(per * power_of_two(residuals - Residuals<S, T, Tuning>::exponent(i)));
     }
     for (int k = 0; k < 4; ++k)
       all.row[k] = all.exponent[k] - rows;
