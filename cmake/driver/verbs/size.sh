@@ -27,7 +27,7 @@ On rp2040, whose emulator counts cycles, those of every kernel are also held to 
 counts disagree.
 maintainers:
   --documents         stands alone: measures all anew and writes doc/data/size.*, doc/pictures/size.* and the tables of doc/measurements/size.md
-  --anew ANY_BOARD    alone: measures one board again and puts its rows, and its commit, into doc/data/size.* and the tables; then
+  --anew ANY_BOARD    without others: measures one board again and puts its rows, and its commit, into doc/data/size.* and the tables; then
                       ./axial report --work-precision-anew
   --update-budgets    alone: writes tests/target/budgets.json, 2 % above what is measured now
 END
