@@ -43,7 +43,8 @@ template <class S, class T>
 struct FixedState {
   using Robot = axial::robot_of<S>;
   using Word = typename T::Word;
-  static constexpr int size = Robot::chain.size;
+  using Values = typename axial::scene_of<S>::Robot;  // whose joints, or drives that joints share, have values
+  static constexpr int size = Values::chain.size;
   static constexpr int quantities = 4 * size;
   static constexpr std::int64_t most = std::numeric_limits<Word>::max();
 
@@ -52,11 +53,11 @@ struct FixedState {
   axial::Accelerations<Robot, T> qdd{};
   axial::EffortsOf<S, T> tau{};
 
-  static constexpr bool turns(int joint) { return Robot::chain.links[joint].type == axial::JointType::revolute; }
+  static constexpr bool turns(int joint) { return Values::chain.links[joint].type == axial::JointType::revolute; }
   /// Of number k: q, qd, qdd, tau of the joints in turn. A whole turn for an angle.
   static Span span(int k) {
     const int i = k % size;
-    const auto& link = Robot::chain.links[i];
+    const auto& link = Values::chain.links[i];
     using Q = axial::Positions<Robot, T>;
     if (k / size == 0 && turns(i)) return {INT32_MIN, INT32_MAX};
     if (k / size == 0)

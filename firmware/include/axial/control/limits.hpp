@@ -117,18 +117,26 @@ constexpr Status::Code violation(const L& l, const Q& q, const T& qd, const T& q
   return For::allows(l.speed, qd) ? Code::acceleration_limit : Code::speed_limit;
 }
 
-/// What drives make of joints that they share, held against the limits of those; names the drive that the joint owns,
-/// or the first that moves it.
-template <class S, class T, class Check>
-constexpr Status check_shared(const Check& joints_status) {
-  if constexpr (shares_drives_in<typename scene_of<S>::Robot>) {
+/// How what drives make of joints that they share is held against the limits of those: `joints_status` tells of real
+/// numbers. A number system in which angles wrap has its own.
+template <class S, class T>
+struct SharedCheck {
+  /// names the drive that the joint owns, or the first that moves it
+  template <class Check, class... Values>
+  static constexpr Status status(const Check& joints_status, const Values&...) {
     using Links = decltype(links_of<S, T>());
     Status status = joints_status(Links{});
     if (status.joint >= 0) status.joint = Links::matrix.mover_of(status.joint);
     return status;
-  } else {
-    return {};
   }
+};
+/// Of positions, or of positions, speeds and accelerations; ok where joints have drives of their own.
+template <class S, class T, class Check, class... Values>
+constexpr Status check_shared(const Check& joints_status, const Values&... values) {
+  if constexpr (shares_drives_in<typename scene_of<S>::Robot>)
+    return SharedCheck<S, T>::status(joints_status, values...);
+  else
+    return {};
 }
 
 }  // namespace detail
@@ -145,9 +153,10 @@ template <class S, class T, detail::if_one_state<T> = 0>
     if (!(For::reaches(l, q[i]) && For::allows(l.speed, qd[i]) && For::allows(l.acceleration, qdd[i])))
       return {detail::violation<For>(l, q[i], qd[i], qdd[i]), i};
   }
-  return detail::check_shared<S, T>([&](auto links) {
+  const auto joints_status = [&](auto links) {
     return check_request<typename decltype(links)::JointScene>(links.positions(q), links.rates(qd), links.rates(qdd));
-  });
+  };
+  return detail::check_shared<S, T>(joints_status, q, qd, qdd);
 }
 
 /// First joint whose position is not finite or outside the declared limits, and which of the two, as check_request().
@@ -156,8 +165,10 @@ template <class S, class T, detail::if_one_state<T> = 0>
   using For = detail::LimitsFor<S, T>;
   for (int i = 0; i < joint_count<S>; ++i)
     if (!For::reaches(For::joint(i), q[i])) return {detail::violation<For>(For::joint(i), q[i], T{}, T{}), i};
-  return detail::check_shared<S, T>(
-      [&](auto links) { return check_position<typename decltype(links)::JointScene>(links.positions(q)); });
+  const auto joints_status = [&](auto links) {
+    return check_position<typename decltype(links)::JointScene>(links.positions(q));
+  };
+  return detail::check_shared<S, T>(joints_status, q);
 }
 
 /// A desired motion, and what was wrong with it.

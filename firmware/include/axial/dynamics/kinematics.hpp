@@ -124,7 +124,7 @@ AXIAL_INLINE constexpr void columns(const Links& links, const Poses& poses, K k,
 template <class Links, class Input, class Q, class Result>
 AXIAL_INLINE constexpr void tool_columns(const Links& links, const Input& in, const Q& q, Result& jacobian) {
   if constexpr (is_driven<Links>) {
-    Jacobian<typename Links::JointRobot, typename Links::Scalar> by_joints{};
+    Jacobian<typename Links::JointRobot, typename Links::Value> by_joints{};
     tool_columns(links.joints(), in, links.positions(q), by_joints);
     DrivenKernels<Links>::columns(links, by_joints, jacobian);
   } else {
@@ -139,7 +139,7 @@ AXIAL_INLINE constexpr void tool_columns(const Links& links, const Input& in, co
 template <class Links, class Input, class K, class Q, class Result>
 AXIAL_INLINE constexpr void link_columns(const Links& links, const Input& in, K k, const Q& q, Result& jacobian) {
   if constexpr (is_driven<Links>) {
-    Jacobian<typename Links::JointRobot, typename Links::Scalar> by_joints{};
+    Jacobian<typename Links::JointRobot, typename Links::Value> by_joints{};
     link_columns(links.joints(), in, k, links.positions(q), by_joints);
     DrivenKernels<Links>::columns(links, by_joints, jacobian);
   } else {

@@ -118,13 +118,15 @@ AXIAL_INLINE constexpr void run_drives(const Holding& at_rest, const Links& link
   MomentumTerms<typename Links::JointScene, typename Links::Value> at_joints{};
   run(at_rest.joints(), links.joints(), in, q, links.rates(ud), at_joints);
   const auto speeds = links.read_drives(ud);
+  const auto momenta = links.felt_by_drives(at_joints.momentum);
+  const auto drifts = links.felt_by_drives(at_joints.drift);
   Soundness<typename Links::Scalar> all;
   detail::judge_positions(all, links.joints(), in, q);
   detail::collect_inputs<typename Links::JointScene>(all, in);
   links.each_drive([&](auto k) AXIAL_INLINE {
     const auto drive = links.drives().link(k);
-    links.answer(terms.momentum, k, at_joints.momentum, drive.rotor() * speeds[k]);
-    links.answer(terms.drift, k, at_joints.drift, -friction_effort(drive, speeds[k]));
+    links.answer(terms.momentum, k, momenta, drive.rotor() * speeds[k]);
+    links.answer(terms.drift, k, drifts, -friction_effort(drive, speeds[k]));
     all.number(ud[k]), all.number(terms.momentum[k]), all.number(terms.drift[k]);
   });
   terms.status = all.status();

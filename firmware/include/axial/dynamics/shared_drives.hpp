@@ -63,20 +63,41 @@ inline constexpr auto shares = [] {
   return all;
 }();
 
-/// m = G^T M G, M of the joints.
-template <class Links, class M, class Drives, int... I>
-AXIAL_INLINE constexpr void reduce(const M& joints, Drives& m, std::integer_sequence<int, I...>) {
+/// The sum of shares First to Last - 1.
+template <class Links, int First, int Last, class M>
+AXIAL_INLINE constexpr auto sum_of_shares(const M& joints) {
   using T = typename Links::Scalar;
-  auto add = [&](auto index) AXIAL_INLINE {
-    constexpr Share share = shares<Links>[decltype(index)::value];
-    const auto term =
-        literal<T>([] { return shares<Links>[decltype(index)::value].factor; }) * joints(share.i, share.j);
-    if constexpr (share.first)
-      m(share.k, share.l) = term;
-    else
-      m(share.k, share.l) = m(share.k, share.l) + term;
+  constexpr Share share = shares<Links>[Last - 1];
+  const auto last =
+      literal<T>([] { return shares<Links>[Last - 1].factor; }) * Links::template entry<share.i, share.j>(joints);
+  if constexpr (Last - First == 1)
+    return last;
+  else
+    return Links::add(sum_of_shares<Links, First, Last - 1>(joints), last);
+}
+/// How far the shares of the entry that begins with share `first` go.
+template <class Links>
+constexpr int end_of_entry(int first) {
+  int end = first + 1;
+  while (end < share_count<Links> && !shares<Links>[end].first)
+    ++end;
+  return end;
+}
+/// m = G^T M G and the drives' rotors, M of the joints.
+template <class Links, class M, class Drives, int... I>
+AXIAL_INLINE constexpr void reduce(const Links& links, const M& joints, Drives& m, std::integer_sequence<int, I...>) {
+  auto set = [&](auto index) AXIAL_INLINE {
+    constexpr int first = decltype(index)::value;
+    constexpr Share share = shares<Links>[first];
+    if constexpr (share.first) {
+      const auto sum = sum_of_shares<Links, first, end_of_entry<Links>(first)>(joints);
+      if constexpr (share.k == share.l)
+        m.set(Index<share.k>{}, Index<share.l>{}, Links::add(sum, links.drives().link(Index<share.k>{}).rotor()));
+      else
+        m.set(Index<share.k>{}, Index<share.l>{}, sum);
+    }
   };
-  (add(Index<I>{}), ...);
+  (set(Index<I>{}), ...);
 }
 
 }  // namespace driven
@@ -85,21 +106,22 @@ AXIAL_INLINE constexpr void reduce(const M& joints, Drives& m, std::integer_sequ
 /// of the drives themselves.
 template <class Links>
 struct DrivenKernels {
-  using T = typename Links::Scalar;                               ///< the number
-  using JointMatrix = MassMatrix<typename Links::JointRobot, T>;  ///< M of the joints
-  using Matrix = MassMatrix<typename Links::Scene::Robot, T>;     ///< M of the drives
+  using T = typename Links::Scalar;                                                     ///< the number
+  using JointMatrix = MassMatrixOf<typename Links::JointScene, typename Links::Value>;  ///< M of the joints
+  using Matrix = MassMatrix<typename Links::Scene::Robot, T>;                           ///< M of the drives
 
   /// Efforts of the drives; rates may be NoMotion.
   template <class Input, class Q, class V, class A, class Tau>
   AXIAL_INLINE static constexpr void efforts(const Links& links, const Input& in, const Q& u, const V& ud, const A& udd,
                                              Tau& tau) {
     typename Links::JointValues at_joints{};
-    rnea::run(links.joints(), in, links.positions(u), links.rates(ud), links.rates(udd), at_joints);
+    rnea::run(links.joints(), in, links.positions(u), links.kernel_rates(ud), links.kernel_rates(udd), at_joints);
+    const auto felt = links.felt_by_drives(at_joints);
     const auto speeds = links.read_drives(ud);
     const auto accelerations = links.read_drives(udd);
     links.each_drive([&](auto k) AXIAL_INLINE {
       const auto drive = links.drives().link(k);
-      links.answer(tau, k, at_joints, friction_effort(drive, speeds[k]), drive.rotor() * accelerations[k]);
+      links.answer(tau, k, felt, friction_effort(drive, speeds[k]), drive.rotor() * accelerations[k]);
     });
   }
 
@@ -108,13 +130,14 @@ struct DrivenKernels {
   AXIAL_INLINE static constexpr void matrix(const Links& links, const Input& in, const Screws& screws, M& m) {
     JointMatrix joints{};
     crba::entries(links.joints(), in, screws, joints);
-    driven::reduce<Links>(joints, m, std::make_integer_sequence<int, driven::share_count<Links>>{});
-    links.each_drive([&](auto k) AXIAL_INLINE { m(k, k) = m(k, k) + links.drives().link(k).rotor(); });
+    driven::reduce(links, joints, m, std::make_integer_sequence<int, driven::share_count<Links>>{});
   }
   /// The same from values of drives.
   template <class Input, class Q, class M>
   AXIAL_INLINE static constexpr void matrix_at(const Links& links, const Input& in, const Q& u, M& m) {
-    matrix(links, in, joint_screws(links.joints(), in, links.positions(u)), m);
+    const auto q = links.positions(u);
+    const auto& at = links.joints();
+    matrix(links, in, joint_screws(at, in, at.read(q)), m);
   }
 
   /// Accelerations of the drives, by composite bodies.
@@ -146,21 +169,19 @@ struct DrivenKernels {
   }
   template <int K, class J>
   AXIAL_INLINE static constexpr auto column(const J& joints) {
-    MotionVector<Vec3<T>, Vec3<T>> sum{};
-    sum.angular = {felt_by<K>(joints, [](const auto& c) { return c.angular.x; }),
-                   felt_by<K>(joints, [](const auto& c) { return c.angular.y; }),
-                   felt_by<K>(joints, [](const auto& c) { return c.angular.z; })};
-    sum.linear = {felt_by<K>(joints, [](const auto& c) { return c.linear.x; }),
-                  felt_by<K>(joints, [](const auto& c) { return c.linear.y; }),
-                  felt_by<K>(joints, [](const auto& c) { return c.linear.z; })};
+    using Vector = Vec3<typename Links::Value>;
+    MotionVector<Vector, Vector> sum{};
+    sum.angular = {part<K>([&](int i) { return joints[i].angular.x; }),
+                   part<K>([&](int i) { return joints[i].angular.y; }),
+                   part<K>([&](int i) { return joints[i].angular.z; })};
+    sum.linear = {part<K>([&](int i) { return joints[i].linear.x; }),
+                  part<K>([&](int i) { return joints[i].linear.y; }),
+                  part<K>([&](int i) { return joints[i].linear.z; })};
     return sum;
   }
-  template <int K, class J, class Get>
-  AXIAL_INLINE static constexpr T felt_by(const J& joints, const Get& get) {
-    typename Links::JointValues component{};
-    for (int i = 0; i < Links::size; ++i)
-      component[i] = get(joints[i]);
-    return static_cast<T>(Links::template felt<K>(component));
+  template <int K, class Get>
+  AXIAL_INLINE static constexpr auto part(const Get& get) {
+    return Links::template column_part<K>(get);
   }
 };
 

@@ -4,6 +4,7 @@
 #include <axial/algorithm.hpp>
 #include <axial/fixed/closed_form/scara.hpp>
 #include <axial/fixed/links/fixed_links.hpp>
+#include <axial/fixed/shared_drives_error.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -61,6 +62,11 @@ constexpr ErrorBound<N> bounds_of(const Row<V, N>& values, Get get) {
   return bound;
 }
 
+template <int N>
+constexpr ErrorBound<N> all_of(const Row<double, N>& errors) {
+  return bounds_of(errors, [](double error) { return error; });
+}
+
 template <class S, class T>
 using Bounds = ErrorBound<joint_count<S>>;
 
@@ -89,8 +95,11 @@ constexpr Separated<S, double> errors_of(const bounds::SeparatedBounds<joint_cou
 template <class S, class T>
 constexpr Bounds<S, T> bound_on_efforts() {
   static_assert((check_bound<S, recursion::NewtonEuler>(), true));
-  return bounds_of(ranges_for<scene_of<S>, typename T::Word, BaseParameters, recursion::NewtonEuler>,
-                   [](const LinkRange& r) { return r.joint_effort.error; });
+  if constexpr (has_shared_drives<S>)
+    return all_of(DriveErrors<S, T>::efforts(0.0));
+  else
+    return bounds_of(ranges_for<scene_of<S>, typename T::Word, BaseParameters, recursion::NewtonEuler>,
+                     [](const LinkRange& r) { return r.joint_effort.error; });
 }
 
 }  // namespace detail
@@ -118,23 +127,27 @@ template <class S, class T = Fixed32>
 /// limits, as declared.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::RequestedTorque) {
-  using Scene = scene_of<S>;
-  using R = robot_of<S>;
-  using A = detail::ArithmeticOf<Scene, typename T::Word>;
-  static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
-  auto m = detail::loaded_mechanism<Scene, detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>,
-                                    typename T::Word>();
-  constexpr double angle = (0.5 + detail::power_of_two(-20)) / detail::bam_per_radian;
-  for (int i = 0; i < joint_count<S>; ++i) {
-    const bool turns = R::chain.links[i].type == JointType::revolute;
-    m.joints[i].position_error = turns ? angle : 0.5 * WordRounding::ulp(Positions<R, T>::exponent(i));
-    m.joints[i].speed_error = 0.5 * WordRounding::ulp(Velocities<R, T>::exponent(i));
-    m.joints[i].acceleration_error = 0.5 * WordRounding::ulp(Accelerations<R, T>::exponent(i));
+  if constexpr (detail::has_shared_drives<S>) {
+    return detail::all_of(detail::DriveErrors<S, T>::efforts(0.5));
+  } else {
+    using Scene = scene_of<S>;
+    using R = robot_of<S>;
+    using A = detail::ArithmeticOf<Scene, typename T::Word>;
+    static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
+    auto m = detail::loaded_mechanism<Scene, detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>,
+                                      typename T::Word>();
+    constexpr double angle = (0.5 + detail::power_of_two(-20)) / detail::bam_per_radian;
+    for (int i = 0; i < joint_count<S>; ++i) {
+      const bool turns = R::chain.links[i].type == JointType::revolute;
+      m.joints[i].position_error = turns ? angle : 0.5 * WordRounding::ulp(Positions<R, T>::exponent(i));
+      m.joints[i].speed_error = 0.5 * WordRounding::ulp(Velocities<R, T>::exponent(i));
+      m.joints[i].acceleration_error = 0.5 * WordRounding::ulp(Accelerations<R, T>::exponent(i));
+    }
+    return detail::bounds_of(
+        newton_euler_errors(m, rounding_in<Scene, A>(),
+                            detail::ranges_for<Scene, typename T::Word, BaseParameters, recursion::NewtonEuler>),
+        [](const LinkRange& r) { return r.joint_effort.error; });
   }
-  return detail::bounds_of(
-      newton_euler_errors(m, rounding_in<Scene, A>(),
-                          detail::ranges_for<Scene, typename T::Word, BaseParameters, recursion::NewtonEuler>),
-      [](const LinkRange& r) { return r.joint_effort.error; });
 }
 /// Of the SCARA's closed form, N m or N.
 template <class S, class T = Fixed32>
@@ -154,58 +167,78 @@ template <class S, class T = Fixed32>
 /// Of the mass matrix, one per row: of its entries up to the diagonal, in their SI units.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::MassMatrix) {
-  using Scene = scene_of<S>;
-  using Word = typename T::Word;
-  using Parameters = detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>;
-  static_assert((detail::check_bound<S, recursion::CompositeBodies>(), true));
-  const auto errors = bounds::mass_matrix_errors(
-      mechanism_of<Scene, Parameters>, rounding_in<Scene, detail::ArithmeticOf<Scene, Word>>(),
-      detail::ranges_for<Scene, Word, BaseParameters, recursion::CompositeBodies>,
-      [](int i, int j) { return MassMatrixOf<Scene, T>::exponent(i, j); });
-  return detail::bounds_of(errors, [](double error) { return error; });
+  if constexpr (detail::has_shared_drives<S>) {
+    return detail::all_of(detail::DriveErrors<S, T>::rows());
+  } else {
+    using Scene = scene_of<S>;
+    using Word = typename T::Word;
+    using Parameters = detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>;
+    static_assert((detail::check_bound<S, recursion::CompositeBodies>(), true));
+    const auto errors = bounds::mass_matrix_errors(
+        mechanism_of<Scene, Parameters>, rounding_in<Scene, detail::ArithmeticOf<Scene, Word>>(),
+        detail::ranges_for<Scene, Word, BaseParameters, recursion::CompositeBodies>,
+        [](int i, int j) { return MassMatrixOf<Scene, T>::exponent(i, j); });
+    return detail::bounds_of(errors, [](double error) { return error; });
+  }
 }
 /// Of the origins of the links' frames, m.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::ForwardKinematics) {
-  static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
-  return detail::bounds_of(detail::ranges_for<scene_of<S>, typename T::Word, FullParameters, recursion::Kinematics>,
-                           [](const LinkRange& r) { return r.length.error; });
+  if constexpr (detail::has_shared_drives<S>) {
+    return detail::all_of(detail::DriveErrors<S, T>::origins());
+  } else {
+    static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
+    return detail::bounds_of(detail::ranges_for<scene_of<S>, typename T::Word, FullParameters, recursion::Kinematics>,
+                             [](const LinkRange& r) { return r.length.error; });
+  }
 }
 /// Of the joints' momenta, N m s or N s.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Momentum) {
-  static_assert((detail::check_bound<S, recursion::Momenta>(), true));
-  return detail::bounds_of(detail::ranges_for<scene_of<S>, typename T::Word, BaseParameters, recursion::Momenta>,
-                           [](const LinkRange& r) { return r.joint_effort.error; });
+  if constexpr (detail::has_shared_drives<S>) {
+    return detail::all_of(detail::DriveErrors<S, T>::momenta());
+  } else {
+    static_assert((detail::check_bound<S, recursion::Momenta>(), true));
+    return detail::bounds_of(detail::ranges_for<scene_of<S>, typename T::Word, BaseParameters, recursion::Momenta>,
+                             [](const LinkRange& r) { return r.joint_effort.error; });
+  }
 }
 /// Of their drifts, N m or N.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::MomentumDrift) {
-  using Scene = scene_of<S>;
-  using Word = typename T::Word;
-  static_assert((detail::check_bound<S, recursion::Momenta>(), true));
-  int exponents[joint_count<S>] = {}, least = MomentumRatesOf<Scene, T>::exponent(0);
-  for (int i = 0; i < joint_count<S>; ++i)
-    exponents[i] = MomentumRatesOf<Scene, T>::exponent(i), least = detail::smaller(least, exponents[i]);
-  for (int& exponent : exponents)
-    exponent = Scene::template has<Looped> ? least : exponent;  // links that share formats round at one
-  const auto drifts =
-      bounds::drift_bounds(mechanism_of<Scene, detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>>,
-                           rounding_in<Scene, detail::ArithmeticOf<Scene, Word>>(),
-                           detail::ranges_for<Scene, Word, BaseParameters, recursion::NewtonEuler>,
-                           detail::ranges_for<Scene, Word, BaseParameters, recursion::Momenta>, exponents);
-  return detail::bounds_of(drifts, [](const Ball& drift) { return drift.error; });
+  if constexpr (detail::has_shared_drives<S>) {
+    return detail::all_of(detail::DriveErrors<S, T>::drifts());
+  } else {
+    using Scene = scene_of<S>;
+    using Word = typename T::Word;
+    static_assert((detail::check_bound<S, recursion::Momenta>(), true));
+    int exponents[joint_count<S>] = {}, least = MomentumRatesOf<Scene, T>::exponent(0);
+    for (int i = 0; i < joint_count<S>; ++i)
+      exponents[i] = MomentumRatesOf<Scene, T>::exponent(i), least = detail::smaller(least, exponents[i]);
+    for (int& exponent : exponents)
+      exponent = Scene::template has<Looped> ? least : exponent;  // links that share formats round at one
+    const auto drifts =
+        bounds::drift_bounds(mechanism_of<Scene, detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>>,
+                             rounding_in<Scene, detail::ArithmeticOf<Scene, Word>>(),
+                             detail::ranges_for<Scene, Word, BaseParameters, recursion::NewtonEuler>,
+                             detail::ranges_for<Scene, Word, BaseParameters, recursion::Momenta>, exponents);
+    return detail::bounds_of(drifts, [](const Ball& drift) { return drift.error; });
+  }
 }
 /// Of the tool's Jacobian, one per column: the norm of its linear part, in m (of a slide's in 1).
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Jacobian) {
-  using Scene = scene_of<S>;
-  static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
-  const auto all =
-      bounds::jacobian_bounds(mechanism_of<Scene, detail::with_rotors<Scene, parameters_of<Scene, FullParameters>>>,
-                              rounding_in<Scene, detail::ArithmeticOf<Scene, typename T::Word>>(),
-                              detail::ranges_for<Scene, typename T::Word, FullParameters, recursion::Kinematics>);
-  return detail::bounds_of(all.columns, [](const auto& column) { return column.linear.bound.whole.error; });
+  if constexpr (detail::has_shared_drives<S>) {
+    return detail::all_of(detail::DriveErrors<S, T>::columns());
+  } else {
+    using Scene = scene_of<S>;
+    static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
+    const auto all =
+        bounds::jacobian_bounds(mechanism_of<Scene, detail::with_rotors<Scene, parameters_of<Scene, FullParameters>>>,
+                                rounding_in<Scene, detail::ArithmeticOf<Scene, typename T::Word>>(),
+                                detail::ranges_for<Scene, typename T::Word, FullParameters, recursion::Kinematics>);
+    return detail::bounds_of(all.columns, [](const auto& column) { return column.linear.bound.whole.error; });
+  }
 }
 /// Of accelerations, rad/s^2 or m/s^2.
 template <class S, class T = Fixed32>

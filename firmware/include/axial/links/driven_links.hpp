@@ -71,8 +71,12 @@ struct DrivenLinks {
   AXIAL_INLINE static constexpr JointValues positions(const U& u) {
     JointValues q{};
     each_joint([&](auto i) AXIAL_INLINE {
-      q[i] = static_cast<Scalar>(row<decltype(i)::value>(u) +
-                                 literal<Scalar>([] { return matrix.offset[decltype(i)::value]; }));
+      using Step = JointStep<decltype(i)::value>;
+      if constexpr (Step::is_taken())
+        q[i] = stepped(Step{}, q, u);
+      else
+        q[i] = static_cast<Scalar>(row<decltype(i)::value>(u) +
+                                   literal<Scalar>([] { return matrix.offset[decltype(i)::value]; }));
     });
     return q;
   }
@@ -85,6 +89,43 @@ struct DrivenLinks {
   }
   /// Nothing moves.
   AXIAL_INLINE static constexpr NoMotion rates(NoMotion) { return {}; }
+  /// Rates of the joints that are computed where a kernel reads them: ahead of it they would wait in memory. A common
+  /// factor of a row stands outside, from where it goes into a sum.
+  template <class U>
+  struct RateView {
+    const U& of_drives;  ///< speeds or accelerations
+    /// of joint i
+    template <class I>
+    AXIAL_INLINE constexpr Scalar operator[](I) const {
+      constexpr int i = I::value;
+      if constexpr (matrix.common_factor(i) != 1.0)
+        return static_cast<Scalar>(literal<Scalar>([] { return matrix.common_factor(I::value); }) *
+                                   signed_sum<i>(of_drives));
+      else
+        return static_cast<Scalar>(row<i>(of_drives));
+    }
+  };
+  /// Rates for a kernel: a view of them where every link has its own type.
+  template <class U>
+  AXIAL_INLINE static constexpr auto kernel_rates(const U& ud) {
+    if constexpr (decltype(joints())::unrolled && !std::is_same_v<U, NoMotion>)
+      return RateView<U>{ud};
+    else
+      return rates(ud);
+  }
+  /// What every drive feels of values of the joints.
+  template <class Values>
+  AXIAL_INLINE static constexpr auto felt_by_drives(const Values& values) {
+    Joints<typename Scene::Robot, Scalar> all{};
+    each_drive([&](auto k) AXIAL_INLINE {
+      using Step = DriveStep<decltype(k)::value>;
+      if constexpr (Step::value().from >= 0)
+        all[k] = stepped(Step{}, all, values);
+      else
+        all[k] = static_cast<Scalar>(felt<decltype(k)::value>(values));
+    });
+    return all;
+  }
   /// What drive K feels of values of the joints: column K of G times them.
   template <int K, int I = 0, class Values>
   AXIAL_INLINE static constexpr auto felt(const Values& values) {
@@ -98,10 +139,28 @@ struct DrivenLinks {
   AXIAL_INLINE static constexpr const U& read_drives(const U& u) {
     return u;
   }
-  /// Writes for drive k what it feels of values of the joints, and terms of its own.
-  template <class Values, class K, class AtJoints, class... Own>
-  AXIAL_INLINE static constexpr void answer(Values& values, K, const AtJoints& at_joints, const Own&... own) {
-    values[K::value] = static_cast<Scalar>((felt<K::value>(at_joints) + ... + own));
+  /// Writes for drive k what it feels of the joints, and terms of its own.
+  template <class Values, class K, class Felt, class... Own>
+  AXIAL_INLINE static constexpr void answer(Values& values, K, const Felt& felt, const Own&... own) {
+    values[K::value] = static_cast<Scalar>((felt[K::value] + ... + own));
+  }
+  /// Where a number system with formats waits for a sum's rounding: here the sum.
+  template <class X, class Y>
+  AXIAL_INLINE static constexpr auto add(const X& x, const Y& y) {
+    return x + y;
+  }
+  /// Entry (I, J) of M of the joints.
+  template <int I, int J, class M>
+  AXIAL_INLINE static constexpr const Scalar& entry(const M& m) {
+    return m(I, J);
+  }
+  /// A component of a Jacobian's column by drive K, from those by joints.
+  template <int K, class Get>
+  AXIAL_INLINE static constexpr Scalar column_part(const Get& get) {
+    JointValues component{};
+    for (int i = 0; i < size; ++i)
+      component[i] = get(i);
+    return static_cast<Scalar>(felt<K>(component));
   }
   /// Calls f(k) for every drive.
   template <class F>
@@ -109,7 +168,7 @@ struct DrivenLinks {
     each(f, std::make_integer_sequence<int, capacity>{});
   }
 
-  /// Where a kernel that does not know drives asks for links, joint values or efforts.
+  /// Where a kernel that does not know drives asks for links, values or efforts.
   ///@{
   template <class I>
   static constexpr auto link(I i) {
@@ -129,6 +188,34 @@ struct DrivenLinks {
   ///@}
 
  private:
+  // One value more by an earlier one: of a joint from drives, or of a drive from joints.
+  template <class Step, class Done, class U>
+  AXIAL_INLINE static constexpr Scalar stepped(Step, const Done& done, const U& u) {
+    return static_cast<Scalar>(literal<Scalar>([] { return Step::value().sign; }) * done[Step::value().from] +
+                               literal<Scalar>([] { return Step::value().unit; }) * u[Step::value().at]);
+  }
+  template <int I>
+  struct JointStep {
+    static constexpr RowStep value() { return matrix.joint_step(I); }
+    static constexpr bool is_taken() {
+      constexpr int from = value().from;
+      return from >= 0 && matrix.offset[I] == 0.0 && matrix.offset[from < 0 ? I : from] == 0.0;
+    }
+  };
+  template <int K>
+  struct DriveStep {
+    static constexpr RowStep value() { return matrix.drive_step(K); }
+  };
+  template <int I, int K = 0, class U>
+  AXIAL_INLINE static constexpr auto signed_sum(const U& u) {
+    if constexpr (K == capacity)
+      return Zero{};
+    else
+      return literal<Scalar>([] {
+               return matrix.ratio[I][K] > 0.0 ? 1.0 : matrix.ratio[I][K] < 0.0 ? -1.0 : 0.0;
+             }) * u[K] +
+             signed_sum<I, K + 1>(u);
+  }
   template <int I, int K = 0, class U>
   AXIAL_INLINE static constexpr auto row(const U& u) {
     if constexpr (K == capacity)

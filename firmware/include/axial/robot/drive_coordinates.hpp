@@ -29,7 +29,7 @@ namespace detail {
 template <class R>
 inline constexpr auto drive_matrix = drive_matrix_of(R::chain.links);
 
-/// What a drive is by itself: rotor, friction, limits; of one that no other joint shares, those of its joint.
+/// What a drive is by itself: rotor, friction, limits; those of its joint too where nothing else moves that.
 constexpr LinkParameters drive_by_itself(const LinkParameters& joint, bool alone) {
   LinkParameters drive;
   drive.type = JointType::prismatic;  // a number: what it makes of angles is told by the joints

@@ -7,6 +7,31 @@
 
 namespace axial {
 
+/// A row of a matrix as an earlier one and one more number: row = sign row[from] + unit e[at].
+struct RowStep {
+  int from = -1;      ///< an earlier row; -1: the row is best taken as it is
+  double sign = 1.0;  ///< 1 or -1
+  int at = 0;         ///< the one number
+  double unit = 0.0;  ///< 1 or -1 of it
+};
+/// Of row i with n entries, entry(i, k): where that spares products, which 0, 1 and -1 are not. The rows of a
+/// differential are (1/2, 1/2) and (1/2, -1/2).
+template <class Entry>
+constexpr RowStep row_step(const Entry& entry, int i, int n) {
+  int products = 0;
+  for (int k = 0; k < n; ++k)
+    products += entry(i, k) == 0.0 || entry(i, k) == 1.0 || entry(i, k) == -1.0 ? 0 : 1;
+  for (int j = 0; j < i && products > 1; ++j)
+    for (const double sign : {1.0, -1.0}) {
+      RowStep step{j, sign};
+      int others = 0;
+      for (int k = 0; k < n; ++k)
+        if (const double left = entry(i, k) - sign * entry(j, k); left != 0.0) ++others, step.at = k, step.unit = left;
+      if (others == 1 && (step.unit == 1.0 || step.unit == -1.0)) return step;
+    }
+  return {};
+}
+
 /// q = G u + q0 of N joints and as many drives at most: what the drives of a robot make of its joints. Efforts go the
 /// other way: tau_u = G^T tau_q, so that power is the same on either side.
 template <int N>
@@ -31,12 +56,10 @@ struct DriveMatrix {
       if (is_moved(joint, k)) return k;
     return -1;
   }
-  /// Whether a joint has its own drive to itself, one to one.
+  /// Whether nothing but its own drive moves a joint, one to one: then its limits are the drive's.
   constexpr bool is_alone(int joint) const {
     const int own = drive_of(joint);
     if (own < 0) return false;
-    for (int i = 0; i < N; ++i)
-      if (i != joint && is_moved(i, own)) return false;
     for (int k = 0; k < drives; ++k)
       if (ratio[joint][k] != (k == own ? 1.0 : 0.0)) return false;
     return true;
@@ -52,6 +75,27 @@ struct DriveMatrix {
       if (!moved) return false;
     }
     return independent;
+  }
+  /// The row of a joint by an earlier one, and what a drive feels by what an earlier drive does.
+  ///@{
+  constexpr RowStep joint_step(int joint) const {
+    return row_step([this](int i, int k) { return ratio[i][k]; }, joint, drives);
+  }
+  constexpr RowStep drive_step(int drive) const {
+    return row_step([this](int k, int i) { return ratio[i][k]; }, drive, N);
+  }
+  ///@}
+  /// The size that all entries of a joint's row share, where there are several, else 1.
+  constexpr double common_factor(int joint) const {
+    double factor = 0.0;
+    int entries = 0;
+    for (int k = 0; k < drives; ++k) {
+      const double entry = ratio[joint][k] < 0.0 ? -ratio[joint][k] : ratio[joint][k];
+      if (entry == 0.0) continue;
+      if (++entries > 1 && entry != factor) return 1.0;
+      factor = entry;
+    }
+    return entries > 1 ? factor : 1.0;
   }
   /// Whether a drive moves a joint.
   constexpr bool is_moved(int joint, int drive) const { return ratio[joint][drive] != 0.0; }

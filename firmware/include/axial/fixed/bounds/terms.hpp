@@ -8,8 +8,9 @@
 namespace axial::bounds {
 
 /// The terms of one component, as far as rounding depends on them. A term that is zero in every state is none: it
-/// rounds nothing.
-class Terms {
+/// rounds nothing. `most_words` of them are words at most.
+template <int most_words>
+class TermsOf {
  public:
   /// A word at an exponent.
   constexpr void add_word(int exponent) { words_[word_count_++] = exponent; }  // one too many is no constant expression
@@ -29,7 +30,7 @@ class Terms {
     ++scaled_;
   }
   /// The terms of another sum.
-  constexpr void add(const Terms& other) {
+  constexpr void add(const TermsOf& other) {
     for (int i = 0; i < other.word_count_; ++i)
       add_word(other.words_[i]);
     literals_ += other.literals_, products_ += other.products_, scaled_ += other.scaled_;
@@ -46,7 +47,7 @@ class Terms {
   }
 
  private:
-  static constexpr int most_words = 4, none = 100000;
+  static constexpr int none = 100000;
   int words_[most_words] = {}, word_count_ = 0, literals_ = 0;
   int products_ = 0, least_ = none, coarsest_ = 0;  // of words; how many of them have the least exponent
   double upper_units_ = 0.0;                        // sum of the units of products
@@ -92,6 +93,7 @@ class Terms {
            (products_ > 0 ? products : 0.0);
   }
 };
+using Terms = TermsOf<4>;  ///< of what kernels sum
 
 }  // namespace axial::bounds
 

@@ -4,6 +4,7 @@
 #include <axial/control/limits.hpp>
 #include <axial/fixed/limits/fixed_limits.hpp>
 #include <axial/fixed/limits/inputs_check.hpp>
+#include <axial/fixed/limits/joint_limits.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -43,6 +44,20 @@ struct LimitsFor<S, Stored<Word>> {
   /// What is wrong with a state: beyond its limits formats wrap.
   static constexpr Status check_state(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd) {
     return check_request<S>(q, qd, Accelerations<robot_of<S>, T>{});
+  }
+};
+
+/// Held against limits of joints too.
+template <class S, class Word>
+struct SharedCheck<S, Stored<Word>> {
+  using T = Stored<Word>;
+  template <class Check, class U, class V, class A>
+  static constexpr Status status(const Check&, const U& u, const V& ud, const A& udd) {
+    return SharedLimits<S, Word>::status(u, ud, udd);
+  }
+  template <class Check, class U>
+  static constexpr Status status(const Check&, const U& u) {
+    return SharedLimits<S, Word>::of_position(u);
   }
 };
 

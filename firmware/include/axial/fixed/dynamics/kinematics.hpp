@@ -6,11 +6,20 @@
 #include <axial/options/begin.hpp>
 
 namespace axial {
+namespace detail {
+template <class Links>
+constexpr int length_format() {
+  if constexpr (is_driven<Links>)
+    return length_format<decltype(Links::joints())>();
+  else
+    return decltype(std::declval<Links>().link(Index<0>{}))::format.length;
+}
+}  // namespace detail
 
 /// Exponents of what kinematics answers in fixed point T: of lengths (m), and of entries of rotations and directions.
 template <class S, class T>
 inline constexpr int length_exponent =
-    decltype(links_of<S, T, FullParameters, recursion::Kinematics>().link(Index<0>{}))::format.length;
+    detail::length_format<decltype(links_of<S, T, FullParameters, recursion::Kinematics>())>();
 /// The same of entries of rotations and directions.
 template <class T>
 inline constexpr int direction_exponent = 8 * static_cast<int>(sizeof(typename T::Word)) - 2;

@@ -16,13 +16,23 @@ struct MassMatrixFormat {
   int of[size][size] = {};
 
   static constexpr MassMatrixFormat chosen() {
-    constexpr WordRounding rounding{8 * static_cast<int>(sizeof(Word)), true, false, 0.0};
-    const auto ranges = composite_body_ranges(mechanism_of<scene_of<S>, FullParameters>, rounding, Wanted::formats);
+    if constexpr (shares_drives_in<typename scene_of<S>::Robot>) {
+      return by([](int k) { return DriveSizes<S, Word>::inertia(k); });
+    } else {
+      const auto ranges =
+          composite_body_ranges(mechanism_of<scene_of<S>, FullParameters>, joint_rounding<Word>, Wanted::formats);
+      return by([&](int i) { return ranges.range[i].joint_inertia.size; });
+    }
+  }
+  template <class Diagonal>
+  static constexpr MassMatrixFormat by(const Diagonal& diagonal) {
     MassMatrixFormat format;
+    double most[size] = {};
+    for (int i = 0; i < size; ++i)
+      most[i] = diagonal(i);
     for (int i = 0; i < size; ++i)
       for (int j = 0; j < size; ++j)
-        format.of[i][j] =
-            rounding.exponent(square_root(ranges.range[i].joint_inertia.size * ranges.range[j].joint_inertia.size));
+        format.of[i][j] = joint_rounding<Word>.exponent(square_root(most[i] * most[j]));
     return format;
   }
 };

@@ -141,9 +141,6 @@ constexpr void check_fixed_scene() {
       is_described<typename Scene::Robot>,
       "axial: a run-time Model has no formats for fixed point, which follow from a robot's type; describe the "
       "robot as a type, or compute in float");
-  static_assert(!shares_drives_in<typename Scene::Robot>,
-                "axial: joints that share drives have no formats in fixed point; compute in float, or name "
-                "axial::JointCoordinates<Robot>");
   static_assert(!Scene::template has<BaseMotion> && !Scene::template has<FloatingBase>,
                 "axial: fixed point needs a base at rest, for nothing declares how it moves; compute this scene in "
                 "float");
@@ -157,7 +154,7 @@ constexpr void check_fixed_scene() {
   static_assert(!Scene::template has<JointSprings>, "axial: fixed point has no JointSprings; compute them in float");
   static_assert(!Scene::template has<CompositeBody>,
                 "axial: forward dynamics in fixed point is that of articulated bodies; take CompositeBody out");
-  if constexpr (is_described<typename Scene::Robot> && !shares_drives_in<typename Scene::Robot>) {
+  if constexpr (is_described<typename Scene::Robot>) {
     check_limits<typename Scene::Robot>();
     check_fixed_friction<Scene>();
     check_fixed_loads<Scene>();

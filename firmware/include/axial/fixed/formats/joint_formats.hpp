@@ -3,6 +3,7 @@
 
 #include <axial/fixed/bounds/momentum.hpp>
 #include <axial/fixed/ranges/forward_error.hpp>
+#include <axial/links/driven_links.hpp>
 #include <axial/scene/joints.hpp>
 
 #include <axial/options/begin.hpp>
@@ -34,13 +35,14 @@ constexpr void check_limits() {
     return p.type == JointType::revolute || (is_bounded(p.position_max) && is_bounded(-p.position_min));
   });
   static_assert(speeds,
-                "axial: fixed point takes its formats from the declared limits; give every link a speed_limit()");
+                "axial: fixed point takes its formats from the declared limits; give every link a "
+                "speed_limit(), of a drive that joints share drive_limits()");
   static_assert(accelerations,
                 "axial: fixed point takes its formats from the declared limits; give every link an "
-                "acceleration_limit()");
+                "acceleration_limit(), of a drive that joints share drive_limits()");
   static_assert(positions,
                 "axial: fixed point takes its formats from the declared limits; give every prismatic link "
-                "position_limits()");
+                "position_limits(), of a drive that joints share drive_limits()");
 }
 
 /// What joint values are rounded to, whatever the scene's arithmetic.
@@ -69,12 +71,22 @@ inline constexpr double excess_of = excess_of_drive(mechanism_of<scene_of<S>, Fu
                                                     motion_ranges_of<S, Word>, usual_drive_of<S, Word>);
 ///@}
 
+/// Sizes of what drives of joints that share them answer: drive_formats.hpp.
+template <class S, class Word>
+struct DriveSizes;
+
 /// Exponents of joint i's values by their role. A role asks for no more of the analyses than it needs.
 template <class S, class Word>
 struct RoleExponent {
-  static constexpr const LinkParameters& link(int i) { return robot_of<S>::chain.links[i]; }
+  static constexpr bool shared = shares_drives_in<typename scene_of<S>::Robot>;
+  static constexpr const LinkParameters& link(int i) { return scene_of<S>::Robot::chain.links[i]; }
   static constexpr int fitting(double size) { return fitting_exponent(size, joint_rounding<Word>.capacity()); }
-  static constexpr double motion_effort(int i) { return motion_ranges_of<S, Word>.range[i].joint_effort.size; }
+  static constexpr double motion_effort(int i) {
+    if constexpr (shared)
+      return DriveSizes<S, Word>::effort(i);
+    else
+      return motion_ranges_of<S, Word>.range[i].joint_effort.size;
+  }
   /// Accelerations that efforts can give, over the declared ones, at most: what is beyond has a status.
   static constexpr double largest_excess = 16384.0;
 
@@ -101,17 +113,24 @@ struct RoleExponent {
     return joint_rounding<Word>.exponent(free_ranges_of<S, Word>.halvings > 0 && declared < free ? declared : free);
   }
   static constexpr int of(role::Momentum, int i) {
-    return joint_rounding<Word>.exponent(momentum_ranges_of<S, Word>.range[i].joint_effort.size);
+    if constexpr (shared)
+      return joint_rounding<Word>.exponent(DriveSizes<S, Word>::momentum(i));
+    else
+      return joint_rounding<Word>.exponent(momentum_ranges_of<S, Word>.range[i].joint_effort.size);
   }
   static constexpr int of(role::MomentumRate, int i) {
-    const double slope = momentum_ranges_of<S, Word>.slope[i].size;
-    return joint_rounding<Word>.exponent(slope + motion_effort(i));
+    if constexpr (shared) {
+      return joint_rounding<Word>.exponent(DriveSizes<S, Word>::momentum_rate(i));
+    } else {
+      const double slope = momentum_ranges_of<S, Word>.slope[i].size;
+      return joint_rounding<Word>.exponent(slope + motion_effort(i));
+    }
   }
 };
 
 template <class S, class Word, class Role>
 constexpr auto role_exponents() {
-  check_limits<robot_of<S>>();
+  check_limits<typename scene_of<S>::Robot>();
   constexpr int size = joint_count<S>;
   struct Table {
     int of[size] = {};

@@ -89,7 +89,8 @@ inline constexpr Turns<Robot> turns_of{};
 template <class Values>
 constexpr bool is_angle(int i) {
   using Traits = RoleTraits<Values>;
-  return std::is_same_v<typename Traits::Role, role::Position> && turns_of<robot_of<typename Traits::S>>.of[i];
+  return std::is_same_v<typename Traits::Role, role::Position> &&
+         turns_of<typename scene_of<typename Traits::S>::Robot>.of[i];
 }
 
 inline constexpr double whole_turn = 6.283185307179586;  // rad
@@ -126,7 +127,7 @@ constexpr FixedLimits<S, Word> fixed_limits() {
   using T = Stored<Word>;
   FixedLimits<S, Word> all{};
   for (int i = 0; i < joint_count<S>; ++i) {
-    const LinkParameters& p = Robot::chain.links[i];
+    const LinkParameters& p = scene_of<S>::Robot::chain.links[i];
     static_cast<PositionRange&>(all.joints[i]) = position_range(p, Positions<Robot, T>::exponent(i));
     all.joints[i].speed.raw = raw_limit<Word>(p.speed_limit, Velocities<Robot, T>::exponent(i));
     all.joints[i].acceleration.raw = raw_limit<Word>(p.acceleration_limit, Accelerations<Robot, T>::exponent(i));

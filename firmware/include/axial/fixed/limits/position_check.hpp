@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/dynamics/position_soundness.hpp>
+#include <axial/fixed/limits/joint_limits.hpp>
 #include <axial/fixed/limits/state_check.hpp>
 
 #include <axial/options/begin.hpp>
@@ -13,7 +14,7 @@ template <class S, class Word, class Q, int... I>
 AXIAL_INLINE constexpr int first_slide_outside(const Q& q, std::integer_sequence<int, I...>) {
   int first = -1;
   auto look = [&](auto i) AXIAL_INLINE {
-    if constexpr (!turns_of<robot_of<S>>.of[i])
+    if constexpr (!turns_of<typename scene_of<S>::Robot>.of[i])
       first = first_found(first, fixed_limits_of<S, Word>.joints[i].outside(q.values[i]) != 0, i);
   };
   (look(Index<I>{}), ...);
@@ -38,6 +39,8 @@ struct PositionCheck<S, Stored<Word>> {
   using T = Stored<Word>;
   AXIAL_INLINE static constexpr void name(Status& status, const Inputs<S, T>& in, const Positions<robot_of<S>, T>& q) {
     status = position_status<S>(in, q);
+    if constexpr (shares_drives_in<typename scene_of<S>::Robot>)
+      if (status.ok()) status = SharedLimits<S, Word>::of_position(q, true);
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <axial/dynamics/forward_soundness.hpp>
 #include <axial/fixed/limits/inputs_check.hpp>
+#include <axial/fixed/limits/joint_limits.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -24,7 +25,7 @@ template <class S, class Word, int I, class Q, class V>
 AXIAL_INLINE constexpr std::uint32_t with_joint(std::uint32_t found, const Q& q, const V& qd) {
   constexpr const auto& limits = fixed_limits_of<S, Word>.joints[I];
   constexpr bool any_angle = limits.span == (std::numeric_limits<std::uint32_t>::max)();
-  constexpr bool unread = scene_of<S>::template has<SineCosines> && turns_of<robot_of<S>>.of[I];
+  constexpr bool unread = scene_of<S>::template has<SineCosines> && turns_of<typename scene_of<S>::Robot>.of[I];
   found = found + found;
   if constexpr (!any_angle && !unread) found -= static_cast<std::uint32_t>(limits.outside(q.values[I]));
   return found + found - static_cast<std::uint32_t>(limits.speed.outside(qd.values[I]));
@@ -34,7 +35,7 @@ template <class S, class Word, int First, class Q, class V, int... I>
 AXIAL_INLINE constexpr Outside outside_limits(const Q& q, const V& qd, std::integer_sequence<int, I...>) {
   constexpr int size = static_cast<int>(sizeof...(I)), all = 2 * size;
   constexpr std::uint32_t wrapping =
-      (0U | ... | ((turns_of<robot_of<S>>.of[First + I] ? 1U : 3U) << (all - 2 - 2 * I)));
+      (0U | ... | ((turns_of<typename scene_of<S>::Robot>.of[First + I] ? 1U : 3U) << (all - 2 - 2 * I)));
   std::uint32_t found = 0;
   ((found = with_joint<S, Word, First + I>(found, q, qd)), ...);
   // A 1 behind the last bit, so that zeros end there.
@@ -68,12 +69,16 @@ struct StateCheck<S, Stored<Word>> {
   using T = Stored<Word>;
   Outside joints;
   Status::Code inputs;
+  Status shared{};  // of joints that share drives
 
   AXIAL_INLINE constexpr StateCheck(const Inputs<S, T>& in, const Positions<robot_of<S>, T>& q,
                                     const Velocities<robot_of<S>, T>& qd)
       : joints(outside_limits<S, Word, 0>(q, qd,
                                           std::make_integer_sequence<int, smaller(joint_count<S>, joints_a_word)>{})),
-        inputs(inputs_outside<S>(in)) {}
+        inputs(inputs_outside<S>(in)) {
+    if constexpr (shares_drives_in<typename scene_of<S>::Robot>)
+      shared = SharedLimits<S, Word>::status(q, qd, NoMotion{});
+  }
 
   /// Names in the result what the state or the inputs are beyond, inputs first, then the first joint from the base, and
   /// sets its accelerations to 0 where a format may have wrapped.
@@ -93,6 +98,8 @@ struct StateCheck<S, Stored<Word>> {
     const int code = (limit & named) | (static_cast<int>(status.code) & ~named);
     const int joint = (joints.first >> 1 & named) | (status.joint & ~named);
     status = {static_cast<Status::Code>(select(bad, static_cast<int>(inputs), code)), select(bad, -1, joint)};
+    if constexpr (shares_drives_in<typename scene_of<S>::Robot>)
+      if (status.ok()) status = shared;
   }
 };
 

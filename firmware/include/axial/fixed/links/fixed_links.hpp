@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/fixed/formats/input_formats.hpp>
+#include <axial/fixed/links/fixed_driven_links.hpp>
 #include <axial/fixed/links/fixed_table.hpp>
 #include <axial/links/links.hpp>
 
@@ -87,11 +88,32 @@ struct LinkFormats : Formats<Scene, Parameters, S, Recursion> {
 
 }  // namespace detail
 
-/// Refused, see check_fixed_scene(); no more is said.
+namespace detail {
+/// The recursions that go from joints to drives by a sum.
+template <class Scene, class Recursion>
+constexpr void check_shared_drives() {
+  static_assert(!Scene::template has<Looped>,
+                "axial: joints that share drives have no looped form in fixed point; take Looped out of the scene");
+  static_assert(std::is_same_v<Recursion, recursion::NewtonEuler> ||
+                    std::is_same_v<Recursion, recursion::CompositeBodies> ||
+                    std::is_same_v<Recursion, recursion::Kinematics> || std::is_same_v<Recursion, recursion::Momenta>,
+                "axial: forward dynamics, separation and derivatives of joints that share drives have no formats in "
+                "fixed point; compute them in float");
+}
+}  // namespace detail
+
+/// Joints that share drives: joint values by G, each in its own format.
 template <class R, class... Features, class Word, class Parameters, class Recursion>
-struct LinksOf<Scene<DriveCoordinates<R>, Features...>, Stored<Word>, Parameters, Recursion>
-    : LinksOf<Scene<DriveCoordinates<R>, Features...>, float, Parameters, Recursion> {
-  static_assert((detail::check_fixed_scene<Scene<DriveCoordinates<R>, Features...>>(), true));
+struct LinksOf<Scene<DriveCoordinates<R>, Features...>, Stored<Word>, Parameters, Recursion> {
+  using Drives = Scene<DriveCoordinates<R>, Features...>;  ///< the scene
+  static_assert((detail::check_fixed_scene<Drives>(), detail::check_shared_drives<Drives, Recursion>(), true));
+  using S = detail::ArithmeticOf<Drives, Word>;  ///< arithmetic
+
+  /// joints and drives
+  AXIAL_INLINE static constexpr auto links() {
+    using Default = std::conditional_t<std::is_same_v<Parameters, FullParameters>, FullParameters, BaseParameters>;
+    return FixedDrivenLinks<Drives, S, Default, Recursion>{};
+  }
 };
 
 /// In fixed point: formats of the recursion, a table of integers where the scene is looped.
