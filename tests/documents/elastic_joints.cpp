@@ -41,7 +41,7 @@ TEST(ElasticJointsGuide, DampingStaysClose) {
   EXPECT_NE(damped.theta[1], position);
   EXPECT_NEAR(damped.theta[1], position, 12.0F / 2500.0F) << "speeds are below 10 rad/s";
   EXPECT_EQ(damped.tau_l[1], spring);
-  EXPECT_NE(damped.tau_m[1], torque);
+  EXPECT_EQ(damped.tau_m[1], torque) << "a first call: the deflection accelerates as without damping";
   EXPECT_NE(damped.thetad[1], speed);
 }
 
