@@ -53,9 +53,9 @@ def read(path, robot):
 
 def _columns(header, joints):
     """Where time, q, qd (perhaps) and tau stand."""
-    _check_separator(header)
+    check_separator(header)
     wanted = {"time": ["time"], **{name: [f"{name}{i + 1}" for i in range(joints)] for name in ("q", "qd", "tau")}}
-    if header and all(_is_number(name) for name in header):
+    if header and all(is_number(name) for name in header):
         raise RecordingError("line 1: no header line; name the columns: time,q1,...,tau1,...")
     for name in ("q", "tau"):
         if f"{name}{joints + 1}" in header:
@@ -69,7 +69,7 @@ def _columns(header, joints):
     return {name: [header.index(each) for each in names] for name, names in wanted.items()}
 
 
-def _check_separator(header):
+def check_separator(header):
     """Names that stand in one cell are separated by something else."""
     if len(header) > 2:
         return
@@ -80,7 +80,7 @@ def _check_separator(header):
             raise RecordingError(f"line 1: the columns are separated by {name}; needed: commas between them, points in the numbers")
 
 
-def _is_number(text):
+def is_number(text):
     try:
         float(text)
     except ValueError:

@@ -1,0 +1,130 @@
+#include <host_sim/commissioning/gravity.hpp>
+#include <host_sim/commissioning/service.hpp>
+#include <host_sim/description/coordinates.hpp>
+#include <host_sim/description/header.hpp>
+#include <host_sim/description/table.hpp>
+#include <host_sim/output/command_line.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <regex>
+#include <sstream>
+
+namespace host_sim::commissioning {
+
+namespace {
+
+using description::Description;
+using nlohmann::json;
+
+json limit(double value) { return std::isfinite(value) ? json(value) : json(); }
+
+json joint(const description::Link& given) {
+  const axial::LinkParameters& link = given.parameters;
+  return {{"name", given.joint},
+          {"prismatic", link.type == axial::JointType::prismatic},
+          {"position_min", limit(link.position_min)},
+          {"position_max", limit(link.position_max)},
+          {"effort", limit(link.effort_limit)},
+          {"coulomb_forward", link.coulomb_forward},
+          {"coulomb_backward", link.coulomb_backward},
+          {"static_friction", link.static_friction}};
+}
+
+void describe(const Description& robot) {
+  json joints = json::array();
+  for (const description::Link& link : robot.links)
+    joints.push_back(joint(link));
+  const axial::Angle alpha = robot.links.front().parameters.alpha;
+  const json all = {{"name", robot.name},
+                    {"joints", joints},
+                    {"gravity", {robot.gravity.x, robot.gravity.y, robot.gravity.z}},
+                    {"first_axis", {0.0, -alpha.sin, alpha.cos}}};
+  std::printf("%s\n", all.dump().c_str());
+}
+
+template <class T>
+bool read(T* values, std::size_t count) {
+  return std::fread(values, sizeof(T), count, stdin) == count;
+}
+
+// A request: a count, then so many q. The answer: the parts of each.
+void answer(const Description& robot, const std::string& at) {
+  std::array<double, 3> place{};
+  std::istringstream(at) >> place[0] >> place[1] >> place[2];
+  const GravityParts gravity(robot, place);
+  const auto n = static_cast<std::size_t>(gravity.joints()), width = n * GravityParts::parts;
+  for (std::int64_t count = 0; read(&count, 1);) {
+    const auto states = static_cast<std::size_t>(count);
+    std::vector<double> q(states * n), rows(states * width);
+    if (!read(q.data(), q.size())) throw std::runtime_error("a request ends early");
+    for (std::size_t i = 0; i < states; ++i)
+      gravity.evaluate(q.data() + i * n, rows.data() + i * width);
+    std::fwrite(rows.data(), sizeof(double), rows.size(), stdout);
+    std::fflush(stdout);
+  }
+}
+
+// Friction as found: beside a declared breakaway effort, Coulomb's keeps its share of it.
+void mend_friction(axial::LinkParameters& link, double forward, double backward) {
+  const double found = 0.5 * (forward - backward);
+  if (link.static_friction > 0.0) {
+    const double share = found / link.static_friction;
+    link.static_friction = found;
+    link.coulomb_forward *= share, link.coulomb_backward *= share;
+  } else {
+    link.coulomb_forward = forward, link.coulomb_backward = backward;
+  }
+}
+
+void mend_joint(Description& robot, int i, const json& found) {
+  if (!found.at("friction").is_null())
+    mend_friction(robot.links[static_cast<std::size_t>(i)].parameters, found.at("friction").at(0).get<double>(),
+                  found.at("friction").at(1).get<double>());
+  if (const auto zero = found.at("zero").get<double>(); zero != 0.0) description::shift_zero(robot, i, zero);
+  if (found.at("turned").get<bool>()) description::turn_axis(robot, i);
+}
+
+// `values`: a JSON file of "name", "source", "notes", "fitted", "gravity", "joints" (zero, turned, friction each).
+void write_header(Description robot, const std::string& values, const std::string& path) {
+  const auto all = json::parse(description::read_text(values));
+  for (int i = 0; i < robot.size(); ++i)
+    mend_joint(robot, i, all.at("joints").at(static_cast<std::size_t>(i)));
+  const auto g = all.at("gravity").get<std::array<double, 3>>();
+  robot.gravity = {g[0], g[1], g[2]};
+  robot.name = all.at("name").get<std::string>();
+  robot.source += all.at("source").get<std::string>();
+  robot.notes = all.at("notes").get<std::vector<std::string>>();
+  robot.fitted = all.at("fitted").get<std::vector<std::string>>();
+  const auto rewritten = description::write_header(path, robot, {});
+  std::fputs(description::said_of(path, rewritten).c_str(), stderr);
+}
+
+}  // namespace
+
+void take_names(Description& robot, const std::string& header) {
+  robot.source = header;
+  std::istringstream lines(description::read_text(header));
+  const std::regex named(R"(\s*// (\d+): (.+) moves (.+))");
+  for (std::string line; std::getline(lines, line);)
+    if (std::smatch found; std::regex_match(line, found, named))
+      if (const std::size_t i = std::stoul(found[1].str()); i < robot.links.size())
+        robot.links[i].joint = found[2].str(), robot.links[i].name = found[3].str();
+}
+
+int serve(CommandLine& line, int count, char** arguments, const std::function<Description()>& find) {
+  std::string at = "0 0 0", values, path;
+  line.option("--at", at, "where the mass is, in the tool's axes: three numbers, m");
+  line.verb("describe", "name, gravity and joints as JSON", [&] { describe(find()); });
+  line.verb("answer", "gravity's parts at the positions that come in on standard input, in binary",
+            [&] { answer(find(), at); });
+  auto header = line.verb("header", "writes the mended header", [&] { write_header(find(), values, path); });
+  header.option("--values", values, "JSON: name, source, notes, fitted, gravity, joints").required();
+  header.option("-o", path, "the header").required();
+  return line.run(count, arguments, [] { return 0; });
+}
+
+}  // namespace host_sim::commissioning
