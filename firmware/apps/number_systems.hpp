@@ -62,8 +62,9 @@ template <class Robot, class T, class From>
 constexpr Positions<Robot, T> nearest_positions(const From& q) {
   auto result = nearest<Positions<Robot, T>>(q);
   if constexpr (is_stored_v<T>)
-    for (int i = 0; i < Robot::chain.size; ++i)
-      if (Robot::chain.links[i].type == JointType::revolute) result[i].raw = nearest_bam(static_cast<double>(q[i]));
+    for (int i = 0; i < joint_count<Robot>; ++i)
+      if (scene_of<Robot>::Robot::chain.links[i].type == JointType::revolute)
+        result[i].raw = nearest_bam(static_cast<double>(q[i]));
   return result;
 }
 

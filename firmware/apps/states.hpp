@@ -36,7 +36,7 @@ struct Reach {
   struct Joint {
     float middle, position, speed, acceleration;
   };
-  Joint joints[Robot::chain.size];
+  Joint joints[joint_count<Robot>];
 };
 
 template <class Robot>
@@ -44,8 +44,8 @@ constexpr Reach<Robot> make_reach() {
   constexpr double unlimited = LinkParameters::unlimited;
   const auto or_else = [](double value, double other) { return value < unlimited ? value : other; };
   Reach<Robot> reach{};
-  for (int i = 0; i < Robot::chain.size; ++i) {
-    const LinkParameters& p = Robot::chain.links[i];
+  for (int i = 0; i < joint_count<Robot>; ++i) {
+    const LinkParameters& p = scene_of<Robot>::Robot::chain.links[i];  // of a drive, where joints share them
     const double high = or_else(p.position_max, 3.140625), low = -or_else(-p.position_min, 3.140625);
     reach.joints[i] = {static_cast<float>((high + low) / 2), static_cast<float>((high - low) / 2),
                        static_cast<float>(or_else(p.speed_limit, 2.0)),

@@ -76,7 +76,9 @@ Model to_model(const Description& robot) {
   for (const Link& link : robot.links)
     if (!model.add(link.parameters))
       throw Refused("link '" + link.name + "' does not fit: at most " + std::to_string(most_links) +
-                    " joints, and a parent stands before its children");
+                    " joints, a parent stands before its children, and here each has a drive of its own");
+  if (!model.drives_are_sound())
+    throw Refused("the drives of " + robot.name + " do not move its joints independently of each other");
   model.set_gravity(robot.gravity.x, robot.gravity.y, robot.gravity.z);
   model.set_base(robot.base);
   model.set_tool(robot.tool);

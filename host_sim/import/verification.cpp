@@ -13,7 +13,7 @@
 namespace importer {
 namespace {
 
-using Model = axial::Model<description::most_links, axial::Gravity, axial::RotorInertia>;
+using Model = axial::Model<description::most_links, axial::Gravity, axial::RotorInertia, axial::SharedDrives>;
 using Joints = axial::Joints<Model, double>;
 
 KDL::Frame frame(const axial::FixedPose& p) {
@@ -71,16 +71,7 @@ class Comparison {
   }
 
  private:
-  /// Of joints, from values of the drives: by the description, and by the source.
-  Joints ours(const Joints& u, bool positions) const {
-    Joints q{};
-    for (int i = 0; i < n_; ++i) {
-      q[i] = positions ? g_.offset[i] : 0.0;
-      for (int k = 0; k < g_.drives; ++k)
-        q[i] += g_.ratio[i][k] * u[k];
-    }
-    return q;
-  }
+  /// Values of joints from those of the drives, by the source.
   Joints theirs(const Joints& u, bool positions) const {
     Joints q{};
     for (int i = 0; i < n_; ++i) {
@@ -123,38 +114,28 @@ class Comparison {
     take(pose_, (ours.p - other.p).Norm() / std::max(1.0, other.p.Norm()));
   }
   void poses(const Joints& u) {
-    const auto our = axial::forward_kinematics(model_, ours(u, true));
+    const auto ours = axial::forward_kinematics(model_, u);
     const KDL::JntArray positions = kdl(theirs(u, true));
     for (const auto& tracked : imported_.frames) {
-      const KDL::Frame carrier = tracked.link < 0 ? KDL::Frame::Identity() : frame(our.frames[tracked.link]);
+      const KDL::Frame carrier = tracked.link < 0 ? KDL::Frame::Identity() : frame(ours.frames[tracked.link]);
       compare(carrier * frame(tracked.pose), their_frame(positions, tracked.name));
     }
     if (!reference_.tool_segment.empty())
-      compare(frame(our.tool), their_frame(positions, reference_.tool_segment) * reference_.tool);
+      compare(frame(ours.tool), their_frame(positions, reference_.tool_segment) * reference_.tool);
   }
   void torques(const Joints& u, const Joints& ud, const Joints& udd) {
-    const auto at_joints = axial::inverse_dynamics(model_, ours(u, true), ours(ud, false), ours(udd, false));
-    const auto other = torque(torque_, u, ud, udd);
-    for (int k = 0; k < g_.drives; ++k) {
-      double sum = 0.0;
-      for (int i = 0; i < n_; ++i)
-        sum += g_.ratio[i][k] * at_joints[i];
-      take(torque_scale_, std::abs(other[k])), take(torque_error_, std::abs(sum - other[k]));
-    }
+    const auto ours = axial::inverse_dynamics(model_, u, ud, udd), other = torque(torque_, u, ud, udd);
+    for (int k = 0; k < g_.drives; ++k)
+      take(torque_scale_, std::abs(other[k])), take(torque_error_, std::abs(ours[k] - other[k]));
   }
   void mass_matrix(const Joints& u) {
-    const auto at_joints = axial::mass_matrix(model_, ours(u, true));
+    const auto ours = axial::mass_matrix(model_, u);
     for (int l = 0; l < g_.drives; ++l) {
       Joints unit{};
       unit[l] = 1.0;
       const auto column = torque(still_, u, Joints{}, unit);
-      for (int k = 0; k < g_.drives; ++k) {
-        double sum = 0.0;
-        for (int i = 0; i < n_; ++i)
-          for (int j = 0; j < n_; ++j)
-            sum += g_.ratio[i][k] * at_joints(i, j) * g_.ratio[j][l];
-        take(mass_scale_, std::abs(column[k])), take(mass_error_, std::abs(sum - column[k]));
-      }
+      for (int k = 0; k < g_.drives; ++k)
+        take(mass_scale_, std::abs(column[k])), take(mass_error_, std::abs(ours(k, l) - column[k]));
     }
   }
 

@@ -20,8 +20,8 @@
 namespace {
 
 using axial::apps::Robot;
-using Model =
-    axial::Model<description::most_links, axial::Gravity, axial::RotorInertia, axial::Friction, axial::JointSprings>;
+using Model = axial::Model<description::most_links, axial::Gravity, axial::RotorInertia, axial::Friction,
+                           axial::JointSprings, axial::SharedDrives>;
 
 constexpr int joints = axial::joint_count<Robot>;
 

@@ -34,6 +34,12 @@ struct NamedAlone {
   static constexpr auto chain = axial::chain(body, body, drive_ratios<2>({{1, 0}, {0, 1}}));
 };
 
+struct Sprung {
+  static constexpr auto chain = axial::chain(gravity(0, 0, -9.81), body.rotor_inertia(1e-4, 10).viscous(0.1),
+                                             body.passive().driven_by(0, -1.0).driven_by(2).spring(1e9, 0.25),
+                                             body.rotor_inertia(1e-4, 10).viscous(0.1));
+};
+
 /// A robot as if its joints had drives of their own.
 template <class R>
 struct Uncoupled {
@@ -191,6 +197,103 @@ TEST(SharedDrives, ExplicitIntegratorsMoveDrives) {
     ASSERT_TRUE(advance<RungeKutta4>(x, 1e-3, [](const auto&, auto&, auto&) {}).ok());
   EXPECT_GT(std::abs(x.q[0] - 0.1), 0.5);
   EXPECT_NEAR(energy(x), before, 1e-9 * before);
+}
+// A spring of 1e9 across a joint that the drive of another moves, and a drive held as stiffly, at steps of 10 ms; and
+// first order towards a step that resolves all.
+TEST(SharedDrives, LinearlyImplicitStepsHoldStiffSpringsAndDrives) {
+  using S = Scene<Sprung, Gravity, RotorInertia, Friction, JointSprings>;
+  Motion<S, double> x{};
+  x.q = {0.5, -0.5};
+  for (int i = 0; i < 200; ++i)
+    ASSERT_TRUE(advance<LinearlyImplicitEuler>(x, 1e-2, [](const auto& at, auto& tau, auto&, auto& drive) {
+                  tau[1] = 1e8 * (0.3 - at.q[1]), drive.stiffness[1] = 1e8;
+                }).ok());
+  EXPECT_NEAR(x.q[1], 0.3, 1e-6);
+  EXPECT_NEAR(x.q[1] - x.q[0], 0.25, 1e-6) << "the spring's rest";
+}
+TEST(SharedDrives, LinearlyImplicitStepsAreOfFirstOrder) {
+  using S = Scene<robots::WristArm, Gravity, RotorInertia>;
+  const auto end = [](auto method, int steps) {
+    Motion<S, double> x{};
+    x.q = {0.3, 0.4, 0.5, 0.6, 0.7}, x.qd = {0.5, 0.5, 0.5, 0.5, 0.5};
+    for (int i = 0; i < steps; ++i)
+      EXPECT_TRUE(advance<decltype(method)>(x, 0.05 / steps, [](const auto& at, auto& tau, auto&, auto& drive) {
+                    for (int k = 0; k < 5; ++k) {
+                      tau[k] = 100 * (0.5 - at.q[k]) - 4 * at.qd[k];
+                      drive.stiffness[k] = 100, drive.damping[k] = 4;
+                    }
+                  }).ok());
+    return x.q;
+  };
+  const auto exact = end(RungeKutta4{}, 500), once = end(LinearlyImplicitEuler{}, 100),
+             twice = end(LinearlyImplicitEuler{}, 200);
+  for (int k = 0; k < 5; ++k)
+    EXPECT_NEAR((once[k] - exact[k]) / (twice[k] - exact[k]), 2.0, 0.15) << k;
+}
+TEST(SharedDrives, ARunTimeModelOfThemIsTheRobot) {
+  using R = robots::Palletiser;
+  using S = Scene<R, Gravity, RotorInertia, Friction>;
+  using M = Model<12, Gravity, RotorInertia, Friction, SharedDrives>;
+  M model;
+  for (int i = 0; i < R::chain.size; ++i)
+    EXPECT_TRUE(model.add(R::chain.links[i]));
+  model.set_gravity(R::chain.gravity.x, R::chain.gravity.y, R::chain.gravity.z);
+  ASSERT_EQ(model.size(), 4);
+  EXPECT_EQ(model.link_count(), 10);
+  EXPECT_TRUE(model.drives_are_sound());
+  const Joints<R, double> u{0.3, 1.2, -0.4, 0.6}, ud{1, -0.5, 0.75, 2}, udd{3, 1, -2, 4};
+  Joints<M, double> q{}, qd{}, qdd{};
+  for (int k = 0; k < 4; ++k)
+    q[k] = u[k], qd[k] = ud[k], qdd[k] = udd[k];
+  const auto tau = inverse_dynamics<S>(u, ud, udd);
+  const auto efforts = inverse_dynamics(model, q, qd, qdd);
+  const auto answer = forward_dynamics(model, q, qd, efforts);
+  const auto m = mass_matrix<S>(u);
+  const auto by_model = mass_matrix(model, q);
+  const auto columns = jacobian<S>(u);
+  const auto model_columns = jacobian(model, q);
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_NEAR(efforts[k], tau[k], 1e-11);
+    EXPECT_NEAR(answer[k], udd[k], 1e-11);
+    EXPECT_NEAR(model_columns[k].linear.z, columns[k].linear.z, 1e-14);
+    for (int l = 0; l < 4; ++l)
+      EXPECT_NEAR(by_model(k, l), m(k, l), 1e-11);
+  }
+}
+TEST(SharedDrives, SeparatedTermsAreInverseDynamicsWithAOfTheDrives) {
+  using R = robots::WristArm;
+  using S = Scene<R, Gravity, RotorInertia, Friction>;
+  const Joints<R, double> u{0.1, 0.2, 0.3, 0.4, 0.5}, ud{1, -2, 0.5, 3, -1}, udd{4, 3, -2, 1, 8};
+  const auto terms = separate<S>(u);
+  const auto m = mass_matrix<S>(u);
+  const auto tau = inverse_dynamics<S>(u, ud, udd), sum = torque(terms, ud, udd), held = gravity_torque<S>(u);
+  const auto b = separate_B<S>(u);
+  EXPECT_TRUE(terms.status.ok());
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_NEAR(sum[k], tau[k], 1e-13);
+    EXPECT_NEAR(terms.G[k], held[k], 1e-14);
+    for (int l = 0; l < 5; ++l)
+      EXPECT_NEAR(terms.A[k][l], m(k, l), 1e-14);
+    for (int pair = 0; pair < terms.pairs; ++pair)
+      EXPECT_EQ(b.B[k][pair], terms.B[k][pair]);
+  }
+  // Each coefficient by itself: of one rate, and of two.
+  const auto at = [&](const Joints<R, double>& rates) { return bias_torque<Scene<R>>(u, rates); };
+  const auto one = at({0, 1, 0, 0, 0}), other = at({0, 0, 0, 1, 0}), both = at({0, 1, 0, 1, 0});
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_NEAR(terms.C[k][1], one[k], 1e-14);
+    EXPECT_NEAR(terms.B[k][terms.pair(1, 3)], both[k] - one[k] - other[k], 1e-14);
+  }
+}
+TEST(SharedDrives, ARunTimeModelTellsDrivesThatAreNotThere) {
+  Model<3> without;
+  EXPECT_TRUE(without.add(body));
+  EXPECT_FALSE(without.add(body.driven_by(0, -1.0))) << "its features do not name SharedDrives";
+  Model<3, SharedDrives> model;
+  EXPECT_TRUE(model.add(body.driven_by(1, -1.0)));
+  EXPECT_FALSE(model.drives_are_sound()) << "joint 1 is not there yet";
+  EXPECT_TRUE(model.add(body));
+  EXPECT_TRUE(model.drives_are_sound());
 }
 TEST(SharedDriveLimits, NameTheDriveThatMovesAJointWithoutOne) {
   using R = robots::Palletiser;

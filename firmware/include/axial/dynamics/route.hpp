@@ -63,13 +63,24 @@ constexpr RouteCost unrolled_cost() {
   return cost;
 }
 
+/// Whether articulated bodies over clusters cost less where joints share drives: dynamics/shared_drives.hpp.
+template <class Scene>
+constexpr bool clusters_cost_less();
+
 template <class Scene>
 constexpr Route chosen_route() {
   if constexpr (shares_drives_in<typename Scene::Robot>) {
-    static_assert(!Scene::template has<ArticulatedBody> && !Scene::template has<SplitArticulatedBody>,
-                  "axial: joints that share drives are solved by composite bodies; take ArticulatedBody or "
-                  "SplitArticulatedBody out");
-    return Route::composite_body;
+    constexpr bool articulated = Scene::template has<ArticulatedBody> || Scene::template has<SplitArticulatedBody>;
+    static_assert(!(articulated && (Scene::template has<Looped> || Scene::template has<Underwater>)),
+                  "axial: joints that share drives are solved by articulated bodies over clusters where links are "
+                  "unrolled, in air; take ArticulatedBody or SplitArticulatedBody out");
+    if constexpr (articulated)
+      return Route::split_articulated_body;
+    else if constexpr (Scene::template has<CompositeBody> || Scene::template has<Looped> ||
+                       Scene::template has<Underwater>)
+      return Route::composite_body;
+    else
+      return clusters_cost_less<Scene>() ? Route::split_articulated_body : Route::composite_body;
   } else if constexpr (Scene::template has<ArticulatedBody> || Scene::template has<FloatingBase>) {
     return Route::articulated_body;
   } else if constexpr (Scene::template has<SplitArticulatedBody>) {
@@ -92,7 +103,8 @@ constexpr Route chosen_route() {
 
 /// The form that `forward_dynamics<S>` takes: the one that the scene names (ArticulatedBody, SplitArticulatedBody,
 /// CompositeBody), else composite bodies where they are cheaper and the elimination loses little over the whole chain
-/// or tree (elimination_loss.hpp), else ABA. A floating base, an underwater scene and a run-time Model take ABA.
+/// or tree (elimination_loss.hpp), else ABA. A floating base, an underwater scene and a run-time Model take ABA. Where
+/// joints share drives, ABA is its split form over clusters (clustered_dynamics.hpp).
 template <class S>
 inline constexpr Route forward_dynamics_route = detail::chosen_route<scene_of<S>>();
 }  // namespace axial

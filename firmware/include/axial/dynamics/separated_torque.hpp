@@ -47,7 +47,8 @@ inline constexpr auto present = present_terms<S>();
 
 /// A run-time model and a looped scene have tables: there nothing is known of single coefficients.
 template <class S>
-inline constexpr bool is_table = IsModel<S>::value || scene_of<S>::template has<Looped>;
+inline constexpr bool is_table =
+    IsModel<S>::value || scene_of<S>::template has<Looped> || detail::shares_drives_in<typename scene_of<S>::Robot>;
 
 /// Whether a coefficient may differ from zero. I, J: Index<...>, or int in a loop.
 template <class S, class I, class J>
@@ -144,12 +145,18 @@ struct TorqueOf {
                                                      const Accelerations<robot_of<S>, T>& qdd) {
     const RateProducts<S, T> rates(qd);
     EffortsOf<S, T> tau{};
-    for_each_link(links, [&](auto i) AXIAL_INLINE {
-      T sum = s.G[i];
-      add_inertial(s, qdd, i, sum);
-      add_products(s, rates, i, sum);
-      tau[i] = static_cast<T>(sum + friction_effort(links.link(i), qd[i]));
-    });
+    const auto all = [&](const auto& drives) AXIAL_INLINE {
+      for_each_link(drives, [&](auto i) AXIAL_INLINE {
+        T sum = s.G[i];
+        add_inertial(s, qdd, i, sum);
+        add_products(s, rates, i, sum);
+        tau[i] = static_cast<T>(sum + friction_effort(drives.link(i), qd[i]));
+      });
+    };
+    if constexpr (is_driven<Links>)
+      all(links.drives());
+    else
+      all(links);
     return tau;
   }
 };

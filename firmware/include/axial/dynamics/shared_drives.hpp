@@ -1,9 +1,12 @@
 // Robots whose joints share drives: inverse dynamics, mass matrix, forward dynamics and kinematics in values of drives.
 #pragma once
 
+#include <axial/dynamics/clustered_dynamics.hpp>
+#include <axial/dynamics/driven_separation.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/links/driven_links.hpp>
+#include <axial/links/driven_model.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -130,7 +133,15 @@ struct DrivenKernels {
   AXIAL_INLINE static constexpr void matrix(const Links& links, const Input& in, const Screws& screws, M& m) {
     JointMatrix joints{};
     crba::entries(links.joints(), in, screws, joints);
-    driven::reduce(links, joints, m, std::make_integer_sequence<int, driven::share_count<Links>>{});
+    reduce(links, joints, m);
+  }
+  /// G^T M G and the rotors.
+  template <class M, class Drives>
+  AXIAL_INLINE static constexpr void reduce(const Links& links, const M& joints, Drives& m) {
+    if constexpr (Links::unrolled)
+      driven::reduce(links, joints, m, std::make_integer_sequence<int, driven::share_count<Links>>{});
+    else
+      links.reduce(joints, m);
   }
   /// The same from values of drives.
   template <class Input, class Q, class M>
@@ -146,42 +157,64 @@ struct DrivenKernels {
                                                    const Tau& tau, A& udd) {
     const auto q = links.positions(u);
     auto screws = joint_screws(links.joints(), in, q);
-    typename Links::JointValues bias{};
-    rnea::efforts(links.joints(), in, q, screws, links.rates(ud), NoMotion{}, bias);
-    links.each_drive([&](auto k) AXIAL_INLINE { udd[k] = static_cast<T>(tau[k] - total(links, k, bias, ud)); });
+    left_efforts(links, in, q, screws, links.rates(ud), ud, tau, udd);
     Matrix m{};
     matrix(links, in, screws, m);
     return crba::solve(links.drives(), m, udd);
   }
 
+  /// Accelerations of the drives by articulated bodies over clusters; `bias_links` are those of the bias effort.
+  template <class BiasLinks, class Input, class Q, class V, class Tau, class A>
+  AXIAL_INLINE static constexpr auto by_clusters(const Links& links, const BiasLinks& bias_links, const Input& in,
+                                                 const Q& u, const V& ud, const Tau& tau, A& udd) {
+    const auto q = links.positions(u);
+    const auto screws = joint_screws(bias_links.joints(), in, q);
+    left_efforts(bias_links, in, q, screws, links.rates(ud), ud, tau, udd);
+    using Clusters = detail::SceneOfClusters<typename Links::Scene>;
+    const auto bodies = links_of<typename Clusters::type, T, FullParameters, recursion::ArticulatedBodiesAtRest>();
+    return clusters::Passes<typename Clusters::Robot, Links, decltype(bodies)>::run(bodies, in, screws, udd);
+  }
+
+  /// Separated terms of the drives.
+  template <class Out, class S, class Number, class Input, class Q>
+  AXIAL_INLINE static constexpr Out separated(const Links& links, const Input& in, const Q& u) {
+    return driven::separated<Out, S, Number>(links, in, u);
+  }
+
   /// Columns of a Jacobian by drives, from those by joints.
   template <class J, class Result>
   AXIAL_INLINE static constexpr void columns(const Links& links, const J& joints, Result& result) {
-    links.each_drive([&](auto k) AXIAL_INLINE { result[k] = column<decltype(k)::value>(joints); });
+    links.each_drive([&](auto k) AXIAL_INLINE { result[k] = column(links, k, joints); });
     result.status = joints.status;
   }
 
- private:
-  /// Effort of drive k without its rotor.
-  template <class K, class Values, class V>
-  AXIAL_INLINE static constexpr auto total(const Links& links, K k, const Values& at_joints, const V& ud) {
-    return links.template felt<K::value>(at_joints) + friction_effort(links.drives().link(k), ud[k]);
+  /// What the drives' efforts leave to accelerate.
+  template <class Of, class Input, class Q, class Screws, class W, class V, class Tau, class A>
+  AXIAL_INLINE static constexpr void left_efforts(const Of& links, const Input& in, const Q& q, const Screws& screws,
+                                                  const W& qd, const V& ud, const Tau& tau, A& left) {
+    typename Links::JointValues bias{};
+    rnea::efforts(links.joints(), in, q, screws, qd, NoMotion{}, bias);
+    links.each_drive([&](auto k) AXIAL_INLINE {
+      left[k] = static_cast<T>(tau[k] - (links.felt(k, bias) + friction_effort(links.drives().link(k), ud[k])));
+    });
   }
-  template <int K, class J>
-  AXIAL_INLINE static constexpr auto column(const J& joints) {
+
+ private:
+  template <class K, class J>
+  AXIAL_INLINE static constexpr auto column(const Links& links, K k, const J& joints) {
     using Vector = Vec3<typename Links::Value>;
     MotionVector<Vector, Vector> sum{};
-    sum.angular = {part<K>([&](int i) { return joints[i].angular.x; }),
-                   part<K>([&](int i) { return joints[i].angular.y; }),
-                   part<K>([&](int i) { return joints[i].angular.z; })};
-    sum.linear = {part<K>([&](int i) { return joints[i].linear.x; }),
-                  part<K>([&](int i) { return joints[i].linear.y; }),
-                  part<K>([&](int i) { return joints[i].linear.z; })};
+    const auto part = [&](const auto& get) {
+      if constexpr (Links::unrolled)
+        return Links::template column_part<K::value>(get);
+      else
+        return links.column_part(k, get);
+    };
+    sum.angular = {part([&](int i) { return joints[i].angular.x; }), part([&](int i) { return joints[i].angular.y; }),
+                   part([&](int i) { return joints[i].angular.z; })};
+    sum.linear = {part([&](int i) { return joints[i].linear.x; }), part([&](int i) { return joints[i].linear.y; }),
+                  part([&](int i) { return joints[i].linear.z; })};
     return sum;
-  }
-  template <int K, class Get>
-  AXIAL_INLINE static constexpr auto part(const Get& get) {
-    return Links::template column_part<K>(get);
   }
 };
 

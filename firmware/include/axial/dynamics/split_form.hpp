@@ -32,10 +32,10 @@ struct SplitAnswer {
   }
 };
 
-/// The algorithm over any form of links; `bias_links` are those of the bias torque, which may be of base parameters.
+/// The algorithm where every joint has a drive of its own.
 template <class Links, class BiasLinks, class Input, class Q, class V, class Tau, class A>
-AXIAL_INLINE constexpr auto run_split(const Links& links, const BiasLinks& bias_links, const Input& in, const Q& q,
-                                      const V& qd, const Tau& tau, A& qdd) {
+AXIAL_INLINE constexpr auto run_split_by_joints(const Links& links, const BiasLinks& bias_links, const Input& in,
+                                                const Q& q, const V& qd, const Tau& tau, A& qdd) {
   auto at = links.read(q);
   auto screws = joint_screws(links, in, at);
   auto bias = bias_links.no_efforts();
@@ -44,6 +44,17 @@ AXIAL_INLINE constexpr auto run_split(const Links& links, const BiasLinks& bias_
   auto given = links.read(tau);
   auto left = links.read(bias);
   return SplitAnswer<typename Links::Scalar>::of(links, screws, structure, given, left, qdd);
+}
+
+/// The algorithm over any form of links; `bias_links` are those of the bias torque, which may be of base parameters.
+template <class Links, class BiasLinks, class Input, class Q, class V, class Tau, class A>
+AXIAL_INLINE constexpr auto run_split(const Links& links, const BiasLinks& bias_links, const Input& in, const Q& q,
+                                      const V& qd, const Tau& tau, A& qdd) {
+  if constexpr (is_driven<Links>) {
+    return DrivenKernels<Links>::by_clusters(links, bias_links, in, q, qd, tau, qdd);
+  } else {
+    return run_split_by_joints(links, bias_links, in, q, qd, tau, qdd);
+  }
 }
 
 }  // namespace aba

@@ -15,8 +15,8 @@ struct WithoutDrives {
 };
 template <class R, class... Kept, class First, class... Rest>
 struct WithoutDrives<Scene<R, Kept...>, First, Rest...> {
-  static constexpr bool of_drives =
-      std::is_same_v<First, RotorInertia> || std::is_same_v<First, Friction> || std::is_same_v<First, RotorDynamics>;
+  static constexpr bool of_drives = std::is_same_v<First, RotorInertia> || std::is_same_v<First, Friction> ||
+                                    std::is_same_v<First, RotorDynamics> || std::is_same_v<First, SharedDrives>;
   using type =
       typename WithoutDrives<std::conditional_t<of_drives, Scene<R, Kept...>, Scene<R, Kept..., First>>, Rest...>::type;
 };
@@ -27,6 +27,17 @@ struct SceneOfJoints;
 template <class R, class... Features>
 struct SceneOfJoints<Scene<DriveCoordinates<R>, Features...>> {
   using type = typename WithoutDrives<Scene<JointCoordinates<R>>, Features...>::type;
+};
+
+/// The same, and rotors that are a joint's alone.
+template <class Scene>
+struct SceneOfClusters;
+template <class R, class... Features>
+struct SceneOfClusters<Scene<DriveCoordinates<R>, Features...>> {
+  using Robot = R;  ///< whose joints share drives
+  using type = std::conditional_t<Scene<DriveCoordinates<R>, Features...>::template has<RotorInertia>,
+                                  typename WithoutDrives<Scene<ClusterCoordinates<R>, RotorInertia>, Features...>::type,
+                                  typename WithoutDrives<Scene<ClusterCoordinates<R>>, Features...>::type>;
 };
 
 template <class R, class... Features>
@@ -133,6 +144,16 @@ struct DrivenLinks {
       return Zero{};
     else
       return literal<Scalar>([] { return matrix.ratio[I][K]; }) * values[I] + felt<K, I + 1>(values);
+  }
+  /// The same of an index.
+  template <class K, class Values>
+  AXIAL_INLINE static constexpr auto felt(K, const Values& values) {
+    return felt<K::value>(values);
+  }
+  AXIAL_INLINE static constexpr int joint_count() { return size; }  ///< number of joints
+  /// G(joint, drive) as a number.
+  AXIAL_INLINE static constexpr Scalar ratio(int joint, int drive) {
+    return NumberTraits<Scalar>::constant(matrix.ratio[joint][drive]);
   }
   /// Values of drives as kernels compute with them.
   template <class U>

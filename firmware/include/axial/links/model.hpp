@@ -36,10 +36,25 @@ class ModelLinks : public TableLinks<SceneType, ScalarType, double, N> {
   const RotorConstants<double>* rotors_;
 };
 
+namespace detail {
+/// What a Model keeps of joints that share drives: nothing, unless its features name SharedDrives (driven_model.hpp).
+template <class Model, int N, bool shared>
+struct ModelDrives {
+  constexpr bool take(const LinkParameters& link, int) { return link.drives.count == 0; }
+  template <class T>
+  constexpr auto links(const Model& model) const {
+    return model.template joint_links<typename Model::Scene, T>();
+  }
+  constexpr int size(int joints) const { return joints; }
+  constexpr bool sound(int) const { return true; }
+};
+}  // namespace detail
+
 /// Up to N links, filled at run time; the algorithms run over it in their looped form. Stands where a robot or scene
 /// stands: `inverse_dynamics(model, q, qd, qdd)` with `Joints<Model<N>, T>`. Features as for Scene; without any,
 /// gravity and rotor inertia. No allocation; add() says false where a link is refused (full, or its parent is not
-/// before it, or it has a branch and the features name Unbranched, or its rotor's carrier is not inboard of it).
+/// before it, or it has a branch and the features name Unbranched, or its rotor's carrier is not inboard of it, or it
+/// names drives and the features do not name SharedDrives).
 template <int N, class... Features>
 class Model {
  public:
@@ -58,7 +73,7 @@ class Model {
     const int parent = link.parent == LinkParameters::previous ? size_ - 1 : link.parent;
     if (Scene::template has<Unbranched> && link_constants(link, parent).branches()) return false;
     if (size_ >= N || parent >= size_ || parent < LinkParameters::base) return false;
-    if (!carries(link, parent)) return false;
+    if (!carries(link, parent) || !shared_.take(link, size_)) return false;
     waters_[size_] = water_constants(link.water);
     rotors_[size_] = rotor_constants(link, parent);
     drives_[size_] = drive_constants(link);
@@ -81,17 +96,27 @@ class Model {
   }
   /// as base_body() describes it
   constexpr void set_base_body(const BaseBody& body) { set_base_body(body.parameters()); }
-  constexpr int size() const { return size_; }  ///< number of links added so far
+  constexpr int size() const { return shared_.size(size_); }  ///< number of joint values: links, or drives that share
+  constexpr int link_count() const { return size_; }          ///< number of links added so far
+  /// Whether all drives that joints name are there, each with a motion of its own, and every joint is moved.
+  [[nodiscard]] constexpr bool drives_are_sound() const { return shared_.sound(size_); }
   constexpr const TreeLinkConstants<double>& constants(int i) const { return table_[i]; }  ///< of link i
 
   /// The links over numbers T, as algorithms walk over them; they refer to the model.
   template <class T>
   constexpr auto links() const {
-    return ModelLinks<Scene, T, N>(TableLinks<Scene, T, double, N>(table_, drives_, size_, placement_), base_body_,
-                                   waters_, rotors_);
+    return shared_.template links<T>(*this);
   }
 
  private:
+  template <class, int, bool>
+  friend struct detail::ModelDrives;
+  /// The tree alone, of features that a scene names.
+  template <class SceneType, class T>
+  constexpr auto joint_links() const {
+    return ModelLinks<SceneType, T, N>(TableLinks<SceneType, T, double, N>(table_, drives_, size_, placement_),
+                                       base_body_, waters_, rotors_);
+  }
   /// Whether the link that carries a rotor is inboard of its joint.
   constexpr bool carries(const LinkParameters& link, int parent) const {
     int inboard = parent;
@@ -106,6 +131,7 @@ class Model {
   WaterConstants<double> waters_[N + 1] = {};
   RotorConstants<double> rotors_[N] = {};
   Placement placement_{};
+  detail::ModelDrives<Model, N, Scene::template has<SharedDrives>> shared_{};
   int size_ = 0;
 };
 

@@ -24,6 +24,19 @@ struct JointCoordinates {
   }();
 };
 
+/// The same tree with the rotors of joints whose drive is theirs alone: what articulated bodies are made of.
+template <class R>
+struct ClusterCoordinates {
+  /// of the tree
+  static constexpr auto chain = [] {
+    auto joints = JointCoordinates<R>::chain;
+    const auto g = drive_matrix_of(R::chain.links);
+    for (int i = 0; i < R::chain.size; ++i)
+      if (g.is_alone(i)) joints.links[i].rotor_inertia = R::chain.links[i].rotor_inertia;
+    return joints;
+  }();
+};
+
 namespace detail {
 
 template <class R>

@@ -97,6 +97,13 @@ struct DriveMatrix {
     }
     return entries > 1 ? factor : 1.0;
   }
+  /// The first joint that a drive moves.
+  constexpr int first_joint(int drive) const {
+    int i = 0;
+    while (i + 1 < N && !is_moved(i, drive))
+      ++i;
+    return i;
+  }
   /// Whether a drive moves a joint.
   constexpr bool is_moved(int joint, int drive) const { return ratio[joint][drive] != 0.0; }
 };

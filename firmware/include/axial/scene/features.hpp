@@ -193,6 +193,10 @@ struct Looped : Feature<Looped> {};
 /// there. A robot's type says so by itself.
 struct Unbranched : Feature<Unbranched> {};
 
+/// For a run-time Model: joints may share drives (add() refuses such links without it), and values are those of the
+/// drives. Of a robot's type the chain says so by itself. Add #include <axial/links/driven_model.hpp>.
+struct SharedDrives : Feature<SharedDrives> {};
+
 /// Inertial parameters regrouped at compile time (base_parameters.hpp): the default of inverse dynamics, its gravity
 /// and bias parts, and the mass matrix. Naming it makes forward dynamics use them too: cheaper, but links become
 /// differences of large numbers, so only short, well-conditioned arms stay exact.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/dynamics/forward_dynamics.hpp>
+#include <axial/simulation/driven_step.hpp>
 #include <axial/simulation/motion.hpp>
 #include <axial/simulation/stiff_links.hpp>
 
@@ -54,20 +55,23 @@ struct ModelSystem {
 };
 
 /// Accelerations a with (M + h D + h^2 K) a = tau - c - g - passive efforts - h K qd, the step of the linearly implicit
-/// method: articulated bodies on full parameters, whatever route the scene names.
+/// method: articulated bodies on full parameters, whatever route the scene names; composite bodies where joints share
+/// drives.
 template <class T, class System, class Q, class V, class Tau, class S, class Stiffness>
 constexpr ForwardDynamicsOf<S, T> implicit_accelerations(const System& system, T h, const Q& q, const V& qd,
                                                          const Tau& tau, const Inputs<S, T>& in,
                                                          const Stiffness& drive) {
-  static_assert(!shares_drives_in<typename scene_of<S>::Robot>,
-                "axial: the linearly implicit step does not know joints that share drives; take RungeKutta4 or "
-                "SemiImplicitEuler");
   auto links = system.template links<T>();
-  StiffLinks<decltype(links), V, Stiffness> stiff(links, h, qd, drive);
-  Tau left{};
-  for_each_link(stiff, [&](auto i) AXIAL_INLINE { left[i] = tau[i] - T(h * (stiff.stiffness(i) * qd[i])); });
   ForwardDynamicsOf<S, T> result{};
-  const Status solved = aba::run(stiff, in, q, qd, left, result);
+  Status solved;
+  if constexpr (is_driven<decltype(links)>) {
+    solved = implicit_drives(links, h, in, q, qd, tau, drive, result);
+  } else {
+    StiffLinks<decltype(links), V, Stiffness> stiff(links, h, qd, drive);
+    Tau left{};
+    for_each_link(stiff, [&](auto i) AXIAL_INLINE { left[i] = tau[i] - T(h * (stiff.stiffness(i) * qd[i])); });
+    solved = aba::run(stiff, in, q, qd, left, result);
+  }
   result.status = sound_status(links, collected_request(links, in, q, qd), result, solved);
   return result;
 }
