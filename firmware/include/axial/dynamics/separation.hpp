@@ -180,33 +180,37 @@ inline constexpr bool inputs_can_overflow =
     !detail::is_known<typename Scene::Robot>(0) || Scene::template has<RuntimeGravity> ||
     Scene::template has<Payload> || Scene::template has<TipWrench> || Scene::template has<ExternalWrenches>;
 
+/// What Out has room for, at q, where every joint has a drive of its own.
+template <class Out, class S, class T, class Links, class Input, class Q>
+AXIAL_INLINE constexpr Out collected_of_joints(const Links& links, const Input& in, const Q& q) {
+  using Scene = typename Links::Scene;
+  Out out{};
+  Collected<S, T, typename Links::Scalar, Out> terms{out};
+  auto at = links.read(q);
+  auto screws = joint_screws(links, in, at);
+  if constexpr (!std::is_same_v<Out, Separated<S, T>>) {
+    run(links, in, at, screws, terms);
+  } else {
+    Soundness<typename Links::Scalar> all;
+    detail::judge_positions(all, links, in, q);
+    detail::collect_inputs<Scene>(all, in);
+    if constexpr (inputs_can_overflow<Scene> && is_number_v<typename Links::Scalar>) {
+      const JudgedTerms<decltype(terms), typename Links::Scalar> judged{terms, all};
+      run(links, in, at, screws, judged);
+    } else {
+      run(links, in, at, screws, terms);
+    }
+    out.status = all.status();
+  }
+  return out;
+}
 /// What Out has room for, at q.
 template <class Out, class S, class T, class Links, class Input, class Q>
 AXIAL_INLINE constexpr Out collected(const Links& links, const Input& in, const Q& q) {
-  if constexpr (is_driven<Links>) {
+  if constexpr (is_driven<Links>)
     return DrivenKernels<Links>::template separated<Out, S, T>(links, in, q);
-  } else {
-    using Scene = typename Links::Scene;
-    Out out{};
-    Collected<S, T, typename Links::Scalar, Out> terms{out};
-    auto at = links.read(q);
-    auto screws = joint_screws(links, in, at);
-    if constexpr (!std::is_same_v<Out, Separated<S, T>>) {
-      run(links, in, at, screws, terms);
-    } else {
-      Soundness<typename Links::Scalar> all;
-      detail::judge_positions(all, links, in, q);
-      detail::collect_inputs<Scene>(all, in);
-      if constexpr (inputs_can_overflow<Scene> && is_number_v<typename Links::Scalar>) {
-        const JudgedTerms<decltype(terms), typename Links::Scalar> judged{terms, all};
-        run(links, in, at, screws, judged);
-      } else {
-        run(links, in, at, screws, terms);
-      }
-      out.status = all.status();
-    }
-    return out;
-  }
+  else
+    return collected_of_joints<Out, S, T>(links, in, q);
 }
 
 }  // namespace separation
