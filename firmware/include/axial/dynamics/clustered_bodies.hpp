@@ -13,16 +13,17 @@ template <class H, class J, class S>
 struct Kept {
   H hung{};   ///< solutions of the clusters that hang on it: slots, None where one does not
   J joint{};  ///< a Reflection's gain and the like of a plain joint, or None
-  S sent{};
+  S sent{};   ///< a Subtree, in the parent's frame
 };
 template <class H, class J, class S>
 Kept(H, J, S) -> Kept<H, J, S>;
+/// What is kept of a joint whose drive is its own.
 template <class G, class U, class B, class L>
 struct PlainJoint {
-  G gain{};
-  U free{};
-  B singular{};
-  L left{};
+  G gain{};      ///< K = U / D
+  U free{};      ///< u / D
+  B singular{};  ///< whether D is lost in rounding
+  L left{};      ///< whether anything is left of D
 };
 template <class G, class U, class B, class L>
 PlainJoint(G, U, B, L) -> PlainJoint<G, U, detail::Decided<B>, L>;
@@ -34,6 +35,7 @@ struct Bodies {
   static constexpr const auto& g = detail::drive_matrix<R>;   ///< G and q0
   static constexpr const auto& layout = clusters::layout<R>;  ///< which joints are a cluster
 
+  /// G(I, K).
   template <int I, int K>
   AXIAL_INLINE static constexpr auto ratio() {
     return literal<T>([] { return g.ratio[I][K]; });
@@ -47,16 +49,18 @@ struct Bodies {
   /// A subtree with the clusters that hang on link I closed.
   template <class S, class H>
   struct Whole {
-    S tree;
-    H hung;
+    S tree;  ///< a Subtree
+    H hung;  ///< slots: solutions of the drives of each
   };
   template <class S, class H>
   Whole(S, H) -> Whole<S, H>;
 
+  /// Link I's subtree with the clusters that hang on it closed.
   template <class I, class Tree, class A>
   AXIAL_INLINE static constexpr auto whole(I, const Tree& tree, const A& efforts) {
     return close<0, I::value>(tree, slots<0>([](auto) { return None{}; }), efforts);
   }
+  /// The same from cluster C on.
   template <int C, int I, class Tree, class Hung, class A>
   AXIAL_INLINE static constexpr auto close(const Tree& tree, const Hung& hung, const A& efforts) {
     if constexpr (C == layout.count) {
@@ -75,6 +79,7 @@ struct Bodies {
       return close<C + 1, I>(tree, appended(hung, None{}), efforts);
     }
   }
+  /// Slots with one more.
   template <class... V, class Next>
   AXIAL_INLINE static constexpr auto appended(const Slots<V...>& all, const Next& next) {
     return slots<sizeof...(V) + 1>([&](auto c) AXIAL_INLINE {
@@ -84,6 +89,7 @@ struct Bodies {
         return all[c];
     });
   }
+  /// The carrier of cluster C with its drives eliminated, under efforts of the drives.
   template <int C, class I, class P, class O, class A>
   AXIAL_INLINE static constexpr auto eliminated(const I& inertia, const P& force, const O& open, const A& efforts) {
     constexpr int n = layout.drives[C];
@@ -129,7 +135,9 @@ struct Bodies {
       }
     });
   }
+  /// A structure at rest.
   AXIAL_INLINE static constexpr MotionVector<ZeroVec3, ZeroVec3> no_motion() { return {}; }
+  /// Force that a unit of the joint's acceleration takes.
   template <class Joint, class B>
   AXIAL_INLINE static constexpr auto unit_force_of(Joint joint, const B& body) {
     return crba::unit_force(joint, body);
@@ -139,10 +147,12 @@ struct Bodies {
   AXIAL_INLINE static constexpr auto sent(const Link& link, const Screw& screw, const V& v) {
     return to_parent(link.x(), to_parent(screw, v, link), link.outer());
   }
+  /// The forces of a cluster; the rest of it has no frame.
   template <class Link, class Screw, class F, class D, class U, class S>
   AXIAL_INLINE static constexpr auto sent(const Link& link, const Screw& screw, const Open<F, D, U, S>& open) {
     return sent_forces(link, screw, open.forces, open);
   }
+  /// The same, drive by drive.
   template <class Link, class Screw, class... F, class O>
   AXIAL_INLINE static constexpr auto sent_forces(const Link& link, const Screw& screw, const Slots<F...>& forces,
                                                  const O& open) {

@@ -13,10 +13,10 @@ namespace clusters {
 /// of its drives.
 template <class R, class Driven, class Links>
 struct Passes : private Bodies<R, Driven> {
-  using Base = Bodies<R, Driven>;
-  static constexpr const auto& g = detail::drive_matrix<R>;
-  static constexpr const auto& layout = clusters::layout<R>;
-  using typename Base::T;
+  using Base = Bodies<R, Driven>;                             ///< the inward pass
+  static constexpr const auto& g = detail::drive_matrix<R>;   ///< G and q0
+  static constexpr const auto& layout = clusters::layout<R>;  ///< which joints are a cluster
+  using typename Base::T;                                     ///< the number
 
   /// Accelerations of the drives under the efforts that `udd` holds at first.
   template <class Input, class Screws, class A>

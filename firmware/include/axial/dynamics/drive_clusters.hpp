@@ -30,12 +30,14 @@ AXIAL_INLINE constexpr auto slots(const F& f) {
 }
 /// Entries of a lower triangle, row by row: index of an entry, and back.
 constexpr int entry(int k, int l) { return k * (k + 1) / 2 + l; }
+/// Row of an entry of a lower triangle.
 constexpr int row_of(int at) {
   int k = 0;
   while (entry(k + 1, 0) <= at)
     ++k;
   return k;
 }
+/// Column of an entry of a lower triangle.
 constexpr int column_of(int at) { return at - entry(row_of(at), 0); }
 
 /// A force times a number.
@@ -43,10 +45,12 @@ template <class G, class N, class F>
 AXIAL_INLINE constexpr auto times(const G& g, const ForceVector<N, F>& f) {
   return ForceVector{g * f.moment, g * f.force};
 }
+/// An inertia in its 6x6 form.
 template <class I>
 AXIAL_INLINE constexpr const I& as_articulated(const I& inertia) {
   return inertia;
 }
+/// Of a rigid body.
 template <class M, class H, class J>
 AXIAL_INLINE constexpr auto as_articulated(const RigidInertia<M, H, J>& body) {
   return articulated(body);
@@ -64,21 +68,26 @@ struct Open {
 };
 template <class F, class D, class U, class S>
 Open(F, D, U, S) -> Open<F, D, U, S>;
+/// A cluster of which no joint is in a subtree yet.
 template <int drives>
 AXIAL_INLINE constexpr auto opened(None) {
   const auto zeros = [](auto) { return Zero{}; };
   return Open{slots<drives>([](auto) { return ForceVector<ZeroVec3, ZeroVec3>{}; }), slots<entry(drives, 0)>(zeros),
               slots<drives>(zeros), slots<drives>(zeros)};
 }
+/// One that has joints there is as it was.
 template <int, class F, class D, class U, class S>
 AXIAL_INLINE constexpr const auto& opened(const Open<F, D, U, S>& open) {
   return open;
 }
 
+/// Slot by slot.
 template <class... V, class... W>
 AXIAL_INLINE constexpr auto sum(const Slots<V...>& a, const Slots<W...>& b) {
   return slots<sizeof...(V)>([&](auto k) AXIAL_INLINE { return a[k] + b[k]; });
 }
+/// What two subtrees of one link leave to a cluster.
+///@{
 AXIAL_INLINE constexpr None joined(None, None) { return {}; }
 template <class A>
 AXIAL_INLINE constexpr const A& joined(const A& a, None) {
@@ -92,10 +101,13 @@ template <class A, class B, class C, class D, class E, class F, class G, class H
 AXIAL_INLINE constexpr auto joined(const Open<A, B, C, D>& a, const Open<E, F, G, H>& b) {
   return Open{sum(a.forces, b.forces), sum(a.inertia, b.inertia), sum(a.felt, b.felt), sum(a.scales, b.scales)};
 }
+///@}
+/// Two inertias of one frame as one.
 template <class A, class B>
 AXIAL_INLINE constexpr auto both(const A& a, const B& b) {
   return as_articulated(a) + as_articulated(b);
 }
+/// Rigid bodies stay rigid.
 template <class A, class B, class C, class D, class E, class F>
 AXIAL_INLINE constexpr auto both(const RigidInertia<A, B, C>& a, const RigidInertia<D, E, F>& b) {
   return a + b;
@@ -105,12 +117,13 @@ AXIAL_INLINE constexpr auto both(const RigidInertia<A, B, C>& a, const RigidIner
 template <class I, class P, class R, class O>
 struct Subtree {
   I inertia;  ///< rigid as long as it can be, else articulated
-  P force;
-  R scale;
-  O open;  ///< slots, one a cluster
+  P force;    ///< N m and N
+  R scale;    ///< a CompositeScale
+  O open;     ///< slots, one a cluster
 };
 template <class I, class P, class R, class O>
 Subtree(I, P, R, O) -> Subtree<I, P, R, O>;
+/// Two subtrees of one link as one.
 template <class A, class B, class C, class D, class E, class F, class G, class... H>
 AXIAL_INLINE constexpr auto operator+(const Subtree<A, B, C, D>& a, const Subtree<E, F, G, Slots<H...>>& b) {
   return Subtree{both(a.inertia, b.inertia), a.force + b.force, a.scale + b.scale,
@@ -132,9 +145,9 @@ Solution(U, K, G, B, L) -> Solution<U, K, G, detail::Decided<B>, L>;
 /// A carrier's inertia and force with a whole cluster on it, and the solutions of its drives.
 template <class I, class P, class S>
 struct Closed {
-  I inertia;
-  P force;
-  S solved;
+  I inertia;  ///< an ArticulatedInertia
+  P force;    ///< N m and N
+  S solved;   ///< slots, a Solution a drive
 };
 template <class I, class P, class S>
 Closed(I, P, S) -> Closed<I, P, S>;
@@ -145,6 +158,7 @@ AXIAL_INLINE constexpr auto less_product(const S& s, const A& a, const B& b) {
   return Sym3{s.xx - a.x * b.x, s.yy - a.y * b.y, s.zz - a.z * b.z,
               s.xy - a.x * b.y, s.xz - a.x * b.z, s.yz - a.y * b.z};
 }
+/// An inertia without what a drive takes: less f k^T, f the force for a unit of the drive, k that over D.
 template <class I, class F, class K>
 AXIAL_INLINE constexpr auto reflected(const I& i, const F& f, const K& k) {
   const auto row = [&](const auto& r, const auto& x) AXIAL_INLINE {
@@ -159,6 +173,7 @@ AXIAL_INLINE constexpr auto reflected(const I& i, const F& f, const K& k) {
 /// Eliminates the drives of a cluster, the last one first.
 template <int K, class T>
 struct Elimination {
+  /// Inertia and force of the carrier, and what is kept of each drive.
   template <class I, class P, class F, class D, class U, class S>
   AXIAL_INLINE static constexpr auto of(const I& inertia, const P& force, const F& forces, const D& d, const U& u,
                                         const S& scales) {
@@ -186,8 +201,10 @@ struct Elimination {
                   })};
   }
 };
+/// No drive is left.
 template <class T>
 struct Elimination<-1, T> {
+  /// inertia and force, as they are
   template <class I, class P, class F, class D, class U, class S>
   AXIAL_INLINE static constexpr auto of(const I& inertia, const P& force, const F&, const D&, const U&, const S&) {
     return Closed{inertia, force, Slots<>{}};

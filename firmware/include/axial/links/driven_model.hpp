@@ -128,6 +128,7 @@ class DrivenModelLinks {
   const DriveMatrix<N>& matrix_;
 };
 
+/// These do.
 template <class S, class T, class J, class D, int N>
 inline constexpr bool is_driven<DrivenModelLinks<S, T, J, D, N>> = true;
 
