@@ -20,7 +20,7 @@ struct Velocity {
   P p{};     ///< (wy wz, wx wz, wx wy)
   U u{};     ///< w~ w~: how points of the link accelerate
   Z zeta{};  ///< rad/s^2, m/s^2
-  /// The same as plain numbers.
+  /// This velocity as plain numbers.
   template <class T>
   AXIAL_INLINE constexpr Velocity<Vec3<T>, Vec3<T>, Mat3<Vec3<T>>, MotionVector<Vec3<T>, Vec3<T>>> dense() const {
     return {w, p, u, zeta};
@@ -39,7 +39,7 @@ AXIAL_INLINE constexpr auto base_velocity(const Links& links, const Input& in) {
   return Velocity{w, p, rotation_acceleration(w, o, p, first), MotionVector{o, o}};
 }
 
-/// Of a revolute link from its parent's; both in their own frames. qd in rad/s.
+/// Velocity of a revolute link from its parent's; both in their own frames. qd in rad/s.
 template <class Link, class Screw, class Parent, class V>
 AXIAL_INLINE constexpr auto move(Revolute, const Link& link, const Screw& screw, const Parent& parent, const V& qd) {
   using namespace quantity;
@@ -56,7 +56,7 @@ AXIAL_INLINE constexpr auto move(Revolute, const Link& link, const Screw& screw,
   auto linear = link.sum(LinearAcceleration{}, to_child(screw, to_child(x, at_axis)), on_axis);
   return Velocity{w, p, u, MotionVector{angular, linear}};
 }
-/// Of a prismatic link from its parent's; both in their own frames. qd in m/s.
+/// Velocity of a prismatic link from its parent's; both in their own frames. qd in m/s.
 template <class Link, class Screw, class Parent, class V>
 AXIAL_INLINE constexpr auto move(Prismatic, const Link& link, const Screw& screw, const Parent& parent, const V& qd) {
   using namespace quantity;
@@ -77,7 +77,7 @@ struct Subtree {
   I inertia{};  ///< an ArticulatedInertia
   P bias{};     ///< a ForceVector, N m and N
   R scale{};    ///< a CompositeScale, or Unscaled
-  /// The same as numbers, each quantity in the form in which T keeps it.
+  /// This subtree as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return Subtree<decltype(inertia.template dense<T>()), decltype(bias.template dense<T>()),
@@ -106,12 +106,12 @@ AXIAL_INLINE constexpr auto alone(const Link& link, const Body& body, const D& d
                  scale_of(link, body)};
 }
 
-/// The same with the mass of the water that moves with it; `water` is Dry where there is none.
+/// A subtree with the mass of the water that moves with its link; `water` is Dry where there is none.
 template <class Water, class Tree>
 AXIAL_INLINE constexpr auto immersed(const Water& water, const Tree& tree) {
   return Subtree{tree.inertia + water.inertia(), tree.bias, tree.scale + scale_of_water(water)};
 }
-/// A dry link is as it was.
+/// Overload for a dry link: the subtree as it was.
 template <class Tree>
 AXIAL_INLINE constexpr auto immersed(const Dry&, const Tree& tree) {
   return tree;
@@ -130,7 +130,7 @@ struct InwardResult {
 template <class G, class U, class Z, class B, class L, class S>
 InwardResult(G, U, Z, B, L, S) -> InwardResult<G, U, Z, detail::Decided<B>, L, S>;
 
-/// The same in the form in which the link keeps results.
+/// An inward result in the form in which the link keeps results.
 template <class Link, class G, class U, class Z, class B, class L, class S>
 AXIAL_INLINE constexpr auto shaped(const Link& link, const InwardResult<G, U, Z, B, L, S>& left) {
   return InwardResult{link.shape(left.gain), link.shape(left.free), link.shape(left.zeta), left.singular, left.left,

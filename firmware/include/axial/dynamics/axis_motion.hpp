@@ -17,7 +17,7 @@ struct AxisFrame {
   V v{};       ///< m/s, of its origin
   A a{};       ///< m/s^2, of its origin, against gravity
   U column{};  ///< rad^2/s^2 and rad/s^2: U's third column
-  /// The same as numbers.
+  /// This frame as numbers.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return derivatives::AxisFrame{w.template dense<T>(), v.template dense<T>(), a.template dense<T>(),
@@ -41,9 +41,9 @@ AXIAL_INLINE constexpr auto third_column(const U& u) {
   return Vec3{u.x.z, u.y.z, u.z.z};
 }
 
-/// Behind the x-screw of a link, from the motion of its parent and the velocity of the parent's origin. The joint does
-/// not change how points of its axis accelerate: where the axis is one of the parent's, that is a column of the
-/// parent's U, else the link's own is turned back.
+/// The frame behind the x-screw of a link, from the motion of its parent and the velocity of the parent's origin. The
+/// joint does not change how points of its axis accelerate: where the axis is one of the parent's, that is a column of
+/// the parent's U, else the link's own is turned back.
 template <class Link, class Screw, class P, class V, class M>
 AXIAL_INLINE constexpr auto axis_frame(const Link& link, const Screw& screw, const P& parent, const V& velocity,
                                        const M& own) {
@@ -70,7 +70,7 @@ AXIAL_INLINE constexpr auto origin_velocity(Prismatic, const Link& link, const S
   return link.sum(quantity::LinearVelocity{}, to_child(screw, frame.v), cross_z(motion.w, screw.shift), along_z(qd));
 }
 
-/// The same the other way round: velocity of the axis' frame from that of the link's origin.
+/// Velocity of the axis' frame from that of the link's origin: the inverse of origin_velocity().
 template <class Joint, class Screw, class F, class O, class V>
 AXIAL_INLINE constexpr auto axis_velocity(Joint, const Screw& screw, const F& frame, const O& origin, const V& qd) {
   auto turned = to_parent(screw, origin) - cross_z(frame.w, screw.shift);
@@ -85,7 +85,7 @@ template <class F, class V>
 struct Passage {
   F frame{};   ///< an AxisFrame
   V origin{};  ///< m/s
-  /// The same as numbers.
+  /// This passage as numbers.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return derivatives::Passage{frame.template dense<T>(), origin.template dense<T>()};
@@ -111,7 +111,7 @@ constexpr bool rests_at_link_1() {
   return serial;
 }
 
-/// Of link 1 at rest.
+/// Passage of link 1 whose origin is at rest.
 template <class Link, class Screw, class P, class M, class V>
 AXIAL_INLINE constexpr auto passage_at_rest(const Link& link, const Screw& screw, const P& parent, const M& own,
                                             const V& qd) {
@@ -121,7 +121,8 @@ AXIAL_INLINE constexpr auto passage_at_rest(const Link& link, const Screw& screw
     return Passage{AxisFrame{frame.w, v, frame.a, frame.column}, ZeroVec3{}};
   });
 }
-/// Of a joint on the base that the compiler knows: its link's own frame, so that nothing is carried any farther.
+/// Passage of a joint on the base that the compiler knows: its link's own frame, so that nothing is carried any
+/// farther.
 template <class M, class V>
 AXIAL_INLINE constexpr auto passage_of_root(const M& motion, const V& origin) {
   return Passage{AxisFrame{motion.w, origin, motion.a, third_column(motion.u)}, origin};
@@ -134,7 +135,7 @@ AXIAL_INLINE constexpr auto is_known_root(I) {
   else
     return std::false_type{};
 }
-/// From a link's frame to that of its joint.
+/// Brings x from a link's frame to that of its joint.
 template <class Links, class Screws, class I, class X, class... Rounder>
 AXIAL_INLINE constexpr auto to_axis(const Links&, const Screws& screws, I i, const X& x, const Rounder&... round) {
   using axial::to_parent;
@@ -144,7 +145,7 @@ AXIAL_INLINE constexpr auto to_axis(const Links&, const Screws& screws, I i, con
     return to_parent(screws[i], x, round...);
 }
 
-/// Those of all links, from the base outwards.
+/// Passages of all links, from the base outwards.
 template <class Links, class Input, class Screws, class Motions, class V>
 AXIAL_INLINE constexpr auto passages(const Links& links, const Input& in, const Screws& screws, const Motions& motions,
                                      const V& qd) {
@@ -194,7 +195,7 @@ struct AxisMotion {
   P first{};    ///< psi, 1/s
   D doubled{};  ///< 2 psi
   A second{};   ///< 1/s^2
-  /// The same as numbers.
+  /// This motion as numbers.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return derivatives::AxisMotion{first.template dense<T>(), doubled.template dense<T>(), second.template dense<T>()};

@@ -8,8 +8,8 @@
 
 namespace axial {
 
-/// As of one state, per lane: ok, or not_finite and the first joint (from the base) of which one of the values is NaN
-/// or infinite.
+/// check_finite() per lane: ok, or not_finite and the first joint (from the base) of which one of the values is NaN or
+/// infinite.
 template <class S, class T, int N, int Bytes, class... Values>
 [[nodiscard]] constexpr BatchStatus<T, N, Bytes> check_finite(const Joints<S, Batch<T, N, Bytes>>& first,
                                                               const Values&... others) {

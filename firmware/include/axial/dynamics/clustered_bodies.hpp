@@ -60,7 +60,7 @@ struct Bodies {
   AXIAL_INLINE static constexpr auto whole(I, const Tree& tree, const A& efforts) {
     return close<0, I::value>(tree, slots<0>([](auto) { return None{}; }), efforts);
   }
-  /// The same from cluster C on.
+  /// Link I's subtree with the clusters from C on that hang on it closed.
   template <int C, int I, class Tree, class Hung, class A>
   AXIAL_INLINE static constexpr auto close(const Tree& tree, const Hung& hung, const A& efforts) {
     if constexpr (C == layout.count) {
@@ -142,7 +142,7 @@ struct Bodies {
   AXIAL_INLINE static constexpr auto unit_force_of(Joint joint, const B& body) {
     return crba::unit_force(joint, body);
   }
-  /// In the parent's frame.
+  /// A quantity of the link in the parent's frame.
   template <class Link, class Screw, class V>
   AXIAL_INLINE static constexpr auto sent(const Link& link, const Screw& screw, const V& v) {
     return to_parent(link.x(), to_parent(screw, v, link), link.outer());
@@ -152,7 +152,7 @@ struct Bodies {
   AXIAL_INLINE static constexpr auto sent(const Link& link, const Screw& screw, const Open<F, D, U, S>& open) {
     return sent_forces(link, screw, open.forces, open);
   }
-  /// The same, drive by drive.
+  /// The forces of a cluster in the parent's frame, drive by drive.
   template <class Link, class Screw, class... F, class O>
   AXIAL_INLINE static constexpr auto sent_forces(const Link& link, const Screw& screw, const Slots<F...>& forces,
                                                  const O& open) {

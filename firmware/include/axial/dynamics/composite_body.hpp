@@ -41,7 +41,7 @@ constexpr auto structure_of() {
   structure.fill();
   return structure;
 }
-/// of the matrix of these links
+/// Structure of the matrix of these links.
 template <class Links>
 inline constexpr auto structure = structure_of<Links>();
 
@@ -103,7 +103,7 @@ constexpr bool loses_little() {
 }
 
 /// What an elimination loses at the configuration at hand, where the compiler does not know that it is little: the sum
-/// of composite over remaining inertia, joint by joint. Errors were at most some 25 roundings a unit of it (random
+/// of composite over remaining inertia, joint by joint. Errors were at most some 25 roundings per unit of it (random
 /// chains of 2 to 12 joints, doc/measurements/stability.md); from `most` on the answer is called inaccurate.
 template <class T, bool known_to_be_little>
 class Loss {

@@ -9,13 +9,14 @@
 namespace axial {
 
 /// Mass, a bound of |first moment| and the polar moment (integral of r^2 dm, bounded) of all that a link carries.
-/// Of constants, so the compiler folds it; it scales with masses and lengths, so no absolute threshold hides in it.
+/// Made of constants, it is folded by the compiler; it scales with masses and lengths, so no absolute threshold hides
+/// in it.
 template <class M, class H, class P>
 struct CompositeScale {
   M mass{};          ///< kg
   H first_moment{};  ///< kg m
   P polar{};         ///< kg m^2
-  /// The same as plain numbers.
+  /// This scale as plain numbers.
   template <class T>
   AXIAL_INLINE constexpr CompositeScale<T, T, T> dense() const {
     return {mass, first_moment, polar};
@@ -35,13 +36,13 @@ template <class Axis, class C, class S, class L, class Turn>
 AXIAL_INLINE constexpr auto shift_length(const AxialScrew<Axis, C, S, L, Turn>& screw) {
   return detail::absolute(screw.shift);
 }
-/// Of a branch: both screws.
+/// Overload for a branch: the shifts of both screws.
 template <class Z, class X>
 AXIAL_INLINE constexpr auto shift_length(const BranchScrew<Z, X>& branch) {
   return shift_length(branch.z) + shift_length(branch.x);
 }
 
-/// Of one rigid body: the polar moment is half the trace of its inertia.
+/// Scale of one rigid body: the polar moment is half the trace of its inertia.
 template <class Body>
 AXIAL_INLINE constexpr auto composite_scale(const Body& body) {
   const auto& h = body.first_moment;
@@ -67,14 +68,14 @@ AXIAL_INLINE constexpr auto scale_of_water(const Water& water) {
 
 /// Where ranges are proved no joint is near singular, so that no scale is needed.
 struct Unscaled {
-  /// As any other scale; nothing to convert.
+  /// This scale itself: there is nothing to convert.
   template <class T>
   AXIAL_INLINE constexpr Unscaled dense() const {
     return {};
   }
 };
 AXIAL_INLINE constexpr Unscaled operator+(Unscaled, Unscaled) { return {}; }  ///< none beside none
-/// from anywhere
+/// The scale seen from anywhere: itself.
 template <class L>
 AXIAL_INLINE constexpr Unscaled seen_from(Unscaled, const L&) {
   return {};
@@ -89,7 +90,7 @@ AXIAL_INLINE constexpr auto scale_of(const Link&, const Body& body) {
 }
 
 namespace detail {
-/// Likewise of drives that joints share: driven_links.hpp.
+/// Whether every drive that joints share is resisted: shared_drives.hpp.
 template <class Scene>
 constexpr bool every_drive_is_resisted();
 }  // namespace detail

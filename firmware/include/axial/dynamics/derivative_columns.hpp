@@ -16,7 +16,7 @@ struct Subtree {
   B body{};   ///< a RigidInertia
   W flow{};   ///< a MassFlow
   F force{};  ///< what moves it, N m and N
-  /// The same as numbers.
+  /// This subtree as numbers.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return derivatives::Subtree{body.template dense<T>(), flow.template dense<T>(), force.template dense<T>()};
@@ -24,13 +24,14 @@ struct Subtree {
 };
 template <class B, class W, class F>
 Subtree(B, W, F) -> Subtree<B, W, F>;
-/// Two of one frame as one.
+/// Two subtrees of one frame as one.
 template <class A, class B, class C, class D, class E, class F>
 AXIAL_INLINE constexpr auto operator+(const Subtree<A, B, C>& a, const Subtree<D, E, F>& b) {
   return Subtree{a.body + b.body, a.flow + b.flow, a.force + b.force};
 }
 
-/// About the parent's frame, in its axes: without step A of the congruence, where nothing asks for one rounding.
+/// A body about the origin of the parent's frame, in its axes: without step A of the congruence, where nothing asks for
+/// one rounding.
 template <class Axis, class C, class S, class L, class Turn, class M, class H, class J, class Rounder>
 AXIAL_INLINE constexpr auto carried_body(const AxialScrew<Axis, C, S, L, Turn>& x, const RigidInertia<M, H, J>& body,
                                          const Rounder& round) {
@@ -44,13 +45,13 @@ AXIAL_INLINE constexpr auto carried_body(const AxialScrew<Axis, C, S, L, Turn>& 
     return to_parent(shift, turned);
   }
 }
-/// Of a body that is known by other than its entries.
+/// Overload for a body that is known by other than its entries.
 template <class Screw, class B, class Rounder>
 AXIAL_INLINE constexpr auto carried_body(const Screw& x, const B& body, const Rounder& round) {
   using axial::to_parent;
   return to_parent(x, body, round);
 }
-/// A subtree, likewise.
+/// A subtree about the origin of the parent's frame, in its axes.
 template <class Axis, class C, class S, class L, class Turn, class B, class W, class F, class Rounder = Plain>
 AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Subtree<B, W, F>& t,
                                       const Rounder& round = {}) {
@@ -83,7 +84,7 @@ struct Columns {
   B row{};           ///< b
   U speed{};         ///< B phi + 2 I psi
   T position{};      ///< B psi + I d(psi)/dt + phi x* F
-  /// The same as numbers.
+  /// These columns as numbers.
   template <class N>
   AXIAL_INLINE constexpr auto dense() const {
     return derivatives::Columns{acceleration.template dense<N>(), row.template dense<N>(), speed.template dense<N>(),
@@ -93,7 +94,7 @@ struct Columns {
 template <class F, class B, class U, class T>
 Columns(F, B, U, T) -> Columns<F, B, U, T>;
 
-/// Of a joint, from its axis' motion and what it carries.
+/// Columns of a joint, from its axis' motion and what it carries.
 template <class Joint, class Link, class S, class M>
 AXIAL_INLINE constexpr auto columns_of(Joint joint, const Link& link, const S& carried, const M& axis) {
   using namespace quantity;
@@ -105,7 +106,7 @@ AXIAL_INLINE constexpr auto columns_of(Joint joint, const Link& link, const S& c
                                                         turned_force(joint, carried.force));
   return Columns{unit_force(joint, carried.body), joint_row(joint, carried.flow), speed, position};
 }
-/// One screw farther in.
+/// Columns one screw farther in.
 template <class Axis, class C, class S, class L, class Turn, class F, class B, class U, class T, class Rounder = Plain>
 AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, const Columns<F, B, U, T>& c,
                                       const Rounder& round = {}) {
@@ -126,7 +127,7 @@ template <class B>
 AXIAL_INLINE constexpr auto row_along(Revolute, const B& row) {
   return row.z;
 }
-/// A slide turns nothing.
+/// Prismatic overload: a slide turns nothing.
 template <class B>
 AXIAL_INLINE constexpr Zero row_along(Prismatic, const B&) {
   return {};

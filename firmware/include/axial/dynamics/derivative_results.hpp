@@ -29,7 +29,7 @@ struct JointMatrix {
   }
 };
 
-/// Of a scene.
+/// Matrix of a scene's joints.
 template <class S, class T, class By>
 using JointMatrixOf = JointMatrix<subject_of<S, T>, T, By>;
 
@@ -44,28 +44,28 @@ struct WantedResults : Wanted::template Result<S, T>... {
 /// What inverse_dynamics_derivatives() may be asked for.
 ///@{
 struct with_efforts {
-  /// Its member.
+  /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
     EffortsOf<S, T> tau{};  ///< N m or N
   };
 };
 struct with_mass_matrix {
-  /// Its member.
+  /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
     MassMatrixOf<S, T> M{};  ///< d tau / d qdd, with rotors as the scene names them
   };
 };
 struct with_position_jacobian {
-  /// Its member.
+  /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
     JointMatrixOf<S, T, by::Position> dtau_dq{};  ///< (i, j) = d tau_i / d q_j: N m/rad, N m/m, N/rad or N/m
   };
 };
 struct with_velocity_jacobian {
-  /// Its member.
+  /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
     JointMatrixOf<S, T, by::Velocity> dtau_dqd{};  ///< (i, j) = d tau_i / d qd_j: N m s/rad and so on
@@ -76,7 +76,7 @@ struct with_velocity_jacobian {
 /// Efforts and their derivatives: a member for each that is wanted, of all four unless some are named.
 template <class S, class T, class... Wanted>
 struct InverseDynamicsDerivatives : WantedResults<S, T, Wanted...> {};
-/// All of them.
+/// Efforts and all of their derivatives.
 template <class S, class T>
 struct InverseDynamicsDerivatives<S, T>
     : WantedResults<S, T, with_efforts, with_mass_matrix, with_position_jacobian, with_velocity_jacobian> {};
@@ -125,7 +125,7 @@ constexpr void check_derivable() {
       "scene");
 }
 
-// The same for forward dynamics, which solves: in floating point alone.
+// Scenes that derivatives of forward dynamics, which solves, are offered for: in floating point alone.
 template <class Scene, class T>
 constexpr void check_forward_derivable() {
   static_assert(is_number_v<T>,

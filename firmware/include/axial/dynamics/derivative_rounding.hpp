@@ -8,16 +8,16 @@
 
 namespace axial {
 
-/// Besides those of scalar/rounding.hpp.
+/// Quantities besides those of scalar/rounding.hpp.
 namespace quantity {
 struct LinearVelocity {};    ///< m/s
 struct AxisAcceleration {};  ///< m/s^2: linear part of how an axis' motion changes
 struct FlowMoment {};        ///< kg m^2/s: a MassFlow's matrix, and what a joint's speed takes
 struct FlowMomentum {};      ///< kg m/s: a MassFlow's vector, and what a joint's speed takes
 struct UnitMoment {};        ///< kg m^2 or kg m: what a joint's unit acceleration takes
-struct UnitForce {};         ///< kg m or kg: likewise
+struct UnitForce {};         ///< kg m or kg: what a joint's unit acceleration takes
 struct PositionMoment {};    ///< N m/rad or N: what a joint's position takes
-struct PositionForce {};     ///< N/rad or N/m: likewise
+struct PositionForce {};     ///< N/rad or N/m: what a joint's position takes
 }  // namespace quantity
 
 namespace derivatives {
@@ -28,12 +28,12 @@ struct ForceRounding {
   const Link& link;                             ///< referred to
   static constexpr bool ranged = Link::ranged;  ///< whether ranges of its results are proved
 
-  /// The sum of a force's terms in the format that its moment, or force, has here.
+  /// The sum of a moment's terms in the format that the moment has here.
   template <class... Terms>
   AXIAL_INLINE constexpr auto sum(quantity::Moment, const Terms&... terms) const {
     return link.sum(OfMoment{}, terms...);
   }
-  /// Likewise.
+  /// The sum of a force's terms in the format that the force has here.
   template <class... Terms>
   AXIAL_INLINE constexpr auto sum(quantity::Force, const Terms&... terms) const {
     return link.sum(OfForce{}, terms...);

@@ -50,7 +50,7 @@ template <class I>
 AXIAL_INLINE constexpr const I& as_articulated(const I& inertia) {
   return inertia;
 }
-/// Of a rigid body.
+/// Overload for a rigid body.
 template <class M, class H, class J>
 AXIAL_INLINE constexpr auto as_articulated(const RigidInertia<M, H, J>& body) {
   return articulated(body);
@@ -75,13 +75,13 @@ AXIAL_INLINE constexpr auto opened(None) {
   return Open{slots<drives>([](auto) { return ForceVector<ZeroVec3, ZeroVec3>{}; }), slots<entry(drives, 0)>(zeros),
               slots<drives>(zeros), slots<drives>(zeros)};
 }
-/// One that has joints there is as it was.
+/// Overload for a cluster that has joints there already: as it was.
 template <int, class F, class D, class U, class S>
 AXIAL_INLINE constexpr const auto& opened(const Open<F, D, U, S>& open) {
   return open;
 }
 
-/// Slot by slot.
+/// Sum, slot by slot.
 template <class... V, class... W>
 AXIAL_INLINE constexpr auto sum(const Slots<V...>& a, const Slots<W...>& b) {
   return slots<sizeof...(V)>([&](auto k) AXIAL_INLINE { return a[k] + b[k]; });
@@ -119,7 +119,7 @@ struct Subtree {
   I inertia;  ///< rigid as long as it can be, else articulated
   P force;    ///< N m and N
   R scale;    ///< a CompositeScale
-  O open;     ///< slots, one a cluster
+  O open;     ///< slots, one per cluster
 };
 template <class I, class P, class R, class O>
 Subtree(I, P, R, O) -> Subtree<I, P, R, O>;
@@ -201,7 +201,7 @@ struct Elimination {
                   })};
   }
 };
-/// No drive is left.
+/// Elimination of no drive: the end of the recursion.
 template <class T>
 struct Elimination<-1, T> {
   /// inertia and force, as they are

@@ -34,7 +34,7 @@ constexpr void each_share(const DriveMatrix<N>& g, const Present& present, const
     }
 }
 
-/// Those of DrivenLinks.
+/// Calls f(share) for every share of DrivenLinks.
 template <class Links, class F>
 constexpr void each_share_of(const F& f) {
   using JointLinks = decltype(Links::joints());
@@ -46,14 +46,14 @@ constexpr void each_share_of(const F& f) {
   };
   each_share(Links::matrix, present, f);
 }
-/// How many there are.
+/// Number of shares.
 template <class Links>
 inline constexpr int share_count = [] {
   int count = 0;
   each_share_of<Links>([&](const Share&) { ++count; });
   return count;
 }();
-/// All of them.
+/// All shares, those of one entry side by side.
 template <class Links>
 inline constexpr auto shares = [] {
   Row<Share, share_count<Links>> all{};

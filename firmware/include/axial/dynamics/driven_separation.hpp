@@ -10,7 +10,7 @@ namespace axial {
 namespace driven {
 
 /// A, B, C and G of the drives from those of the joints, efforts and rates by G: A_u = G^T A G, and likewise the
-/// coefficients of products. Of the four those that Out has room for.
+/// coefficients of products. Only those of the four that Out has room for are computed.
 template <class Out, class S, class T, class Links, class Input, class U>
 constexpr Out separated(const Links& links, const Input& in, const U& u) {
   using Joint = typename Links::JointScene;

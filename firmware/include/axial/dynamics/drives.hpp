@@ -16,7 +16,7 @@ AXIAL_INLINE constexpr auto by_direction(const V& qd, const F& forward, const B&
   else
     return select(qd > V(Zero{}), V(forward), select(qd < V(Zero{}), V(backward), qd));
 }
-/// The same for an effort of a link; a number system with formats overloads it for its speeds.
+/// by_direction() for an effort of a link; a number system with formats overloads it for its speeds.
 template <class Link, class V, class F, class B>
 AXIAL_INLINE constexpr auto effort_by_direction(const Link&, const V& qd, const F& forward, const B& backward) {
   return by_direction(qd, forward, backward);

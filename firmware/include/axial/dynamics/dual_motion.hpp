@@ -16,7 +16,7 @@ template <class Values, class Slopes>
 struct DualValues {
   const Values& values;  ///< referred to
   const Slopes& slopes;  ///< referred to, in the values' units
-  /// Of joint i.
+  /// Value of joint i with its direction.
   template <class I>
   AXIAL_INLINE constexpr auto operator[](I i) const {
     return with_slope(values[i], slopes[i]);
@@ -35,7 +35,7 @@ template <class Screw, class D>
 AXIAL_INLINE constexpr auto dual_screw(Prismatic, const Screw& screw, const D& slope) {
   return axial::dual_screw(screw, with_slope(screw.shift, slope), Zero{});
 }
-/// Those of all joints, by the sines and cosines of `plain` links.
+/// z-screws of all joints along a direction, by the sines and cosines of `plain` links.
 template <class Plain, class Links, class Input, class Q>
 AXIAL_INLINE constexpr auto dual_screws(const Plain& plain, const Links& links, const Input& in, const Q& q) {
   auto screws = joint_screws(plain, in, q.values);

@@ -15,7 +15,7 @@ namespace elastic {
 /// less `added` = (1 - e^-x) / x of what was asked more since. Set-up, in double.
 struct Lag {
   double kept = 0.0, added = 0.0;  ///< both 0 where there is no lag
-  /// Of a period of x lags; infinite without any.
+  /// Shares for a period of x lags; x is infinite where there is no lag.
   constexpr explicit Lag(double x) {
     added = 1.0 / x;
     if (!(x < most)) return;
@@ -41,7 +41,7 @@ struct Lag {
 }  // namespace elastic
 
 /// What damped transmissions remember from one call to the next, owned by the caller: of every joint how far the
-/// deflection's acceleration is off that without damping. Two words and three constants a joint.
+/// deflection's acceleration is off that without damping. Two words and three constants per joint.
 template <class S, class T>
 class ElasticState {
   using Robot = robot_of<S>;
@@ -62,7 +62,7 @@ class ElasticState {
   /// The next call begins a motion: its deflections move as they would without damping.
   constexpr void restart() { started_ = false; }
 
-  /// Of joint i: D / K, s.
+  /// Lag of joint i: D / K, s.
   [[nodiscard]] constexpr const T& lag(int i) const { return lag_[i]; }
   /// Acceleration of the deflection of joint i where without damping it would be `wanted`; remembers it, unless that
   /// is no number.

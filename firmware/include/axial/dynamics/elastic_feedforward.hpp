@@ -60,7 +60,7 @@ inline constexpr auto compliances = [] {
     result[i] = NumberTraits<T>::constant(1.0 / Robot::chain.links[i].stiffness);
   return result;
 }();
-/// That of joint i: known to the compiler where the links are.
+/// Compliance of joint i, rad/(N m) or m/N: known to the compiler where the links are.
 template <class Links, class I>
 AXIAL_INLINE constexpr auto compliance(I i) {
   using Robot = typename Links::Scene::Robot;

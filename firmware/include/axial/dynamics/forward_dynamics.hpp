@@ -24,7 +24,7 @@ AXIAL_INLINE constexpr StatusOf<T> solve(const Input& in, const Q& q, const V& q
     return aba::run(links_of<Scene, T, FullParameters, recursion::ArticulatedBodies>(), in, q, qd, tau, qdd);
 }
 
-/// Over numbers T; a number system may have fewer.
+/// Route of a scene over numbers T; a number system may have fewer.
 template <class S, class T>
 struct RouteOver {
   static constexpr Route value = forward_dynamics_route<S>;

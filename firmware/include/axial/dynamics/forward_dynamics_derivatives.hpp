@@ -11,21 +11,21 @@ namespace axial {
 /// What forward_dynamics_derivatives() may be asked for besides the accelerations.
 ///@{
 struct with_inverse_mass_matrix {
-  /// Its member.
+  /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
     MassMatrixOf<S, T> M_inverse{};  ///< d qdd / d tau, symmetric: 1/(kg m^2), 1/(kg m), 1/kg
   };
 };
 struct with_acceleration_by_position {
-  /// Its member.
+  /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
     JointMatrixOf<S, T, by::Position> dqdd_dq{};  ///< (i, j) = d qdd_i / d q_j, at given efforts
   };
 };
 struct with_acceleration_by_velocity {
-  /// Its member.
+  /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
     JointMatrixOf<S, T, by::Velocity> dqdd_dqd{};  ///< (i, j) = d qdd_i / d qd_j, at given efforts
@@ -38,7 +38,7 @@ template <class S, class T, class... Wanted>
 struct ForwardDynamicsDerivatives : WantedResults<S, T, Wanted...> {
   ForwardDynamicsOf<S, T> qdd{};  ///< rad/s^2 or m/s^2; its status is that of all
 };
-/// All of them.
+/// Accelerations, all of their derivatives, and a status.
 template <class S, class T>
 struct ForwardDynamicsDerivatives<S, T>
     : ForwardDynamicsDerivatives<S, T, with_inverse_mass_matrix, with_acceleration_by_position,
@@ -50,10 +50,10 @@ namespace derivatives {
 template <class Matrix, class Tau, class A>
 struct RestEntries {
   Matrix& m;       ///< referred to
-  const Tau& tau;  ///< likewise
-  A& left;         ///< likewise
+  const Tau& tau;  ///< referred to
+  A& left;         ///< referred to
 
-  /// Of joint i.
+  /// What effort x leaves of tau_i, N m or N.
   template <class I, class X>
   AXIAL_INLINE constexpr void effort(I i, const X& x) {
     left[i] = tau[i] - x;
@@ -63,7 +63,7 @@ struct RestEntries {
   AXIAL_INLINE constexpr void mass(I i, J j, const X& x) {
     m.set(i, j, x);
   }
-  /// Not taken.
+  /// Entries of the Jacobians are not taken.
   ///@{
   template <class I, class J, class X>
   AXIAL_INLINE constexpr void position(I, J, const X&) {}
@@ -79,7 +79,7 @@ template <class Result>
 struct SlopeEntries {
   Result& result;  ///< referred to
 
-  /// Not taken.
+  /// Efforts and entries of M are not taken.
   ///@{
   template <class I, class X>
   AXIAL_INLINE constexpr void effort(I, const X&) {}

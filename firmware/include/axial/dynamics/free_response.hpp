@@ -19,7 +19,7 @@ template <class I, class R>
 struct SubtreeInertia {
   I inertia{};  ///< an ArticulatedInertia
   R scale{};    ///< a CompositeScale, or Unscaled
-  /// The same as numbers, each quantity in the form in which T keeps it.
+  /// This inertia and scale as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return aba::SubtreeInertia{inertia.template dense<T>(), scale.template dense<T>()};
@@ -32,12 +32,12 @@ template <class I, class R, class J, class S>
 AXIAL_INLINE constexpr auto operator+(const SubtreeInertia<I, R>& a, const SubtreeInertia<J, S>& b) {
   return SubtreeInertia{a.inertia + b.inertia, a.scale + b.scale};
 }
-/// With the mass of the water that moves with it.
+/// A subtree with the mass of the water that moves with its link.
 template <class Water, class W>
 AXIAL_INLINE constexpr auto submerged(const Water& water, const W& subtree) {
   return SubtreeInertia{subtree.inertia + water.inertia(), subtree.scale + scale_of_water(water)};
 }
-/// A dry link is as it was.
+/// Overload for a dry link: the subtree as it was.
 template <class W>
 AXIAL_INLINE constexpr const W& submerged(const Dry&, const W& subtree) {
   return subtree;

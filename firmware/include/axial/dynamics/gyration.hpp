@@ -45,7 +45,7 @@ AXIAL_INLINE constexpr auto rotation_acceleration(const W& w, const DW& dw, cons
               Vec3{round.sum(q, p.z, dw.z), round.sum(q, -(w.x * w.x), -zz), axis.y},
               Vec3{round.sum(q, p.y, -dw.y), round.sum(q, p.x, dw.x), axis.z}};
 }
-/// The same with the third column computed here.
+/// Overload that computes the third column, too.
 template <class W, class DW, class P, class Rounder>
 AXIAL_INLINE constexpr auto rotation_acceleration(const W& w, const DW& dw, const P& p, const Rounder& round) {
   return rotation_acceleration(w, dw, p, axis_acceleration(w, dw, p, round), round);

@@ -24,7 +24,7 @@ struct Motion {
   A a{};    ///< m/s^2, gravity as an upward acceleration of the base
   P p{};    ///< rad^2/s^2
   U u{};    ///< rad^2/s^2 and rad/s^2
-  /// The same as numbers, each quantity in the form in which T keeps it.
+  /// This motion as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     using Rate = Kept<T, quantity::AngularVelocity>;
@@ -197,7 +197,7 @@ AXIAL_INLINE constexpr void efforts(const Links& links, const Input& in, const Q
   bear(links, in, q, screws, qd, qdd,
        [&](auto i, const auto&, const auto& effort) AXIAL_INLINE { links.write(tau, i, effort); });
 }
-/// The same from q itself, whatever the form in which joint values stand.
+/// Writes tau[i] for every joint from q itself, whatever the form in which joint values stand.
 template <class Links, class Input, class Q, class V, class A, class Tau>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Tau& tau) {
   if constexpr (is_driven<Links>) {
@@ -213,7 +213,7 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
 /// Joint efforts for a desired motion: tau = M(q) qdd + c(q, qd) + g(q) [+ rotor inertia, friction] - J^T wrench.
 /// Source: recursive Newton-Euler (Luh, Walker and Paul 1980) in link frames with successive axial screws.
 /// In: q (rad or m), qd, qdd; `in` carries the run-time inputs that the scene names. Out: N m or N, one per joint.
-/// Gravity as the chain declares it: a link that must be held up has a positive effort along +g's opposite.
+/// Gravity as the chain declares it: a link that must be held up has a positive effort opposite to gravity.
 /// NaN and infinities propagate to the result, and in fixed point q, qd and qdd must be inside the declared limits; use
 /// control/feedforward.hpp where inputs are not trusted.
 template <class S, class T>
@@ -244,7 +244,7 @@ template <class S, class T>
   return tau;
 }
 
-/// The same three for a run-time model, in the looped form.
+/// Overload for a run-time model, in the looped form.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Efforts<M, T> inverse_dynamics(const Model<N, F...>& model, const Positions<M, T>& q,
                                                        const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,

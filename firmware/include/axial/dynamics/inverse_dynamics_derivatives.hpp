@@ -54,7 +54,7 @@ AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const Q
   });
 }
 
-/// The same from q itself.
+/// The algorithm from q itself; hands every entry to `out`.
 template <class Links, class Input, class Q, class V, class A, class Out>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Out& out) {
   entries(links, in, q, joint_screws(links, in, q), qd, qdd, out);

@@ -57,7 +57,7 @@ AXIAL_INLINE constexpr auto motions_of_joint(const Links& links, const Screws& s
   });
 }
 
-/// All of them: motions[m][i].
+/// Motions of all links with all joints: motions[m][i].
 template <class Links, class Screws>
 AXIAL_INLINE constexpr auto joint_motions(const Links& links, const Screws& screws) {
   return map_links(links, [&](auto m) AXIAL_INLINE { return motions_of_joint(links, screws, m); });

@@ -17,9 +17,9 @@ struct Branch {
   const Screws& screws;    ///< z-screw of each joint
   const Motions& motions;  ///< motion of each link
   const Water& water;      ///< immersion of each link, or Dry
-  const Spins& spins;      ///< of the rotors on each link, where the scene names RotorDynamics
+  const Spins& spins;      ///< spins of the rotors on each link, where the scene names RotorDynamics
 
-  /// Of link i by itself: N m and N, in its frame.
+  /// Force of link i by itself: N m and N, in its frame.
   template <class I>
   AXIAL_INLINE constexpr auto own(I i) const {
     if constexpr (Links::Scene::template has<RotorDynamics>)
@@ -28,7 +28,7 @@ struct Branch {
       return own_force(links, in, motions, water, i);
   }
 
-  /// Of link I and all that it carries: N m and N, in its frame.
+  /// Force of link I and all that it carries: N m and N, in its frame.
   template <int I>
   AXIAL_INLINE constexpr auto force(Index<I> i) const {
     return detail::loaded(own(i), children<I, I + 1>());
@@ -43,7 +43,7 @@ struct Branch {
     else
       return children<I, C + 1>();
   }
-  /// In the looped form: a child has a larger index than its parent.
+  /// Looped form of force(): a child has a larger index than its parent.
   AXIAL_INLINE constexpr auto force(int joint) const {
     Row<std::decay_t<decltype(own(0))>, Links::capacity> total;
     for (int i = joint; i < links.size(); ++i)
@@ -137,7 +137,7 @@ template <class S, int Joint, class T>
     return T{};
 }
 
-/// The same two for a run-time model, 0 <= joint < model.size().
+/// Overload for a run-time model, 0 <= joint < model.size().
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr T joint_torque(const Model<N, F...>& model, int joint, const Positions<M, T>& q,
                                        const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,

@@ -40,7 +40,7 @@ template <class Axis, class C, class S, class L, class Turn, class R>
 AXIAL_INLINE constexpr auto way(const AxialScrew<Axis, C, S, L, Turn>& x, const R& rotation) {
   return x.shift * x_column(rotation);
 }
-/// The same across a branch.
+/// Overload for a branch: the way across both of its screws.
 template <class Z, class X, class R>
 AXIAL_INLINE constexpr auto way(const BranchScrew<Z, X>& branch, const R& rotation) {
   auto row = [&](const auto& r) AXIAL_INLINE { return to_child(branch.z, r); };
@@ -185,7 +185,7 @@ template <class S, class T>
   detail::PositionCheck<S, T>::name(result.status, in, q);
   return result;
 }
-/// The same for the origin of one link's frame, such as the other hand of a tree: jacobian<Robot, 3>(q).
+/// Jacobian for the origin of one link's frame, such as the other hand of a tree: jacobian<Robot, 3>(q).
 template <class S, int Link, class T>
 [[nodiscard]] constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q,
                                                           const Inputs<S, T>& in = {}) {
@@ -207,7 +207,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
   kinematics::tool_columns(model.template links<T>(), in, q, result);
   return result;
 }
-/// 0 <= link < model.size().
+/// Jacobian for the origin of a link's frame of a run-time model, 0 <= link < model.size().
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, int link, const Positions<M, T>& q,
                                                 const Inputs<M, T>& in = {}) {

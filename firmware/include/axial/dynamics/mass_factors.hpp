@@ -61,7 +61,7 @@ struct Known {
     return {};
   }  ///< whether the result has row K
 };
-/// All rows.
+/// Every row may be other than zero.
 struct Any {
   template <class K, class I>
   static constexpr std::true_type inwards(K, I) {

@@ -9,16 +9,16 @@
 
 namespace axial {
 
-/// Of a (composite) body whose points r move with v(r), about the origin and in the axes of one frame: P = 2 integral
-/// of v dm and C = tr(N) 1 - N with N = 2 integral of v r^T dm. Turning with the rate a besides takes the force (C a; a
-/// x P): the Coriolis matrix of Singh, Russell and Wensing 2022, section III, of which C and P are what depends on the
-/// body.
+/// Flow of a (composite) body whose points r move with v(r), about the origin and in the axes of one frame: P = 2
+/// integral of v dm and C = tr(N) 1 - N with N = 2 integral of v r^T dm. Turning with the rate a besides takes the
+/// force (C a; a x P): the Coriolis matrix of Singh, Russell and Wensing 2022, section III, of which C and P are what
+/// depends on the body.
 template <class C, class P>
 struct MassFlow {
   C moment{};    ///< kg m^2/s, a Mat3: C
   P momentum{};  ///< kg m/s: P
 
-  /// The same as numbers.
+  /// This flow as numbers.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return axial::MassFlow{moment.template dense<T>(), momentum.template dense<T>()};
@@ -33,8 +33,8 @@ AXIAL_INLINE constexpr auto operator+(const MassFlow<A, B>& a, const MassFlow<C,
   return MassFlow{a.moment + b.moment, a.momentum + b.momentum};
 }
 
-/// Of one body, by twice its moments m, h and s, whose frame moves with w and v: C = (v . h) 1 - v h^T - w x s, P = m v
-/// + w x h.
+/// Flow of one body, by twice its moments m, h and s, whose frame moves with w and v: C = (v . h) 1 - v h^T - w x s, P
+/// = m v + w x h.
 template <class Link, class M, class H, class S, class W, class V>
 AXIAL_INLINE constexpr auto mass_flow(const Link& link, const DoubledMoments<M, H, S>& body, const W& w, const V& v) {
   const quantity::FlowMoment q;
@@ -71,7 +71,7 @@ AXIAL_INLINE constexpr auto turned_tensor(const AxialScrew<Axis, C, S, L, Turn>&
     return Sym3{s.xx - moved, s.yy + moved, s.zz, x.cos * w - s.xy, column.x, column.y};
   }
 }
-// R M R^T for a general M likewise: 12M 13A.
+// R M R^T about z for a general M by one difference of products: 12M 13A.
 template <class Axis, class C, class S, class L, class Turn, class R1, class R2, class R3>
 AXIAL_INLINE constexpr auto turned_tensor(const AxialScrew<Axis, C, S, L, Turn>& x, const Mat3<R1, R2, R3>& m) {
   auto plane = z_screw(x.cos, x.sin, Zero{});
@@ -96,7 +96,7 @@ AXIAL_INLINE constexpr auto turned_tensor(const AxialScrew<Axis, C, S, L, Turn>&
   else
     return turned_tensor(x, m);
 }
-// In the format of a mass flow.
+// m in the format of a mass flow.
 template <class Rounder, class X, class Y, class Z>
 AXIAL_INLINE constexpr auto as_flow(const Rounder& round, const Mat3<X, Y, Z>& m) {
   const quantity::FlowMoment q;
@@ -136,7 +136,7 @@ AXIAL_INLINE constexpr auto unit_flow_force(Revolute, const MassFlow<C, P>& flow
   const auto& c = flow.moment;
   return ForceVector{Vec3{c.x.z, c.y.z, c.z.z}, Vec3{-flow.momentum.y, flow.momentum.x, Zero{}}};
 }
-/// A slide turns nothing.
+/// Prismatic overload: a slide turns nothing.
 template <class C, class P>
 AXIAL_INLINE constexpr auto unit_flow_force(Prismatic, const MassFlow<C, P>&) {
   return ForceVector{ZeroVec3{}, ZeroVec3{}};

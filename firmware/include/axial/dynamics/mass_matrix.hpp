@@ -29,7 +29,7 @@ struct MassMatrix {
   AXIAL_INLINE static constexpr int at(int i, int j) { return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i; }
 };
 
-/// Of a scene.
+/// Mass matrix of a scene.
 template <class S, class T>
 using MassMatrixOf = MassMatrix<subject_of<S, T>, T>;
 
@@ -59,13 +59,13 @@ AXIAL_INLINE constexpr auto unit_force(Prismatic, const B& body) {
   return ForceVector{Vec3{h.y, -h.x, Zero{}}, along_z(mass_along_z(body.mass))};
 }
 
-/// Of a body whose mass is not the same in all directions.
+/// Revolute overload for a body whose mass is not the same in all directions.
 template <class A, class C, class L>
 AXIAL_INLINE constexpr auto unit_force(Revolute joint, const ArticulatedInertia<A, C, L>& body) {
   auto column = joint_column(joint, body);
   return ForceVector{column.angular, column.linear};
 }
-/// Likewise of a prismatic joint.
+/// Prismatic overload for a body whose mass is not the same in all directions.
 template <class A, class C, class L>
 AXIAL_INLINE constexpr auto unit_force(Prismatic joint, const ArticulatedInertia<A, C, L>& body) {
   auto column = joint_column(joint, body);
@@ -147,7 +147,7 @@ AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const S
     climb(links, screws, force, i, i, m);
   });
 }
-/// The same from q itself, whatever the form in which joint values stand.
+/// Writes the mass matrix from q itself, whatever the form in which joint values stand.
 template <class Links, class Input, class Q, class Matrix>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Matrix& m) {
   if constexpr (is_driven<Links>)

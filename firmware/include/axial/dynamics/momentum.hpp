@@ -109,8 +109,8 @@ template <class Holding, class Links, class Input, class Q, class V, class Terms
 AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, const Input& in, const Q& q, const V& qd,
                                 Terms& terms);
 
-/// Of drives that joints share: G^T times momenta and drifts of the joints, and what each drive has of its own: rotor
-/// and friction.
+/// Momenta and drifts of drives that joints share: G^T times momenta and drifts of the joints, and what each drive has
+/// of its own: rotor and friction.
 template <class Holding, class Links, class Input, class U, class V, class Terms>
 AXIAL_INLINE constexpr void run_drives(const Holding& at_rest, const Links& links, const Input& in, const U& u,
                                        const V& ud, Terms& terms) {
@@ -132,7 +132,7 @@ AXIAL_INLINE constexpr void run_drives(const Holding& at_rest, const Links& link
   terms.status = all.status();
 }
 
-/// Over the links of RNEA and of momenta, which differ where links have formats.
+/// Momenta and drifts over the links of RNEA and of momenta, which differ where links have formats.
 template <class Holding, class Links, class Input, class Q, class V, class Terms>
 AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, const Input& in, const Q& q, const V& qd,
                                 Terms& terms) {

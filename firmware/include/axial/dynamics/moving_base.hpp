@@ -33,7 +33,7 @@ AXIAL_INLINE constexpr auto base_angular_velocity(const Links&, const Input& in)
   else
     return ZeroVec3{};
 }
-/// Its angular acceleration, rad/s^2.
+/// Angular acceleration of frame 0, rad/s^2.
 template <class Links, class Input>
 AXIAL_INLINE constexpr auto base_angular_acceleration(const Links&, const Input& in) {
   if constexpr (base_moves<typename Links::Scene>)

@@ -35,7 +35,7 @@ constexpr auto slide_scale(int) -> decltype(Robot::chain.links, T()) {
     farthest *= 2.0;
   return static_cast<T>(most / farthest);
 }
-/// Of a run-time model, whose answers are looked at instead.
+/// Overload for a run-time model, whose answers are looked at instead.
 template <class Robot, class T>
 constexpr T slide_scale(...) {
   return T(1);

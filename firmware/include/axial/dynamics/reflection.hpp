@@ -100,13 +100,13 @@ struct BiasProducts {
 };
 template <class A, class B, class C, class D>
 BiasProducts(A, B, C, D) -> BiasProducts<A, B, C, D>;
-/// Those products for an inertia N and a bias acceleration zeta.
+/// The products N zeta for an inertia N and a bias acceleration zeta.
 template <class N, class Z>
 AXIAL_INLINE constexpr auto bias_products(const N& n, const Z& zeta) {
   return BiasProducts{n.angular * zeta.angular, n.coupling * zeta.linear, transpose_times(n.coupling, zeta.angular),
                       n.linear * zeta.linear};
 }
-/// Of a structure at rest.
+/// Bias products of a structure at rest.
 inline constexpr BiasProducts<ZeroVec3, ZeroVec3, ZeroVec3, ZeroVec3> no_bias_products{};
 
 /// Bias that passes a joint: p + N zeta + K u; along the joint it is p J/D + K_s tau, which is tau without a rotor.
@@ -169,7 +169,7 @@ struct Hinge {
 template <class N, class D, class R, class K, class B, class Left>
 Hinge(N, D, R, K, B, Left) -> Hinge<N, D, R, K, detail::Decided<B>, Left>;
 
-/// Of an articulated body's inertia at its joint; `scale` is what D is compared with.
+/// Hinge of an articulated body's inertia at its joint; `scale` is what D is compared with.
 template <class Joint, class Link, class I, class Scale>
 AXIAL_INLINE constexpr auto hinge(Joint joint, const Link& link, const I& inertia, const Scale& scale) {
   using namespace quantity;

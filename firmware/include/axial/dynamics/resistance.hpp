@@ -108,20 +108,20 @@ AXIAL_INLINE constexpr auto resistance(const T& d, const Scale& scale) {
   return Resistance{select(left, reciprocal(d), T(Zero{})), !(d > T(T(Int<16>{}) * eps * scale)), left};
 }
 
-/// Of a slide that carries one kilogram, known to the compiler.
+/// Resistance of a slide that carries one kilogram, known to the compiler.
 template <class Scale>
 AXIAL_INLINE constexpr auto resistance(One, const Scale&) {
   return Resistance{One{}, std::false_type{}, std::true_type{}};
 }
 
-/// Of a joint that nothing resists by structure: a slide between masses and the parent, all along one direction. It is
-/// held.
+/// Resistance of a joint that nothing resists by structure: a slide between masses and the parent, all along one
+/// direction. It is held.
 template <class Scale>
 AXIAL_INLINE constexpr auto resistance(Zero, const Scale&) {
   return Resistance{Zero{}, std::true_type{}, std::false_type{}};
 }
 
-/// Of a link's joint: nothing is compared where the compiler knows that the joint always resists.
+/// Resistance of a link's joint: nothing is compared where the compiler knows that the joint always resists.
 template <class Link, class D, class Scale>
 AXIAL_INLINE constexpr auto resistance_at(const Link&, const D& d, const Scale& scale) {
   if constexpr (detail::AlwaysResists<Link>::value && is_number_v<D>)
@@ -135,12 +135,12 @@ template <class T, class Yes, class No>
 AXIAL_INLINE constexpr Yes where_left(std::true_type, const Yes& yes, const No&) {
   return yes;
 }
-/// Nothing is left, which the compiler knows too.
+/// Overload where the compiler knows that nothing is left.
 template <class T, class Yes, class No>
 AXIAL_INLINE constexpr No where_left(std::false_type, const Yes&, const No& no) {
   return no;
 }
-/// The same, selected at run time.
+/// Overload that selects at run time.
 template <class T, class Left, class Yes, class No>
 AXIAL_INLINE constexpr T where_left(Left left, const Yes& yes, const No& no) {
   return select(left, T(yes), T(no));

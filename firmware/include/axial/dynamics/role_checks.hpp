@@ -66,7 +66,7 @@ template <class S, int Joint, class... A, class = detail::IfOutOfOrder<detail::O
   static_assert(!detail::is_out_of_order<detail::OfMotion, A...>, AXIAL_ROLES_MIXED);
   return {};
 }
-/// In fixed point also efforts of another scene: their formats are that scene's.
+/// Refuses in fixed point efforts of another scene too: their formats are that scene's.
 template <class S, class Q, class Qd, class X, class T, class... In, class = detail::IfOfAnother<S, X, T>>
 [[nodiscard]] constexpr Accelerations<robot_of<S>, float> forward_dynamics(const Q&, const Qd&,
                                                                            const Joints<X, T, role::Effort>&,

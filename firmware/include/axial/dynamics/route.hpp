@@ -33,8 +33,8 @@ constexpr int crossing_cost(const TreeLinkConstants<double>& link) {
   const bool turned = link.branch.sin_gamma != 0.0 && link.branch.cos_gamma != 0.0;
   return turned ? 16 : link.branch.b != 0.0 ? 4 : 0;
 }
-/// Of loops over a table, in nanoseconds a joint of general twist on a host: ABA took 135 to 145, composite bodies 75
-/// and 10 more for each joint on the way to the base, which made them the faster ones up to 12 joints.
+/// Cost of loops over a table, in nanoseconds per joint of general twist on a host: ABA took 135 to 145, composite
+/// bodies 75 and 10 more for each joint on the way to the base, which made them the faster ones up to 12 joints.
 template <class Robot>
 constexpr RouteCost looped_cost() {
   RouteCost cost;

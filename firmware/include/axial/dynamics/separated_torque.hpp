@@ -41,7 +41,7 @@ constexpr auto present_terms() {
       map_links(links, [&](auto i) { return links.link(i).z(0.0); }), found);
   return found;
 }
-/// Of a scene, for every q.
+/// Coefficients of a scene that are not zero for every q.
 template <class S>
 inline constexpr auto present = present_terms<S>();
 
@@ -50,7 +50,7 @@ template <class S>
 inline constexpr bool is_table =
     IsModel<S>::value || scene_of<S>::template has<Looped> || detail::shares_drives_in<typename scene_of<S>::Robot>;
 
-/// Whether a coefficient may differ from zero. I, J: Index<...>, or int in a loop.
+/// Whether a coefficient of qdd_j may differ from zero. I, J: Index<...>, or int in a loop.
 template <class S, class I, class J>
 constexpr bool has_inertia() {
   if constexpr (is_table<S>)
@@ -58,7 +58,7 @@ constexpr bool has_inertia() {
   else
     return present<S>.A[I::value][J::value];
 }
-/// Likewise of qd_j^2.
+/// Whether a coefficient of qd_j^2 may differ from zero.
 template <class S, class I, class J>
 constexpr bool has_square() {
   if constexpr (is_table<S>)
@@ -66,7 +66,7 @@ constexpr bool has_square() {
   else
     return present<S>.C[I::value][J::value];
 }
-/// Likewise of qd_j qd_k.
+/// Whether a coefficient of qd_j qd_k may differ from zero.
 template <class S, class I, class J, class K>
 constexpr bool has_product() {
   if constexpr (is_table<S>)

@@ -16,7 +16,7 @@ template <class B, class A>
 struct LinkGravity {
   B before{};  ///< m/s^2, before it
   A after{};   ///< m/s^2, behind it
-  /// The same as plain numbers.
+  /// This gravity as plain numbers.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return separation::LinkGravity{before.template dense<T>(), after.template dense<T>()};
@@ -25,7 +25,7 @@ struct LinkGravity {
 template <class B, class A>
 LinkGravity(B, A) -> LinkGravity<B, A>;
 
-/// Of all links, from the base outwards.
+/// Gravity of all links, from the base outwards.
 template <class Links, class Input, class Screws>
 AXIAL_INLINE constexpr auto link_gravities(const Links& links, const Input& in, const Screws& screws) {
   return outward(links, LinkGravity{no_motion(links), base_acceleration(links, in)},
@@ -229,27 +229,27 @@ template <class S, class T>
   detail::PositionCheck<S, T>::name(all.status, in, q);
   return all;
 }
-/// The same for one of the four, without a status; what the others need alone is not computed.
+/// A alone, without a status; what B, C and G need alone is not computed.
 template <class S, class T>
 [[nodiscard]] constexpr SeparatedA<S, T> separate_A(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   return separation::collected<SeparatedA<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
-/// B alone.
+/// B alone, without a status.
 template <class S, class T>
 [[nodiscard]] constexpr SeparatedB<S, T> separate_B(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   return separation::collected<SeparatedB<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
-/// C alone.
+/// C alone, without a status.
 template <class S, class T>
 [[nodiscard]] constexpr SeparatedC<S, T> separate_C(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   return separation::collected<SeparatedC<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
-/// G alone.
+/// G alone, without a status.
 template <class S, class T>
 [[nodiscard]] constexpr SeparatedG<S, T> separate_G(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
   return separation::collected<SeparatedG<S, T>, S, T>(links_of<S, T, BaseParameters, recursion::Separation>(), in, q);
 }
-/// All four for a run-time model.
+/// Overload for a run-time model: all four terms.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Separated<M, T> separate(const Model<N, F...>& model, const Positions<M, T>& q,
                                                  const Inputs<M, T>& in = {}) {

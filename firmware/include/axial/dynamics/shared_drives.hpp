@@ -51,7 +51,7 @@ struct DrivenKernels {
     else
       links.reduce(joints, m);
   }
-  /// The same from values of drives.
+  /// G^T M G and the rotors from values of drives.
   template <class Input, class Q, class M>
   AXIAL_INLINE static constexpr void matrix_at(const Links& links, const Input& in, const Q& u, M& m) {
     const auto q = links.positions(u);
@@ -127,7 +127,7 @@ struct DrivenKernels {
 };
 
 namespace crba {
-/// Of drives: those pairs that some pair of moved joints makes, and what the elimination fills in.
+/// Structure of M of drives: those pairs that some pair of moved joints makes, and what the elimination fills in.
 template <class R, class... Features, class T, class Parameters>
 inline constexpr auto structure<StaticLinks<Scene<DriveCoordinates<R>, Features...>, T, Parameters>> = [] {
   using Links = DrivenLinks<Scene<DriveCoordinates<R>, Features...>, T, BaseParameters>;
@@ -161,13 +161,13 @@ template <class S, class T>
 [[nodiscard]] constexpr Joints<JointCoordinates<robot_of<S>>, T> joint_positions(const Positions<robot_of<S>, T>& u) {
   return decltype(links_of<S, T>())::positions(u);
 }
-/// Joint speeds or accelerations likewise: G times those of the drives.
+/// Joint speeds or accelerations: G times those of the drives.
 template <class S, class T>
 [[nodiscard]] constexpr Joints<JointCoordinates<robot_of<S>>, T> joint_rates(const Velocities<robot_of<S>, T>& ud) {
   return decltype(links_of<S, T>())::rates(ud);
 }
-/// Efforts of the drives that do what efforts at the joints would, G^T tau: N m or N a unit of the drive. The power is
-/// the same.
+/// Efforts of the drives that do what efforts at the joints would, G^T tau: N m or N per unit of the drive. The power
+/// is the same.
 template <class S, class T>
 [[nodiscard]] constexpr Efforts<robot_of<S>, T> drive_efforts(const Joints<JointCoordinates<robot_of<S>>, T>& tau) {
   using Links = decltype(links_of<S, T>());

@@ -20,7 +20,7 @@ struct JacobianStructure {
   template <class X>
   constexpr void mass(int, int, const X&) {}  ///< not looked at
   constexpr void position(int, int, Zero) {}  ///< what is zero by type stays absent
-  constexpr void velocity(int, int, Zero) {}  ///< likewise
+  constexpr void velocity(int, int, Zero) {}  ///< what is zero by type stays absent
   template <class X>
   constexpr void position(int i, int j, const X&) {
     by_position[i][j] = true;
@@ -30,9 +30,9 @@ struct JacobianStructure {
     by_velocity[i][j] = true;
   }  ///< present
 
-  /// Those by positions, or by velocities.
+  /// Entries by positions.
   constexpr const auto& of(by::Position) const { return by_position; }
-  constexpr const auto& of(by::Velocity) const { return by_velocity; }  ///< likewise
+  constexpr const auto& of(by::Velocity) const { return by_velocity; }  ///< entries by velocities
 };
 /// Found by types alone, so at any motion: the compiler runs the kernel once over zeros.
 template <class Links>
@@ -45,7 +45,7 @@ constexpr auto jacobian_structure_of() {
           rest, structure);
   return structure;
 }
-/// of the Jacobians over these links
+/// Structure of the Jacobians over these links.
 template <class Links>
 inline constexpr auto jacobian_structure = jacobian_structure_of<Links>();
 
@@ -65,7 +65,7 @@ struct ColumnRange {
   int first = 0;  ///< none where it is behind the last
   int last = -1;  ///< inclusive
 };
-/// Those of a Jacobian.
+/// Columns of a Jacobian from the first to the last that is not zero.
 template <class Links, class By>
 constexpr ColumnRange columns_with_entries() {
   const auto& present = jacobian_structure<Links>.of(By{});
@@ -75,7 +75,7 @@ constexpr ColumnRange columns_with_entries() {
       if (present[i][j]) range = {j < range.first ? j : range.first, j};
   return range;
 }
-/// Those that the compiler knows, else all.
+/// Columns of a Jacobian that are not zero where the compiler knows them, else all.
 template <class By, class Links>
 AXIAL_INLINE constexpr ColumnRange columns_of(const Links& links) {
   if constexpr (Links::unrolled) {
@@ -119,7 +119,7 @@ AXIAL_INLINE constexpr void solve_block(const Links& links, const F& factors, co
     for_each_link(links, [&](auto i) AXIAL_INLINE { block.entries[i * N + j] = x[i]; });
   }
 }
-/// The same for all blocks, in one loop.
+/// matrix = M^-1 matrix for every matrix, all columns in one loop.
 template <class Links, class F, class S, class T, class... By>
 AXIAL_INLINE constexpr void solve_columns(const Links& links, const F& factors, JointMatrix<S, T, By>&... matrices) {
   if constexpr (has_few_columns<Links>) {

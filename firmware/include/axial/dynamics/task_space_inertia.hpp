@@ -100,7 +100,7 @@ template <class T>
 [[nodiscard]] constexpr ToolMatrix<T> task_space_inertia(const ToolMatrix<T>& mobility,
                                                          const Directions& task = all_directions,
                                                          const T& least = T(0.001)) {
-  // Each sweep over a diagonal entry keeps the matrix symmetric; all of them make it the inverse's opposite.
+  // Each sweep over a diagonal entry keeps the matrix symmetric; all of them make it minus the inverse.
   constexpr T rounding = T(16) * std::numeric_limits<T>::epsilon();
   T a[6][6] = {};
   bool singular = false;

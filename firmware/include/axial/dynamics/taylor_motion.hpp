@@ -16,7 +16,7 @@ struct TaylorValues {
   const Values& values;  ///< referred to
   const First& first;    ///< referred to, per second
   const Second& second;  ///< referred to, per second squared
-  /// Of joint i.
+  /// Value of joint i with its rates.
   template <class I>
   AXIAL_INLINE constexpr auto operator[](I i) const {
     return with_rates(values[i], first[i], half(second[i]));
@@ -36,7 +36,7 @@ template <class Screw, class Q>
 AXIAL_INLINE constexpr auto moving_screw(Prismatic, const Screw& screw, const Q& q) {
   return taylor_screw(screw, with_rates(screw.shift, linear_of(q), quadratic_of(q)), TurnRates<Zero, Zero, Zero>{});
 }
-/// Those of all joints, by the sines and cosines of `plain` links.
+/// z-screws of all joints that move in time, by the sines and cosines of `plain` links.
 template <class Plain, class Links, class Input, class Q>
 AXIAL_INLINE constexpr auto moving_screws(const Plain& plain, const Links& links, const Input& in, const Q& q) {
   auto screws = joint_screws(plain, in, q.values);

@@ -34,7 +34,7 @@ AXIAL_INLINE constexpr void write_rates(const Links& links, const Input& in, con
     links.write(result.taudd, i, twice(quadratic_of(effort)));
   });
 }
-/// The same with the first rate alone.
+/// Efforts with the first rate alone, written into `result`.
 template <class Links, class Input, class Q, class V, class A, class J, class Result>
 AXIAL_INLINE constexpr void write_rate(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd,
                                        const J& q3, Result& result) {
@@ -80,7 +80,7 @@ template <class S, class T>
   derivatives::write_rate(links_of<S, T, BaseParameters>(), in, q, qd, qdd, q3, result);
   return result;
 }
-/// The same with the second derivative d^2 tau / dt^2, for which q4 is the fourth derivative of q (rad/s^4 or m/s^4):
+/// Overload with the second derivative d^2 tau / dt^2, for which q4 is the fourth derivative of q (rad/s^4 or m/s^4):
 /// one pass over truncated Taylor numbers, constants of the model remaining plain ones.
 template <class S, class T>
 [[nodiscard]] constexpr TorqueRates<S, T> torque_rates(const Positions<robot_of<S>, T>& q,
@@ -93,7 +93,7 @@ template <class S, class T>
   derivatives::write_rates(links_of<S, T, BaseParameters>(), in, q, qd, qdd, q3, q4, result);
   return result;
 }
-/// The same two for a run-time model.
+/// Overload for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr TorqueRate<M, T> torque_rates(const Model<N, F...>& model, const Positions<M, T>& q,
                                                       const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,
@@ -103,7 +103,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
   derivatives::write_rate(model.template links<T>(), in, q, qd, qdd, q3, result);
   return result;
 }
-/// The same with the second derivative, for a run-time model.
+/// Overload with the second derivative, for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr TorqueRates<M, T> torque_rates(const Model<N, F...>& model, const Positions<M, T>& q,
                                                        const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,

@@ -18,17 +18,18 @@ template <class S, class T, bool present = scene_of<S>::template has<RotorInerti
 struct RotorColumns {
   Accelerations<robot_of<S>, T> rotor{};  ///< d tau_i / d (gear^2 J of drive i): rad/s^2 or m/s^2
 };
-/// Of a scene without.
+/// No columns of rotors: a scene without RotorInertia.
 template <class S, class T>
 struct RotorColumns<S, T, false> {};
-/// Columns of friction, likewise; static friction, the Stribeck speed and the smooth speed are the robot's.
+/// Columns of friction, of which nothing acts on other joints; static friction, the Stribeck speed and the smooth speed
+/// are the robot's.
 template <class S, class T, bool present = scene_of<S>::template has<Friction>>
 struct FrictionColumns {
   Velocities<robot_of<S>, T> viscous{};       ///< d tau_i / d viscous_i: rad/s or m/s
   Joints<robot_of<S>, T> coulomb_forward{};   ///< d tau_i / d (Coulomb effort of moving forward)
   Joints<robot_of<S>, T> coulomb_backward{};  ///< d tau_i / d (that of moving backward, which is negative)
 };
-/// Of a scene without.
+/// No columns of friction: a scene without Friction.
 template <class S, class T>
 struct FrictionColumns<S, T, false> {};
 
@@ -102,7 +103,7 @@ AXIAL_INLINE constexpr void descend(const Links& links, const Screws& screws, co
       descend(links, screws, motions, i, k, to_child(screws[k], to_child(links.link(k).x(), axis)), y);
   });
 }
-/// The same in the looped form, where the axis is zero in links of other branches.
+/// Overload for the looped form, where the axis is zero in links of other branches.
 template <class Links, class Screws, class Motions, class Axis, class Y>
 AXIAL_INLINE constexpr void descend(const Links& links, const Screws& screws, const Motions& motions, int i, int,
                                     const Axis& axis, Y& y) {
@@ -180,7 +181,7 @@ constexpr void check_linear() {
 }  // namespace detail
 
 /// Regressor Y(q, qd, qdd) of inverse_dynamics(): tau = Y pi + rotor, viscous and Coulomb columns times their
-/// parameters, where the scene names these. Ten columns a link, in the order of InertialParameter; Y(i, 10 k + p) is
+/// parameters, where the scene names these. Ten columns per link, in the order of InertialParameter; Y(i, 10 k + p) is
 /// zero unless joint i carries link k, so that Y of a chain is block upper triangular. What is not linear in them or
 /// given apart is not in it: wrenches, springs, static friction; a payload acts by the columns of the last link.
 /// Gravity and a base that moves as the scene has them. Motion of the links as in inverse_dynamics(); then each joint's

@@ -16,7 +16,7 @@ template <class V, class G>
 struct Immersion {
   V velocity{};  ///< through the water
   G gravity{};   ///< in the frame's axes
-  /// The same as plain numbers.
+  /// This immersion as plain numbers.
   template <class T>
   AXIAL_INLINE constexpr Immersion<MotionVector<Vec3<T>, Vec3<T>>, Vec3<T>> dense() const {
     return {velocity.template dense<T>(), gravity.template dense<T>()};
@@ -51,7 +51,7 @@ AXIAL_INLINE constexpr auto water_about_base(const Links& links) {
     return Dry{};
 }
 
-/// Of frame 0.
+/// Immersion of frame 0.
 template <class Links, class Input>
 AXIAL_INLINE constexpr auto base_immersion(const Links& links, const Input& in) {
   using Scene = typename Links::Scene;
@@ -67,7 +67,7 @@ AXIAL_INLINE constexpr auto base_immersion(const Links& links, const Input& in) 
   }
 }
 
-/// Of all links, from the base outwards.
+/// Immersions of all links, from the base outwards.
 template <class Links, class Input, class Screws, class V>
 AXIAL_INLINE constexpr auto immersions(const Links& links, const Input& in, const Screws& screws, const V& qd) {
   if constexpr (!Links::Scene::template has<Underwater>) {
@@ -132,7 +132,7 @@ AXIAL_INLINE constexpr auto water_force(const Round& round, const Water& water, 
   return ForceVector{moment - tipping, force - weight};
 }
 
-/// The same for link i; zero by type where the scene is dry.
+/// Force that link i must exert on the water, as water_force() has it; zero by type where the scene is dry.
 template <class Links, class I, class Link, class Body, class State, class P, class U, class DW, class A>
 AXIAL_INLINE constexpr auto force_on_water(const Links& links, I i, const Link& link, const Body& body,
                                            const State& state, const P& p, const U& rate, const DW& dw, const A& a) {
