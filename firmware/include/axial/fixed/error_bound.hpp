@@ -18,7 +18,7 @@ struct ErrorBound {
   double of[N] = {};              ///< one per result, in its SI unit
 
   constexpr double operator[](int i) const { return of[i]; }  ///< bound of result i; the index is not checked
-  /// The largest of them.
+  /// The largest bound.
   [[nodiscard]] constexpr double worst() const {
     double most = 0.0;
     for (const double error : of)
@@ -113,18 +113,18 @@ template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::InverseDynamics) {
   return detail::bound_on_efforts<S, T>();
 }
-/// Of the bias torque, N m or N.
+/// Error bounds of the bias torque, N m or N.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Bias) {
   return detail::bound_on_efforts<S, T>();
 }
-/// Of the gravity torque, N m or N.
+/// Error bounds of the gravity torque, N m or N.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Gravity) {
   return detail::bound_on_efforts<S, T>();
 }
-/// Of the torque of a real request, N m or N: its conversion into words is in it. The request is inside the declared
-/// limits, as declared.
+/// Error bounds of the torque of a real request, N m or N: its conversion into words is in it. The request is inside
+/// the declared limits, as declared.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::RequestedTorque) {
   if constexpr (detail::has_shared_drives<S>) {
@@ -149,14 +149,14 @@ template <class S, class T = Fixed32>
         [](const LinkRange& r) { return r.joint_effort.error; });
   }
 }
-/// Of the SCARA's closed form, N m or N.
+/// Error bounds of the SCARA's closed form, N m or N.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::ClosedForm) {
   using A = detail::ArithmeticOf<scene_of<S>, typename T::Word>;
   return detail::bounds_of(closed_form::detail::ScaraTable<S, A>::value,
                            [](const LinkRange& r) { return r.joint_effort.error; });
 }
-/// Of its separated terms, each where Separated has it, in its SI unit.
+/// Error bounds of the SCARA's separated terms in closed form, each where Separated has it, in its SI unit.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr Separated<S, double> error_bound(algorithm::ClosedFormSeparation) {
   using A = detail::ArithmeticOf<scene_of<S>, typename T::Word>;
@@ -164,7 +164,7 @@ template <class S, class T = Fixed32>
       mechanism_of<scene_of<S>, FullParameters>, rounding_of<A>(), closed_form::detail::ScaraTable<S, A>::value,
       SeparatedExponents<S, T>::all()));
 }
-/// Of the mass matrix, one per row: of its entries up to the diagonal, in their SI units.
+/// Error bounds of the mass matrix, one per row: of its entries up to the diagonal, in their SI units.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::MassMatrix) {
   if constexpr (detail::has_shared_drives<S>) {
@@ -181,7 +181,7 @@ template <class S, class T = Fixed32>
     return detail::bounds_of(errors, [](double error) { return error; });
   }
 }
-/// Of the origins of the links' frames, m.
+/// Error bounds of the origins of the links' frames, m.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::ForwardKinematics) {
   if constexpr (detail::has_shared_drives<S>) {
@@ -192,7 +192,7 @@ template <class S, class T = Fixed32>
                              [](const LinkRange& r) { return r.length.error; });
   }
 }
-/// Of the joints' momenta, N m s or N s.
+/// Error bounds of the joints' momenta, N m s or N s.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Momentum) {
   if constexpr (detail::has_shared_drives<S>) {
@@ -203,7 +203,7 @@ template <class S, class T = Fixed32>
                              [](const LinkRange& r) { return r.joint_effort.error; });
   }
 }
-/// Of their drifts, N m or N.
+/// Error bounds of the drifts of the joints' momenta, N m or N.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::MomentumDrift) {
   if constexpr (detail::has_shared_drives<S>) {
@@ -225,7 +225,7 @@ template <class S, class T = Fixed32>
     return detail::bounds_of(drifts, [](const Ball& drift) { return drift.error; });
   }
 }
-/// Of the tool's Jacobian, one per column: the norm of its linear part, in m (of a slide's in 1).
+/// Error bounds of the tool's Jacobian, one per column: the norm of its linear part, in m (of a slide's in 1).
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Jacobian) {
   if constexpr (detail::has_shared_drives<S>) {
@@ -240,7 +240,7 @@ template <class S, class T = Fixed32>
     return detail::bounds_of(all.columns, [](const auto& column) { return column.linear.bound.whole.error; });
   }
 }
-/// Of accelerations, rad/s^2 or m/s^2.
+/// Error bounds of accelerations, rad/s^2 or m/s^2.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::ForwardDynamics) {
   static_assert((detail::check_bound<S, recursion::ArticulatedBodiesAtRest>(), true));

@@ -9,7 +9,7 @@
 namespace axial {
 namespace detail {
 
-/// Of a scene S over words T.
+/// Errors of a scene S whose joints share drives, over words T.
 template <class S, class T>
 class DriveErrors {
   using Word = typename T::Word;
@@ -111,7 +111,7 @@ class DriveErrors {
   }
 
  public:
-  /// N m or N; `word`: what words of drives are off by themselves, 0 or half a unit.
+  /// Errors of efforts, N m or N; `word`: what words of drives are off by themselves, 0 or half a unit.
   static constexpr auto efforts(double word) {
     const auto m = mechanism<Parameters>(word, role::Effort{});
     const auto found = newton_euler_errors(m, rounding, ranges_of<Joint, Parameters, A, recursion::NewtonEuler>);
@@ -122,7 +122,7 @@ class DriveErrors {
           Accelerations<S, T>::exponent(k), Sizes::drive(k).acceleration_limit, word);
     });
   }
-  /// N m s or N s.
+  /// Errors of momenta, N m s or N s.
   static constexpr auto momenta() {
     const auto found = momentum_ranges(mechanism<Parameters>(0.0, role::Momentum{}), rounding);
     return each_drive([&](int k) {
@@ -132,7 +132,7 @@ class DriveErrors {
           Sizes::drive(k).speed_limit, 0.0);
     });
   }
-  /// N m or N.
+  /// Errors of the momenta's drifts, N m or N.
   static constexpr auto drifts() {
     const auto m = mechanism<Parameters>(0.0, role::Effort{});
     int exponents[joints] = {};
@@ -146,7 +146,7 @@ class DriveErrors {
           [](int i) { return MomentumRatesOf<Joint, T>::exponent(i); }, true, 0.0, 0, 0.0, 0.0);
     });
   }
-  /// Of M, row by row.
+  /// Errors of M, row by row.
   static constexpr auto rows() {
     using Links = decltype(links_of<S, T, BaseParameters, recursion::CompositeBodies>());
     const auto m = mechanism<Parameters>(0.0, role::Effort{});
@@ -171,7 +171,7 @@ class DriveErrors {
       }
     return errors;
   }
-  /// Of the origins of the links' frames, m.
+  /// Errors of the origins of the links' frames, m.
   static constexpr auto origins() {
     const auto found = kinematics_ranges(mechanism<KinematicParameters>(0.0, role::Effort{}), rounding);
     Row<double, joints> errors{};
@@ -179,7 +179,7 @@ class DriveErrors {
       errors[i] = found.range[i].length.error;
     return errors;
   }
-  /// Of the linear part of the Jacobian's columns by drives.
+  /// Errors of the linear part of the Jacobian's columns by drives.
   static constexpr auto columns() {
     const auto m = mechanism<KinematicParameters>(0.0, role::Effort{});
     const auto& ranges = ranges_of<Joint, KinematicParameters, A, recursion::Kinematics>;

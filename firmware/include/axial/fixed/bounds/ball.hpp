@@ -13,7 +13,7 @@ namespace axial {
 struct Ball {
   double size = 0.0, error = 0.0;  ///< norm of the value, and of its error, at most
 
-  /// Of the computed value, at most.
+  /// Norm of the computed value, at most.
   constexpr double largest() const { return size + error; }
 };
 
@@ -41,9 +41,9 @@ struct WordRounding {
   }
   /// Unit of numbers at an exponent.
   static constexpr double ulp(int exponent) { return detail::power_of_two(-exponent); }
-  /// Of one stored component at an exponent.
+  /// Error of one stored component at an exponent.
   constexpr double store(int exponent) const { return (nearest ? 0.5 : 1.0) * ulp(exponent); }
-  /// Of a component moved to an exponent; nothing is lost on the way to a finer one.
+  /// Error of a component moved to an exponent; nothing is lost on the way to a finer one.
   constexpr double move(int from, int to) const { return from <= to ? 0.0 : store(to); }
 };
 

@@ -24,7 +24,7 @@ struct ConstantVector {
   }
 };
 
-/// A symmetric matrix, likewise. Its difference from the known entries is bounded by its spectral norm.
+/// A constant symmetric matrix. Its difference from the known entries is bounded by its spectral norm.
 struct ConstantInertia {
   Sym3<Number> of{};  ///< kg m^2
   Ball loose{};       ///< kg m^2

@@ -10,7 +10,7 @@
 namespace axial {
 namespace bounds {
 
-/// One bound an entry of a matrix.
+/// One bound per entry of a matrix.
 template <int N>
 struct EntryBounds {
   Ball of[N][N] = {};                                                        ///< row by row

@@ -111,8 +111,8 @@ constexpr BoundedVector line_of(const FlowMatrix& m) {
 
 }  // namespace detail
 
-/// Of a link: |C| <= |v| |h| + |w| |S|, for (v . h) a - v (h . a) = h x (a x v) and w x (S a) are no longer than that.
-/// Nine entries, each rounded: of four products at most.
+/// Mass flow of a link: |C| <= |v| |h| + |w| |S|, for (v . h) a - v (h . a) = h x (a x v) and w x (S a) are no longer
+/// than that. Nine entries, each rounded: of four products at most.
 template <class Link>
 constexpr BoundedFlow mass_flow(const Link& link, const DoubledMoments<Number, ConstantVector, ConstantInertia>& body,
                                 const BoundedVector& w, const BoundedVector& v) {

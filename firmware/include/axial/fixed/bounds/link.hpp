@@ -38,12 +38,12 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     };
     return constant(M, value);
   }
-  /// A constant of its branch, likewise.
+  /// A constant of the link's branch: a literal, or a word of its column.
   template <axial::detail::BranchMember<double> M>
   constexpr Number branch() const {
     return constant(M, [](const auto& c) { return c.branch.*M; });
   }
-  /// A constant of its drive, likewise.
+  /// A constant of the link's drive: a literal, or a word of its column.
   template <axial::detail::DriveMember<double> M>
   constexpr Number drive() const {
     const double value = loads().friction ? mechanism().drives[index_].*M : 0.0;
@@ -157,7 +157,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     note(RotationalInertia{}, inertia);
     return {body.mass, sum(FirstMoment{}, first), word_of(inertia, exponent(RotationalInertia{})), axis};
   }
-  /// The same of a composite body.
+  /// A composite body in the formats of the link.
   constexpr CompositeBody formatted(const CompositeBody& body) const {
     using namespace quantity;
     const int to = exponent(RotationalInertia{});

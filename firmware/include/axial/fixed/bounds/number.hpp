@@ -111,7 +111,7 @@ constexpr Number twice(Number x) {
   x.bound = 2.0 * x.bound, x.constant = 2.0 * x.constant, --x.exponent;
   return x;
 }
-/// x / 2, likewise.
+/// x / 2 by its exponent.
 constexpr Number half(Number x) {
   x.bound = 0.5 * x.bound, x.constant = 0.5 * x.constant, ++x.exponent;
   return x;
@@ -148,7 +148,7 @@ struct NumberTraits<bounds::Number> {
   /// A constant of the model.
   static constexpr bounds::Number constant(double value) { return bounds::literal_of(value); }
 };
-/// Sums overload.
+/// Structural scalars meet sums in bounds as they meet any other number.
 template <>
 struct NumberTraits<bounds::NumberSum> {
   static constexpr bool is_number = true;  ///< kernels compute with it

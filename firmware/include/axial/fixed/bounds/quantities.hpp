@@ -24,7 +24,7 @@ struct Place {
   int LinkFormat::*format;  ///< its exponent
   Ball LinkRange::*range;   ///< its bound
 
-  /// Its place among the sizes.
+  /// The quantity's place among the sizes.
   constexpr int index() const {
     int k = 0;
     while (all_formats[k] != format)
@@ -71,8 +71,8 @@ constexpr Place place_of(quantity::PositionMoment) {
 constexpr Place place_of(quantity::PositionForce) { return {&LinkFormat::position_force, &LinkRange::position_force}; }
 ///@}
 
-/// How many times its norm a quantity needs room for. Two entries of a matrix' diagonal may have opposite signs, those
-/// of an inertia where parameters are regrouped: their difference is what a turn multiplies.
+/// Room that a quantity needs, as a multiple of its norm. Two entries of a matrix' diagonal may have opposite signs,
+/// those of an inertia where parameters are regrouped: their difference is what a turn multiplies.
 template <class Quantity>
 inline constexpr double room_for =
     std::is_same_v<Quantity, quantity::RotationalInertia> || std::is_same_v<Quantity, quantity::FlowMoment> ? 2.0 : 1.0;

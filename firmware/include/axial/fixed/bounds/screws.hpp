@@ -24,7 +24,7 @@ constexpr bool by_quarters(const Number& cos, const Number& sin) {
 constexpr bool is_constant(const Number& cos, const Number& sin, const BoundedVector& v) {
   return cos.is_literal && sin.is_literal && v.is_literal;
 }
-// Of two entries [c -s; s c] that are off by at most e each: the norm of the difference.
+// Norm of the difference of [c -s; s c] whose two entries are off by at most e each.
 constexpr double tilt(const Number& cos, const Number& sin) { return hypotenuse(cos.bound.error, sin.bound.error); }
 // One component of c x +- s y: both reach at most `size`. A literal vector is the constant of each product.
 constexpr double turn_rounding(const Number& cos, const Number& sin, const BoundedVector& v, double size) {

@@ -81,7 +81,7 @@ struct SeparatedBounds {
   static constexpr int pairs = N > 1 ? N*(N - 1) / 2 : 1;          ///< as in SeparatedB
   Number A[N][N] = {}, B[N][pairs] = {}, C[N][N] = {}, G[N] = {};  ///< as in Separated
 
-  /// As in SeparatedB.
+  /// Index of the pair (j, k), as in SeparatedB.
   static constexpr int pair(int j, int k) {
     return j < k ? j * N - j * (j + 1) / 2 + k - j - 1 : k * N - k * (k + 1) / 2 + j - k - 1;
   }

@@ -43,7 +43,7 @@ struct Spin {
         detail::tightened({side * (dw.along + ww), side * (dw.across + wz), side * (dw.whole + ww)});
     return rounded(from_side, side * detail::root2 * entry) + height * axis;
   }
-  /// Of one entry, and of U r per metre whatever the direction.
+  /// Bound of one entry, and of U r per metre whatever the direction.
   constexpr Ball strength() const {
     Ball s = dw.whole + w.whole * w.whole;
     s.error += 3.0 * entry;
@@ -53,7 +53,7 @@ struct Spin {
 };
 
 namespace detail {
-// Of a sum of `count` products of two components of w.
+// Rounding of a sum of `count` products of two components of w.
 constexpr double rounding_of_products(int count, const BoundedVector& w, int exponent) {
   Terms terms;
   for (int i = 0; i < count; ++i)

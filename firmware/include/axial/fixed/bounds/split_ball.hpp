@@ -80,9 +80,9 @@ constexpr SplitBall turned_about_x(const SplitBall& v, double sine, double cosin
   if (!(s > 0.0)) return v;
   return detail::tightened({v.across + s * v.along, s * v.across + c * v.along, v.whole});
 }
-/// r x f for r along z, and for r along x.
+/// r x f for r along z.
 constexpr SplitBall cross_along_z(double r, const SplitBall& f) { return detail::split(r * f.across, Ball{}); }
-/// For r along x.
+/// r x f for r along x.
 constexpr SplitBall cross_along_x(double r, const SplitBall& f) {
   return detail::tightened({magnitude(r) * f.along, magnitude(r) * f.across, magnitude(r) * f.whole});
 }

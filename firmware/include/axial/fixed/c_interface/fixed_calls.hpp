@@ -25,7 +25,7 @@ struct CallCheck<S, Stored<Word>> {
   }
 };
 
-/// Of one scene over words T. Pointers are not null.
+/// Calls of one scene over words T. Pointers are not null.
 template <class S, class Word>
 struct ExportedCalls<S, Stored<Word>> : Calls<S, Stored<Word>> {
   using T = Stored<Word>;    ///< the words

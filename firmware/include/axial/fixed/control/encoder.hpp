@@ -120,7 +120,7 @@ struct LinearEncoder {
         detail::from_zero<direction>(reading, zero), (std::numeric_limits<std::int32_t>::max)(),
         Status::Code::position_limit);
   }
-  /// As RotaryEncoder::velocity().
+  /// Velocity of joint i, as RotaryEncoder::velocity().
   template <class Values, int i>
   [[nodiscard]] static constexpr ConvertedValue<typename Values::Value> velocity(std::int32_t counts_a_second) {
     return detail::counted_velocity<Values, i, counts, false, direction>(counts_a_second);

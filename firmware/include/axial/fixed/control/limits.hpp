@@ -16,7 +16,7 @@ template <class S, class Word>
 struct LimitsFor<S, Stored<Word>> {
   using T = Stored<Word>;
   using Joint = typename FixedLimits<S, Word>::Joint;
-  /// of joint i
+  /// Limits of joint i.
   static constexpr const Joint& joint(int i) { return fixed_limits_of<S, Word>.joints[i]; }
 
   /// Whether a position is one that the joint reaches.
@@ -31,13 +31,13 @@ struct LimitsFor<S, Stored<Word>> {
   }
   /// Whether a speed, an acceleration or an effort is within what it may be in either direction.
   static constexpr bool allows(const RawMost<Word>& most, const T& x) { return most.allows(x); }
-  /// Brings it there; -1 where it was not, else 0.
+  /// Clamps x to what is allowed; -1 where it was outside, else 0.
   static constexpr int clamp(const RawMost<Word>& most, T& x) {
     const int outside = static_cast<int>(most.outside(x));
     x = most.nearest(x);
     return outside;
   }
-  /// The nearest one that is.
+  /// The nearest value that is allowed.
   static constexpr T nearest(const RawMost<Word>& most, const T& x) { return most.nearest(x); }
   /// What is wrong with run-time inputs other than a payload.
   static constexpr Status check_inputs(const Inputs<S, T>& in) { return check_fixed_inputs<S>(in); }
@@ -47,7 +47,7 @@ struct LimitsFor<S, Stored<Word>> {
   }
 };
 
-/// Held against limits of joints too.
+/// Values of drives are held against the limits of joints too.
 template <class S, class Word>
 struct SharedCheck<S, Stored<Word>> {
   using T = Stored<Word>;

@@ -57,12 +57,12 @@ inline constexpr auto residual_formats = chosen_residual_formats<S, Word, Tuning
 
 }  // namespace detail
 
-/// In fixed point: value = raw 2^-exponent(i).
+/// Residuals in fixed point: value = raw 2^-exponent(i).
 template <class S, class Word, class Tuning>
 struct Residuals<S, Stored<Word>, Tuning> {
   static constexpr int size = joint_count<S>;  ///< number of joints
   Stored<Word> values[size];                   ///< from the base outwards
-  /// of joint i's residual
+  /// Exponent of joint i's residual.
   [[nodiscard]] static constexpr int exponent(int i) { return detail::residual_formats<S, Word, Tuning>.exponent[i]; }
   AXIAL_INLINE constexpr Stored<Word>& operator[](int i) {
     return values[i];

@@ -96,8 +96,8 @@ constexpr double residual_error(int i, double momentum_error, double drift_error
 
 }  // namespace detail
 
-/// Of residuals, N m or N: how far they are from those that the observer's difference equation gives in real numbers,
-/// of the same samples from the first on; words are taken as what they say.
+/// Error bounds of residuals, N m or N: how far they are from those that the observer's difference equation gives in
+/// real numbers, of the same samples from the first on; words are taken as what they say.
 template <class S, class T = Fixed32, class Tuning>
 [[nodiscard]] constexpr auto error_bound(algorithm::MomentumObserver<Tuning>) {
   const auto momenta = error_bound<S, T>(algorithm::Momentum{}), drifts = error_bound<S, T>(algorithm::MomentumDrift{});
@@ -107,8 +107,8 @@ template <class S, class T = Fixed32, class Tuning>
                 WordRounding::ulp(Residuals<S, T, Tuning>::exponent(i));
   return all;
 }
-/// Of a detector's comparison, N m or N: a residual in real numbers that is so far from its threshold is on the same
-/// side of it in words.
+/// Error bounds of a detector's comparison, N m or N: a residual in real numbers that is so far from its threshold is
+/// on the same side of it in words.
 template <class S, class T = Fixed32, class Tuning>
 [[nodiscard]] constexpr auto error_bound(algorithm::CollisionDetector<Tuning>) {
   auto all = error_bound<S, T>(algorithm::MomentumObserver<Tuning>{});

@@ -64,12 +64,12 @@ struct PayloadColumnRounding {
   struct To {
     int exponent;                  ///< of what is kept
     const WordRounding* rounding;  ///< of the arithmetic
-    /// A vector's components, each.
+    /// A vector, each component rounded.
     constexpr BoundedVector operator()(const VectorSum& x) const {
       const double across = x.across.rounding(exponent, *rounding), along = x.along.rounding(exponent, *rounding);
       return {detail::with_rounding(x.bound, detail::root2 * across, along), exponent, false, rounding};
     }
-    /// A number.
+    /// A number, rounded.
     constexpr Number operator()(const NumberSum& x) const {
       return word_of({x.bound.size, x.bound.error + x.terms.rounding(exponent, *rounding)}, exponent);
     }
@@ -97,7 +97,7 @@ struct PayloadColumnRounding {
     return word_of({R::chain.links[i].speed_limit, shifted ? WordRounding::ulp(F::speed_exponent) : 0.0},
                    F::speed_exponent);
   }
-  /// Three constants as words.
+  /// Gravity in world axes, m/s^2: three constants as words.
   constexpr BoundedVector gravity() const {
     const double half = 0.5 * WordRounding::ulp(F::gravity_exponent);
     const Ball whole{F::weight, F::weight > 0.0 ? detail::root3 * half : 0.0};
@@ -146,8 +146,8 @@ struct BoundedPayloadFormats : BoundedLaggedFormats<Tuning, 4> {
   }
 };
 
-/// Of entry k of joint's lagged row, SI, as it is summed: its weight is a factor in 2^-31 that is off by half a unit,
-/// and its product is rounded to nearest: one unit in all.
+/// Error of entry k of the lagged row of `joint`, SI, as it is summed: its weight is a factor in 2^-31 that is off by
+/// half a unit, and its product is rounded to nearest: one unit in all.
 template <class S, class Word, class Tuning>
 constexpr double payload_entry_error(int joint, int k, double momentum_error, double drift_error) {
   using F = ColumnRounding<S, Stored<Word>>;
@@ -160,8 +160,8 @@ constexpr double payload_entry_error(int joint, int k, double momentum_error, do
 
 }  // namespace detail
 
-/// Of the equations that update_payload() sums, of an observer of the same tuning. What an estimate makes of them
-/// depends on how well the motion tells the payload's parameters apart: that is its variance.
+/// Error bounds of the equations that update_payload() sums, of an observer of the same tuning. What an estimate makes
+/// of them depends on how well the motion tells the payload's parameters apart: that is its variance.
 template <class S, class T = Fixed32, class Tuning>
 [[nodiscard]] constexpr auto error_bound(algorithm::PayloadEstimator<Tuning>) {
   using Word = typename T::Word;

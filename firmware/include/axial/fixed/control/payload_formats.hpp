@@ -40,7 +40,7 @@ struct ColumnRounding<S, Stored<Word>> {
   static constexpr double weight = length_of(g.x, g.y, g.z);
   static constexpr int gravity_exponent = fitting(weight), turning_exponent = fitting(W),
                        moving_exponent = fitting(L * W), slope_exponent = fitting(2.0 * L * W);
-  /// Of the columns: along, then across.
+  /// Exponents of the columns: along, then across.
   static constexpr int momentum[2] = {fitting(L * L * W), fitting(2.0 * L * W)},
                        drift[2] = {fitting(2.0 * L * L * W * W + L * weight), fitting(3.0 * L * W * W + weight)};
   static_assert(L >= 1.0);

@@ -8,8 +8,8 @@
 
 namespace axial {
 
-/// Gains in units of the effort's format per unit of the error's, times 2^20: to_fixed_gains() makes them. Of velocity
-/// errors likewise.
+/// Gains in units of the effort's format per unit of the error's, times 2^20: to_fixed_gains() makes them. Gains of
+/// velocity errors have the same scale.
 template <class S, class Word>
 struct TrackingGains<S, Stored<Word>> {
   static constexpr int exponent = 20;           ///< of a gain

@@ -29,7 +29,8 @@ constexpr Matrix errors_in(const bounds::EntryBounds<N>& all) {
 
 }  // namespace detail
 
-/// Of efforts, mass matrix and both Jacobians, each where inverse_dynamics_derivatives() has it, in its SI unit.
+/// Error bounds of efforts, mass matrix and both Jacobians, each where inverse_dynamics_derivatives() has it, in its SI
+/// unit.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr InverseDynamicsDerivatives<S, double> error_bound(algorithm::InverseDynamicsDerivatives) {
   using Scene = scene_of<S>;

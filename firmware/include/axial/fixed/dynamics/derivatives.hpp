@@ -14,7 +14,7 @@ template <class S, class Word>
 inline constexpr auto derivative_sizes_of = bounds::derivative_sizes(mechanism_of<scene_of<S>, FullParameters>,
                                                                      joint_rounding<Word>);
 
-/// Those of one matrix.
+/// Sizes of the entries of one matrix.
 ///@{
 template <class S, class Word>
 constexpr const auto& entries_of(by::Position) {
@@ -44,13 +44,13 @@ template <class S, class Word, class By>
 inline constexpr JointMatrixFormat<S, Word, By> joint_matrix_format = JointMatrixFormat<S, Word, By>::chosen();
 }  // namespace detail
 
-/// In fixed point entry (i, j) = raw 2^-exponent(i, j).
+/// Matrix of joints in fixed point: entry (i, j) = raw 2^-exponent(i, j).
 template <class S, class Word, class By>
 struct JointMatrix<S, Stored<Word>, By> {
   static constexpr int size = joint_count<S>;  ///< number of joints
   Stored<Word> values[size * size] = {};       ///< row by row
 
-  /// of entry (i, j)
+  /// Exponent of entry (i, j).
   [[nodiscard]] static constexpr int exponent(int i, int j) {
     return detail::joint_matrix_format<S, Word, By>.of[i][j];
   }

@@ -35,7 +35,7 @@ template <int E, int F, class S>
 AXIAL_INLINE constexpr std::int64_t difference(const Fx<E, S>& tau, const Fx<F, S>& bias) {
   return std::int64_t{tau.raw} - (bias.raw >> (F - E));
 }
-/// The same in units of the bias, exact.
+/// tau - bias in units of the bias, exact.
 template <int E, int F, class S>
 AXIAL_INLINE constexpr std::int64_t exact_difference(const Fx<E, S>& tau, const Fx<F, S>& bias) {
   static_assert(F - E < 31);
@@ -47,7 +47,8 @@ constexpr int room_of(int doublings, int down, int finer) {
   const int wanted = doublings - down;
   return wanted < 0 ? 0 : smaller(wanted, 30 - finer);
 }
-/// Of so many doublings, those that `divided` has bits for on the way from an exponent to one that is lower by `down`.
+/// The part of so many doublings that `divided` has bits for on the way from an exponent to one that is lower by
+/// `down`.
 template <int doublings>
 constexpr int magnification_limit(int down, int finer) {
   return smaller(down + room_of(doublings, down, finer), doublings);
@@ -114,7 +115,7 @@ class Headroom {
  public:
   static constexpr int most = detail::most_doublings;  ///< largest magnification, as an exponent of 2
 
-  /// Of a drive that is magnified already.
+  /// Headroom of a drive that is magnified already, by 2^magnified.
   AXIAL_INLINE constexpr explicit Headroom(int magnified) : magnified_(magnified) {}
   /// the drive's magnification, as an exponent of 2
   AXIAL_INLINE constexpr int magnified() const { return magnified_; }

@@ -16,11 +16,11 @@ constexpr int length_format() {
 }
 }  // namespace detail
 
-/// Exponents of what kinematics answers in fixed point T: of lengths (m), and of entries of rotations and directions.
+/// Exponent of the lengths (m) that kinematics answers in fixed point T.
 template <class S, class T>
 inline constexpr int length_exponent =
     detail::length_format<decltype(links_of<S, T, FullParameters, recursion::Kinematics>())>();
-/// The same of entries of rotations and directions.
+/// Exponent of entries of the rotations and directions that kinematics answers in fixed point T.
 template <class T>
 inline constexpr int direction_exponent = 8 * static_cast<int>(sizeof(typename T::Word)) - 2;
 

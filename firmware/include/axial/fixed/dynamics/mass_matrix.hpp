@@ -60,13 +60,13 @@ template <class S, class Word, int E>
 inline constexpr auto matrix_shifts = MatrixShifts<S, Word, E>::chosen();
 }  // namespace detail
 
-/// In fixed point M(i, j) = raw 2^-exponent(i, j).
+/// Mass matrix in fixed point: M(i, j) = raw 2^-exponent(i, j).
 template <class S, class Word>
 struct MassMatrix<S, Stored<Word>> {
   static constexpr int size = joint_count<S>;  ///< number of joints
   Stored<Word> values[size * (size + 1) / 2];  ///< lower triangle, row by row
 
-  /// of entry (i, j)
+  /// Exponent of entry (i, j).
   [[nodiscard]] static constexpr int exponent(int i, int j) { return detail::mass_matrix_format<S, Word>.of[i][j]; }
   /// Entry (i, j), either way round.
   AXIAL_INLINE constexpr Stored<Word>& operator()(int i, int j) { return values[at(i, j)]; }
@@ -77,7 +77,7 @@ struct MassMatrix<S, Stored<Word>> {
   AXIAL_INLINE constexpr void set(Index<I>, Index<J>, const V& value) {
     if constexpr (!is_zero_v<V>) values[at(I, J)] = {round_to<exponent(I, J)>(value).raw};
   }
-  /// From a format that all links share.
+  /// Sets an entry from a format that all links share.
   template <int E, class A>
   AXIAL_INLINE constexpr void set(int i, int j, const Fx<E, A>& value) {
     constexpr const auto& shifts = detail::matrix_shifts<S, Word, E>;

@@ -14,8 +14,8 @@ AXIAL_INLINE constexpr auto resistance(const Fx<E, S>& d, const Scale&) {
   return Resistance{inverse_of(d), std::false_type{}, std::true_type{}};
 }
 
-/// Of a link's joint: formats may be made for a usual resistance rather than the least. Of what a joint feels less it
-/// has a status.
+/// Resistance of a link's joint: formats may be made for a usual resistance rather than the least. A joint that feels
+/// less than that has a status.
 template <class Link, int E, class S, class Scale>
 AXIAL_INLINE constexpr auto resistance_at(const Link& link, const Fx<E, S>& d, const Scale& scale) {
   if constexpr (Link::usually_resisted) {

@@ -60,13 +60,13 @@ class BoundsOfTerms {
 
 }  // namespace separation
 
-/// Of separate(), each where Separated has it, in its SI unit.
+/// Error bounds of separate(), each where Separated has it, in its SI unit.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr Separated<S, double> error_bound(algorithm::Separation) {
   static_assert((detail::check_bound<S, recursion::Separation>(), true));
   return detail::errors_of<S>(separation::BoundsOfTerms<S, T>::terms());
 }
-/// Of torque() from terms that separate() found, N m or N: theirs are in it.
+/// Error bounds of torque() from terms that separate() found, N m or N: the errors of the terms are in it.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::SeparatedTorque) {
   using Terms = separation::BoundsOfTerms<S, T>;

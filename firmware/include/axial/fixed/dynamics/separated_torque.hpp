@@ -46,7 +46,7 @@ struct FixedTerms {
     else
       return Zero{};
   }
-  /// C(i, j) qd_j^2, likewise.
+  /// C(i, j) qd_j^2, not rounded yet.
   template <int I, int J>
   AXIAL_INLINE constexpr auto square() const {
     if constexpr (has_square<S, Index<I>, Index<J>>())
@@ -54,7 +54,7 @@ struct FixedTerms {
     else
       return Zero{};
   }
-  /// B(i; j k) qd_j qd_k, likewise; of each pair once, j < k.
+  /// B(i; j k) qd_j qd_k, not rounded yet; of each pair once, j < k.
   template <int I, int J, int K>
   AXIAL_INLINE constexpr auto product() const {
     if constexpr (J >= K)

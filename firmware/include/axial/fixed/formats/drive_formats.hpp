@@ -12,7 +12,7 @@ namespace axial {
 /// drives, and no more than its own limits. A little room is for what its words are off.
 template <class R>
 struct JointsWithinDrives {
-  /// of the tree
+  /// Chain of the tree.
   static constexpr auto chain = [] {
     constexpr double room = 1.0 + 1.0 / 4096.0;
     auto joints = JointCoordinates<R>::chain;
@@ -85,11 +85,11 @@ struct DriveSizes {
       if (g.is_moved(i, k)) sum += magnitude(g.ratio[i][k]) * get(i);
     return sum;
   }
-  /// kg m^2, where the scene names RotorInertia.
+  /// Rotor inertia on drive k, kg m^2, where the scene names RotorInertia.
   static constexpr double rotor(int k) {
     return Scene::template has<RotorInertia> ? drive(k).gear * drive(k).gear * drive(k).rotor_inertia : 0.0;
   }
-  /// N m s/rad and N m, where it names Friction.
+  /// Viscous and Coulomb friction of drive k, N m s/rad and N m, where the scene names Friction.
   ///@{
   static constexpr double viscous(int k) { return Scene::template has<Friction> ? drive(k).viscous : 0.0; }
   static constexpr double coulomb(int k) {
@@ -102,7 +102,7 @@ struct DriveSizes {
   static constexpr double joint_effort(int i) { return motion_ranges_of<Joint, Word>.range[i].joint_effort.size; }
   static constexpr double joint_momentum(int i) { return momentum_ranges_of<Joint, Word>.range[i].joint_effort.size; }
   static constexpr double joint_rate(int i) { return momentum_ranges_of<Joint, Word>.slope[i].size + joint_effort(i); }
-  /// N m or N a unit of drive k, and so on.
+  /// Effort, momentum and its rate at drive k, at most: N m or N per unit of the drive, and so on.
   ///@{
   static constexpr double effort(int k) {
     return felt(k, joint_effort) + rotor(k) * drive(k).acceleration_limit + friction(k);
@@ -110,7 +110,7 @@ struct DriveSizes {
   static constexpr double momentum(int k) { return felt(k, joint_momentum) + rotor(k) * drive(k).speed_limit; }
   static constexpr double momentum_rate(int k) { return felt(k, joint_rate) + friction(k); }
   ///@}
-  /// Of M(k, k): |M_ij| <= sqrt(M_ii M_jj).
+  /// Size of M(k, k): |M_ij| <= sqrt(M_ii M_jj).
   static constexpr double inertia(int k) {
     const auto ranges =
         composite_body_ranges(mechanism_of<Joint, FullParameters>, joint_rounding<Word>, Wanted::formats);

@@ -17,11 +17,11 @@ struct InputFormats {
   /// The exponent of what reaches `most` (SI).
   static constexpr int of(double most) { return detail::fitting_exponent(most, capacity); }
   static constexpr PayloadLimit load = Robot::chain.payload_limit;  ///< as declared
-  /// of a run-time payload: kg, m, kg m^2
+  /// Exponents of a run-time payload: kg, m, kg m^2
   static constexpr int payload_mass = of(load.mass), payload_com = of(load.com_reach),
                        payload_inertia = of(load.inertia);
   static constexpr TipWrenchLimit wrench = Robot::chain.tip_wrench_limit;  ///< as declared
-  /// of a wrench at the tip: N, N m
+  /// Exponents of a wrench at the tip: N, N m
   static constexpr int tip_force = of(wrench.force), tip_moment = of(wrench.moment);
   /// A gravity vector given at run time may be as long as the declared one.
   static constexpr int gravity =

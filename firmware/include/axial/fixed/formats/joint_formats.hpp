@@ -54,8 +54,8 @@ template <class S, class Word>
 inline constexpr auto motion_ranges_of = newton_euler_ranges(mechanism_of<scene_of<S>, FullParameters>,
                                                              joint_rounding<Word>, Wanted::formats);
 
-/// The same of its momenta; what drives its joints; of the accelerations that efforts give; how far efforts can drive
-/// beyond those ranges.
+/// Ranges of a scene's momenta; what drives its joints; ranges of the accelerations that efforts give; how far efforts
+/// can drive beyond the ranges of inverse dynamics.
 ///@{
 template <class S, class Word>
 inline constexpr auto momentum_ranges_of = momentum_ranges(mechanism_of<scene_of<S>, FullParameters>,

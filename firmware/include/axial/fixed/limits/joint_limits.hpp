@@ -16,7 +16,7 @@ constexpr std::int64_t shared_limit(double limit, double unit) {
   return limit * unit < farthest ? nearest_integer(limit * unit) + allowed : static_cast<std::int64_t>(farthest);
 }
 
-/// Of a scene whose drives are inside their own limits.
+/// Limits of the joints of a scene whose drives are inside their own limits.
 template <class S, class Word>
 struct SharedLimits {
   using T = Stored<Word>;
@@ -62,7 +62,7 @@ struct SharedLimits {
     });
     return found;
   }
-  /// Of positions alone; with `slides_only` no more than formats need.
+  /// Status of positions alone; with `slides_only` no more than formats need.
   static constexpr Status of_position(const Positions<robot_of<S>, T>& u, bool slides_only = false) {
     Status found;
     each([&](auto i) {

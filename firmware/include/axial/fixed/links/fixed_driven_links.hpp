@@ -77,7 +77,7 @@ struct FixedDrivenLinks {
   /// Nothing moves.
   AXIAL_INLINE static constexpr NoMotion rates(NoMotion) { return {}; }
 
-  /// Likewise for a kernel.
+  /// G times speeds or accelerations of drives, for a kernel.
   template <class V>
   AXIAL_INLINE static constexpr auto kernel_rates(const V& ud) {
     return rates(ud);
@@ -175,7 +175,7 @@ struct FixedDrivenLinks {
   }
 };
 
-/// These do.
+/// True for FixedDrivenLinks, which stand for joints that share drives.
 template <class Scene, class S, class Parameters, class Recursion>
 inline constexpr bool is_driven<FixedDrivenLinks<Scene, S, Parameters, Recursion>> = true;
 

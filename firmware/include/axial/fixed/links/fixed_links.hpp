@@ -22,7 +22,7 @@ constexpr bool resisted_by_themselves() {
   return all;
 }
 
-/// Those formats hold for bodies that have the inertia that they say, which regrouped ones have not.
+/// Formats of articulated bodies hold for bodies that have the inertia that they say, which regrouped ones have not.
 template <class Scene, class Recursion>
 constexpr bool has_own_parameters() {
   return !Scene::template has<BaseParameters> || !(std::is_same_v<Recursion, recursion::ArticulatedBodies> ||

@@ -52,7 +52,7 @@ struct FixedValues : WordValues<SceneType, S> {
     else
       values.values[I::value] = {round_to<Result::exponent>(x).raw};
   }
-  /// The same where the format of the values may be too small for x: then the largest word, and `lost` is set.
+  /// values[i] = x where the format of the values may be too small for x: then the largest word, and `lost` is set.
   template <class Values, class I, class X>
   AXIAL_INLINE static constexpr void write_limited(Values& values, I i, const X& x, bool& lost) {
     if constexpr (!detail::IsFx<X>::value)

@@ -24,7 +24,7 @@ struct SeparatedFormat {
   static constexpr int product(int i, int j, int k) { return coefficient(i, j, k); }
   static constexpr int square(int i, int j) { return coefficient(i, j, j); }
   static constexpr int rest(int i) { return exponents_of<S, Word, role::Effort>.of[i]; }
-  /// All of them, as a run on bounds takes them.
+  /// All formats, as a run on bounds takes them.
   static constexpr auto all() {
     bounds::SeparatedFormats<joint_count<S>> formats;
     for (int i = 0; i < joint_count<S>; ++i)

@@ -13,7 +13,7 @@ namespace axial {
 struct CompositeRange {
   double mass = 0.0, moment = 0.0, inertia = 0.0;  ///< kg, kg m, kg m^2
 
-  /// About a point at a distance of r (m) at most.
+  /// The range about a point at a distance of r (m) at most.
   constexpr CompositeRange seen_from(double r) const {
     return {mass, moment + r * mass, inertia + r * (2.0 * moment + r * mass)};
   }
@@ -27,7 +27,7 @@ constexpr CompositeRange operator+(const CompositeRange& a, const CompositeRange
 template <int N>
 struct CompositeRanges {
   CompositeRange own[N] = {};     ///< about the link's origin, everything outboard included
-  CompositeRange behind[N] = {};  ///< the same behind the shift of its joint
+  CompositeRange behind[N] = {};  ///< `own` behind the shift of the joint
 };
 
 /// Parallel axes, link by link from the tips: whatever the joint angles.

@@ -9,7 +9,7 @@
 namespace axial {
 namespace detail {
 
-/// Of the split form. `ranges` are its sizes and formats, `motion` those of the bias.
+/// Errors of the split form. `ranges` are its sizes and formats, `motion` those of the bias.
 template <int N>
 class ForwardErrorAnalysis {
  public:

@@ -42,7 +42,7 @@ constexpr PlainInertia reflected_inertia(const PlainInertia& i, bool slides, dou
   return {less(i.angular, n), {row(h.x, n.x), row(h.y, n.y), row(h.z, n.z)}, less(i.linear, f)};
 }
 
-/// The same in the parent's frame, the joint at `angle` (rad) and `along` (m).
+/// A link's inertia in the parent's frame, the joint at `angle` (rad) and `along` (m).
 constexpr PlainInertia at_parent(const TreeLinkConstants<double>& c, const PlainInertia& i, double angle,
                                  double along) {
   const auto turn = sincos(angle);

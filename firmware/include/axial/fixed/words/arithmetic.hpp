@@ -77,11 +77,11 @@ inline std::uint64_t range_overflows = 0;
 template <class WordType, bool to_nearest, bool upper_word, bool is_checked = false>
 struct Arithmetic {
   using Word = WordType;  ///< of results
-  /// of products: twice the word, wider where sums are checked
+  /// Word of products: twice the word, wider where sums are checked
   using Wide = typename detail::Widened<Word, is_checked>::type;
   using Bits = typename detail::Widened<Word, is_checked>::bits;    ///< sums wrap: only what is stored has to fit
   using Upper = typename detail::Widened<Word, is_checked>::upper;  ///< of sums of upper words
-  /// as the template's arguments say: rounding, products, counted overflows
+  /// What the template's arguments say: rounding, products, counted overflows
   static constexpr bool nearest = to_nearest, high_word = upper_word, checked = is_checked;
   static constexpr int bits = 8 * static_cast<int>(sizeof(Word));  ///< of the word
   static constexpr int unit = bits - 2;                            ///< exponent of sines and cosines

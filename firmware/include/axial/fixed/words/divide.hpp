@@ -45,7 +45,7 @@ AXIAL_INLINE constexpr Fx<G, S> quotient(const Inverse<E, S>& inverse, const Fx<
   const std::uint32_t half = S::nearest ? static_cast<std::uint32_t>(detail::shifted_by(product, shift - 1)) & 1U : 0U;
   return {static_cast<typename S::Word>(down + half)};
 }
-/// Of a constant.
+/// Overload for a constant.
 template <int G, int E, std::uint64_t B, class S>
 AXIAL_INLINE constexpr auto quotient(const Inverse<E, S>& inverse, const Literal<B, S>& x) {
   return quotient<G>(inverse, round_to<detail::fitting_exponent(Literal<B, S>::value, S::capacity)>(x));

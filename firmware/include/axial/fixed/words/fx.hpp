@@ -90,7 +90,7 @@ constexpr std::uint64_t bits_of(double value) { return __builtin_bit_cast(std::u
 template <class X>
 struct NumberTraits<X, std::enable_if_t<detail::FixedKind<X>::value>> {
   static constexpr bool is_number = true;
-  /// In the format of X.
+  /// The constant in the format of X.
   static constexpr X constant(double value) {
     static_assert(!std::is_empty_v<X>, "a literal has no format");
     return {

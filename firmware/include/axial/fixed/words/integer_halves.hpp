@@ -40,9 +40,9 @@ AXIAL_INLINE constexpr bool compiler_does_better(std::int32_t a, std::int32_t b)
          has_known_zero_half(a) || has_known_zero_half(b);
 }
 
-// One statement a product: the compiler's own carries cost a third more, and in pieces it moves registers about.
+// One statement per product: the compiler's own carries cost a third more, and in pieces it moves registers about.
 // clang-format off
-// Of a and b: `lowest`, the mixed products t and u, and in b the highest.
+// Partial products of a and b: `lowest`, the mixed products t and u, and in b the highest.
 #define AXIAL_QUARTERS(lowest) \
   ".syntax unified\n\t" \
   "uxth %[t], %[a]\n\t" \
@@ -79,7 +79,7 @@ AXIAL_INLINE constexpr bool compiler_does_better(std::int32_t a, std::int32_t b)
       : [a] "+l"(a), [b] "+l"(b), [t] "=&l"(t), [u] "=&l"(u), [v] "=&l"(v) : : "cc"); \
   return b
 
-/// 17 instructions; narrow: 14.
+/// a b. 17 instructions; narrow: 14.
 template <bool narrow>
 AXIAL_INLINE inline std::uint64_t product_by_assembler(std::int32_t a, std::int32_t b) {
   if constexpr (narrow) {
@@ -89,7 +89,7 @@ AXIAL_INLINE inline std::uint64_t product_by_assembler(std::int32_t a, std::int3
                    AXIAL_MIXED("adds", "adcs", "%[low]", "%[b]", "%[u]", "%[a]"));
   }
 }
-/// 19 instructions; narrow: 16.
+/// sum + a b. 19 instructions; narrow: 16.
 template <bool narrow>
 AXIAL_INLINE inline std::uint64_t sum_by_assembler(std::uint64_t sum, std::int32_t a, std::int32_t b) {
   if constexpr (narrow) {
@@ -99,7 +99,7 @@ AXIAL_INLINE inline std::uint64_t sum_by_assembler(std::uint64_t sum, std::int32
                      AXIAL_MIXED("adds", "adcs", "%[low]", "%[high]", "%[u]", "%[v]"));
   }
 }
-/// sum - a b, in as many.
+/// sum - a b. 19 instructions; narrow: 16.
 template <bool narrow>
 AXIAL_INLINE inline std::uint64_t difference_by_assembler(std::uint64_t sum, std::int32_t a, std::int32_t b) {
   if constexpr (narrow) {
@@ -109,7 +109,7 @@ AXIAL_INLINE inline std::uint64_t difference_by_assembler(std::uint64_t sum, std
                      AXIAL_MIXED("subs", "sbcs", "%[low]", "%[high]", "%[u]", "%[v]"));
   }
 }
-/// 17 instructions; narrow: 14.
+/// floor(a b / 2^32). 17 instructions; narrow: 14.
 template <bool narrow>
 AXIAL_INLINE inline std::int32_t high_word_by_assembler(std::int32_t a, std::int32_t b) {
   if constexpr (narrow) {

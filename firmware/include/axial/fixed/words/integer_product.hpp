@@ -30,7 +30,7 @@
 
 namespace axial::integer {
 
-/// What the caller knows of two factors. Narrow ones, |a|, |b| <= 2^30, save 3 instructions a product on a Cortex-M0
+/// What the caller knows of two factors. Narrow ones, |a|, |b| <= 2^30, save 3 instructions per product on a Cortex-M0
 /// (sines and cosines with 30 fractional bits by anything within 2^30) and nothing elsewhere; others go wrong there.
 enum class Factors { any, narrow };
 
@@ -120,7 +120,7 @@ AXIAL_INLINE constexpr std::int32_t multiply_high(std::int32_t a, std::int32_t b
 #endif
 }
 
-/// The same without signs. Not an overload: std::int32_t is long on Arm, and an int would choose this one.
+/// floor(a b / 2^32) without signs. Not an overload: std::int32_t is long on Arm, and an int would choose this one.
 AXIAL_INLINE constexpr std::uint32_t multiply_high_unsigned(std::uint32_t a, std::uint32_t b) {
 #if AXIAL_LONG_MULTIPLY
   return static_cast<std::uint32_t>((static_cast<std::uint64_t>(a) * b) >> 32);

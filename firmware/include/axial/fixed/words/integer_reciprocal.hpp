@@ -85,8 +85,8 @@ AXIAL_INLINE constexpr ReciprocalWords<Bits> reciprocal_words(Word d) {
 using Reciprocal = detail::ReciprocalWords<std::uint32_t>;
 
 /// Reciprocal of d in 1..2^31 - 1; the mantissa errs at most by one unit, -1 at powers of two and 0.86 upwards
-/// (./axial exhaustive). 34 instructions on a Cortex-M3 or M4, 66 on a Cortex-M0, load and store included. Of any other
-/// d something, by operations that are defined.
+/// (./axial exhaustive). 34 instructions on a Cortex-M3 or M4, 66 on a Cortex-M0, load and store included. For any
+/// other d the result is some number, by operations that are defined.
 AXIAL_INLINE constexpr Reciprocal reciprocal(std::int32_t d) { return detail::reciprocal_words<std::uint32_t>(d); }
 
 }  // namespace axial::integer

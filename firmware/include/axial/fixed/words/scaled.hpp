@@ -66,7 +66,7 @@ struct Scaled {
   }
   /// Difference.
   friend constexpr Scaled operator-(const Scaled& a, const Scaled& b) { return a + -b; }
-  /// The same in place.
+  /// Sum, difference and product in place.
   ///@{
   constexpr Scaled& operator+=(const Scaled& b) { return *this = *this + b; }
   constexpr Scaled& operator-=(const Scaled& b) { return *this = *this - b; }
@@ -83,7 +83,7 @@ struct Scaled {
   static constexpr std::int32_t lowered(std::int32_t m, int by) { return m >> select(is_negative(31 - by), 31, by); }
 };
 
-/// By masks.
+/// yes or no, by masks.
 AXIAL_INLINE constexpr Scaled select(bool condition, const Scaled& yes, const Scaled& no) {
   const int y = yes.mantissa, n = no.mantissa;
   return {select(condition, y, n), select(condition, yes.exponent, no.exponent)};
