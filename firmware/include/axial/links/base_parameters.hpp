@@ -96,7 +96,7 @@ constexpr void regroup(TreeLinkConstants<double>* links, int size, bool moving_b
 /// Base parameters as a fixed base allows them, with rotors folded into links where that is exact: what scenes with
 /// RotorInertia on a fixed base compute with where they compute with base parameters.
 struct BaseParametersAndRotors {};
-/// The same with axial masses: for bodies that nothing is added to at run time.
+/// BaseParametersAndRotors with axial masses: for bodies that nothing is added to at run time.
 struct BaseParametersAndAxialMasses {};
 
 /// Folds rotors in place into links that turn about an axis of fixed direction: no joint inboard turns, and neither

@@ -8,7 +8,7 @@
 
 namespace axial {
 
-/// As of one number, per lane: ok, angle_range or not_finite, from the sum of |angles| and of what is 0 or NaN.
+/// soundness_of() per lane: ok, angle_range or not_finite, from the sum of |angles| and of what is 0 or NaN.
 template <class T, int N, int Bytes>
 AXIAL_INLINE constexpr BatchStatus<T, N, Bytes> soundness_of(const Batch<T, N, Bytes>& all) {
   using Ordinal = BatchOrdinal<T, N, Bytes>;

@@ -18,7 +18,7 @@ struct DoubledMoments {
 template <class M, class H, class S>
 DoubledMoments(M, H, S) -> DoubledMoments<M, H, S>;
 
-/// Of a body.
+/// Doubled moments of a body.
 template <class M, class H, class J>
 AXIAL_INLINE constexpr auto doubled_moments(const RigidInertia<M, H, J>& body) {
   const auto& h = body.first_moment;
@@ -53,12 +53,12 @@ struct ConstantsOfLink {
 
 }  // namespace detail
 
-/// Of a link that the compiler knows: constants, too.
+/// Doubled moments of a link that the compiler knows: constants, too.
 template <class Scene, int I, class T, class Parameters, class Rounder>
 AXIAL_INLINE constexpr auto doubled_moments(const StaticLink<Scene, I, T, Parameters, Rounder>&) {
   return detail::twice_of_link<T, detail::ConstantsOfLink<typename Scene::Robot, Parameters, I>>();
 }
-/// Of any other view of a link.
+/// Doubled moments of any other view of a link.
 template <class Link>
 AXIAL_INLINE constexpr auto doubled_moments(const Link& link) -> decltype(doubled_moments(link.body())) {
   return doubled_moments(link.body());

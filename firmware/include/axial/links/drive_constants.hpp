@@ -21,7 +21,7 @@ struct DriveConstants {
   T spring_stiffness{}, spring_rest{};        ///< N m/rad or N/m; rad or m
 };
 
-/// From a link's description; unused ones are 0.
+/// Drive constants from a link's description; unused ones are 0.
 constexpr DriveConstants<double> drive_constants(const LinkParameters& p) {
   DriveConstants<double> c;
   c.viscous = p.viscous, c.coulomb_forward = p.coulomb_forward, c.coulomb_backward = p.coulomb_backward;
@@ -47,7 +47,7 @@ inline constexpr T DriveConstants<T>::*drive_numbers[] = {&DriveConstants<T>::vi
                                                           &DriveConstants<T>::spring_stiffness,
                                                           &DriveConstants<T>::spring_rest};
 
-/// The same constants in another number format.
+/// Drive constants in another number format.
 template <class T>
 constexpr DriveConstants<T> converted(const DriveConstants<double>& c) {
   DriveConstants<T> result;

@@ -65,7 +65,7 @@ struct DrivenLinks {
   template <class U>
   struct RateView {
     const U& of_drives;  ///< speeds or accelerations
-    /// of joint i
+    /// Rate of joint i.
     template <class I>
     AXIAL_INLINE constexpr Scalar operator[](I) const {
       constexpr int i = I::value;
@@ -105,7 +105,7 @@ struct DrivenLinks {
     else
       return literal<Scalar>([] { return matrix.ratio[I][K]; }) * values[I] + felt<K, I + 1>(values);
   }
-  /// The same of an index.
+  /// Overload that takes the drive as an index.
   template <class K, class Values>
   AXIAL_INLINE static constexpr auto felt(K, const Values& values) {
     return felt<K::value>(values);
@@ -125,7 +125,7 @@ struct DrivenLinks {
   AXIAL_INLINE static constexpr void answer(Values& values, K, const Felt& felt, const Own&... own) {
     values[K::value] = static_cast<Scalar>((felt[K::value] + ... + own));
   }
-  /// Where a number system with formats waits for a sum's rounding: here the sum.
+  /// x + y, where a number system with formats waits for the sum's rounding.
   template <class X, class Y>
   AXIAL_INLINE static constexpr auto add(const X& x, const Y& y) {
     return x + y;
@@ -214,7 +214,7 @@ struct DrivenLinks {
   }
 };
 
-/// Of a robot whose joints share drives.
+/// Links of a robot whose joints share drives.
 template <class R, class... Features, class T, class Parameters, class Recursion>
 struct LinksOf<Scene<DriveCoordinates<R>, Features...>, T, Parameters, Recursion> {
   /// joints and drives
@@ -224,7 +224,7 @@ struct LinksOf<Scene<DriveCoordinates<R>, Features...>, T, Parameters, Recursion
   }
 };
 
-/// These do.
+/// True for DrivenLinks, which stand for joints that share drives.
 template <class S, class T, class P>
 inline constexpr bool is_driven<DrivenLinks<S, T, P>> = true;
 

@@ -36,7 +36,7 @@ class DrivenModelLinks {
                 "axial: SharedDrives does not go with FloatingBase, SineCosines, ExternalWrenches or RotorDynamics; "
                 "take them out of the model's features");
 
-  /// They refer to the model.
+  /// The links refer to the model.
   constexpr DrivenModelLinks(const JointLinks& joints, const DriveLinks& drives, const DriveMatrix<N>& matrix)
       : joints_(joints), drives_(drives), matrix_(matrix) {}
 
@@ -128,7 +128,7 @@ class DrivenModelLinks {
   const DriveMatrix<N>& matrix_;
 };
 
-/// These do.
+/// True for DrivenModelLinks, which stand for joints that share drives.
 template <class S, class T, class J, class D, int N>
 inline constexpr bool is_driven<DrivenModelLinks<S, T, J, D, N>> = true;
 

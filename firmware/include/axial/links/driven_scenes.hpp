@@ -29,7 +29,7 @@ struct SceneOfJoints<Scene<DriveCoordinates<R>, Features...>> {
   using type = typename WithoutDrives<Scene<JointCoordinates<R>>, Features...>::type;
 };
 
-/// The same, and rotors that are a joint's alone.
+/// The scene of a robot's clusters: that of its joints with the rotors that are a joint's alone.
 template <class Scene>
 struct SceneOfClusters;
 template <class R, class... Features>

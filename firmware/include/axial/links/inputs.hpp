@@ -12,17 +12,17 @@ template <class Scene, class Scalar, class T>
 AXIAL_INLINE constexpr const PayloadBody<T>& read_payload(const PayloadBody<T>& load) {
   return load;
 }
-/// A wrench, likewise.
+/// A wrench as a kernel over a scene and its Scalar computes with it.
 template <class Scene, class Scalar, class T>
 AXIAL_INLINE constexpr const ForceVector<Vec3<T>, Vec3<T>>& read_wrench(const ForceVector<Vec3<T>, Vec3<T>>& wrench) {
   return wrench;
 }
-/// A gravity vector, likewise.
+/// A gravity vector as a kernel over a scene and its Scalar computes with it.
 template <class Scene, class Scalar, class T>
 AXIAL_INLINE constexpr const Vec3<T>& read_gravity(const Vec3<T>& g) {
   return g;
 }
-/// The sine and cosine of a joint's angle, likewise.
+/// The sine and cosine of a joint's angle as a kernel over a scene and its Scalar computes with them.
 template <class Scene, class Scalar, class T>
 AXIAL_INLINE constexpr const SinCos<T>& read_turn(const SinCos<T>& turn) {
   return turn;

@@ -75,12 +75,12 @@ inline constexpr T LinkConstants<T>::*link_numbers[] = {
     &LinkConstants<T>::jxz,       &LinkConstants<T>::jyz,       &LinkConstants<T>::jzz_jyy,
     &LinkConstants<T>::jxx_jzz,   &LinkConstants<T>::jyy_jxx,   &LinkConstants<T>::rotor};
 
-/// Those of a branch, likewise.
+/// The numbers among the constants of a branch, in an order that is the same for every T.
 template <class T>
 inline constexpr T BranchConstants<T>::*branch_numbers[] = {&BranchConstants<T>::cos_gamma,
                                                             &BranchConstants<T>::sin_gamma, &BranchConstants<T>::b};
 
-/// The same constants in another number format.
+/// Link constants in another number format.
 template <class T>
 constexpr void convert(const TreeLinkConstants<double>& c, LinkConstants<T>& result) {
   result.prismatic = c.prismatic;
@@ -88,14 +88,14 @@ constexpr void convert(const TreeLinkConstants<double>& c, LinkConstants<T>& res
   for (std::size_t i = 0; i < sizeof(link_numbers<T>) / sizeof(link_numbers<T>[0]); ++i)
     result.*link_numbers<T>[i] = NumberTraits<T>::constant(c.*link_numbers<double>[i]);
 }
-/// With those of the branch.
+/// Link constants with those of the branch in another number format.
 template <class T>
 constexpr void convert(const TreeLinkConstants<double>& c, TreeLinkConstants<T>& result) {
   convert(c, static_cast<LinkConstants<T>&>(result));
   for (std::size_t i = 0; i < sizeof(branch_numbers<T>) / sizeof(branch_numbers<T>[0]); ++i)
     result.branch.*branch_numbers<T>[i] = NumberTraits<T>::constant(c.branch.*branch_numbers<double>[i]);
 }
-/// As a row of a table of either kind.
+/// Link constants as a row of a table of either kind.
 template <class Row>
 constexpr Row converted_row(const TreeLinkConstants<double>& c) {
   Row row{};

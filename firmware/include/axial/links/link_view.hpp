@@ -139,7 +139,7 @@ class LinkAccess {
   AXIAL_INLINE constexpr auto z(const Q& q) const {
     return self().on_joint([&](auto joint) AXIAL_INLINE { return self().shape(joint_screw(joint, q)); });
   }
-  /// The same from the sine and cosine of q (without theta), which only a revolute joint looks at.
+  /// Overload with the sine and cosine of q (without theta), which only a revolute joint looks at.
   template <class Q, class T>
   AXIAL_INLINE constexpr auto z(const Q& q, const SinCos<T>& turn) const {
     return self().on_joint([&](auto joint) AXIAL_INLINE {
@@ -205,12 +205,12 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
   }
   /// whether it has a branch's z-screw
   static constexpr bool branches = detail::robot_constants<typename Scene::Robot, Parameters>.links[I].branches();
-  /// A constant of its branch, likewise.
+  /// A constant of the link's branch, as a type or a literal.
   template <detail::BranchMember<double> M>
   AXIAL_INLINE static constexpr auto branch() {
     return literal<T>([] { return detail::robot_constants<typename Scene::Robot, Parameters>.links[I].branch.*M; });
   }
-  /// A constant of its drive, likewise.
+  /// A constant of the link's drive, as a type or a literal.
   template <detail::DriveMember<double> M>
   AXIAL_INLINE static constexpr auto drive() {
     return literal<T>([] { return detail::robot_drives<typename Scene::Robot, double>.links[I].*M; });
@@ -226,7 +226,7 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
     constexpr double sine = detail::robot_constants<typename Scene::Robot, Parameters>.links[I].*Sine;
     return std::bool_constant<(sine * sine > 0.5)>{};
   }
-  /// The same of a branch's turn.
+  /// Whether a branch's constant turn is nearer to a quarter turn than to none, as a type.
   template <detail::BranchMember<double> Sine>
   AXIAL_INLINE static constexpr auto branch_beyond_45_degrees() {
     constexpr double sine = detail::robot_constants<typename Scene::Robot, Parameters>.links[I].branch.*Sine;

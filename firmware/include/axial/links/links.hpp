@@ -13,15 +13,15 @@ namespace axial {
 /// Which recursion walks over links: a number system with formats has others for each.
 namespace recursion {
 struct NewtonEuler {};              ///< inverse dynamics
-struct MotionEfforts {};            ///< the same where efforts are told from those that drive a motion
+struct MotionEfforts {};            ///< inverse dynamics where efforts are told from those that drive a motion
 struct CompositeBodies {};          ///< the mass matrix
 struct ArticulatedBodies {};        ///< the classical form
-struct ArticulatedBodiesAtRest {};  ///< of the split form
+struct ArticulatedBodiesAtRest {};  ///< articulated bodies of the split form
 struct Kinematics {};               ///< poses and Jacobians
 struct Separation {};               ///< the separated terms
 struct Momenta {};                  ///< joint momenta and their drift
 struct BaseForce {};                ///< what carries the robot
-struct Derivatives {};              ///< of inverse dynamics
+struct Derivatives {};              ///< derivatives of inverse dynamics
 }  // namespace recursion
 
 /// Links without formats: results are kept as they come, joint values are as they are.
@@ -129,9 +129,9 @@ class TableLinks : public PlainValues<SceneType, ScalarType> {
     else
       return ZeroVec3{};
   }
-  /// of frame 0 in the world
+  /// Pose of frame 0 in the world.
   AXIAL_INLINE constexpr auto base_pose() const { return pose_of<Scalar>(placement_.base); }
-  /// in the last link's frame
+  /// Pose of the tool in the last link's frame.
   AXIAL_INLINE constexpr auto tool_pose() const { return pose_of<Scalar>(placement_.tool); }
   AXIAL_INLINE constexpr int last() const { return size_ - 1; }  ///< index of the last link
 

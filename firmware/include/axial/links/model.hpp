@@ -27,7 +27,7 @@ class ModelLinks : public TableLinks<SceneType, ScalarType, double, N> {
   }
   AXIAL_INLINE constexpr const WaterConstants<double>& water(int i) const { return waters_[i]; }  ///< about link i
   AXIAL_INLINE constexpr const RotorConstants<double>& rotor(int i) const { return rotors_[i]; }  ///< of joint i
-  /// about the base body
+  /// The water about the base body.
   AXIAL_INLINE constexpr const WaterConstants<double>& base_water() const { return waters_[N]; }
 
  private:
@@ -94,7 +94,7 @@ class Model {
     base_body_ = link_constants(body, LinkParameters::base);
     waters_[N] = water_constants(body.water);
   }
-  /// as base_body() describes it
+  /// Sets the base body as base_body() describes it.
   constexpr void set_base_body(const BaseBody& body) { set_base_body(body.parameters()); }
   constexpr int size() const { return shared_.size(size_); }  ///< number of joint values: links, or drives that share
   constexpr int link_count() const { return size_; }          ///< number of links added so far

@@ -27,7 +27,7 @@ struct PlainValues {
   AXIAL_INLINE static constexpr void write(Values& values, I i, const X& x) {
     values[i] = static_cast<T>(x);
   }
-  /// The same where a format may be too small for x: then the largest value that fits, and `lost` is set.
+  /// values[i] = x where a format may be too small for x: then the largest value that fits, and `lost` is set.
   template <class Values, class I, class X, class Lost>
   AXIAL_INLINE static constexpr void write_limited(Values& values, I i, const X& x, Lost&) {
     write(values, i, x);

@@ -17,7 +17,7 @@ struct RotorConstants {
   T x{}, y{}, z{};   ///< kg m^2; of a slide kg m
 };
 
-/// From a link's description; `parent` is the index of the link that carries its joint.
+/// Rotor constants from a link's description; `parent` is the index of the link that carries its joint.
 constexpr RotorConstants<double> rotor_constants(const LinkParameters& p, int parent) {
   const auto& given = p.rotor_axis;
   const double size = square_root(given[0] * given[0] + given[1] * given[1] + given[2] * given[2]);
@@ -27,7 +27,7 @@ constexpr RotorConstants<double> rotor_constants(const LinkParameters& p, int pa
   return {carrier, spin * p.gamma.sin * p.alpha.sin, -spin * p.gamma.cos * p.alpha.sin, spin * p.alpha.cos};
 }
 
-/// The same constants in another number format.
+/// Rotor constants in another number format.
 template <class T>
 constexpr RotorConstants<T> converted(const RotorConstants<double>& c) {
   using N = NumberTraits<T>;
@@ -77,7 +77,7 @@ struct StaticRotor {
   }
 };
 
-/// The same from a table.
+/// Rotor of a joint from a row of a table.
 template <class T, class Source>
 struct TableRotor {
   const RotorConstants<Source>& row;  ///< of the table

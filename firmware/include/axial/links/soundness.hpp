@@ -13,7 +13,7 @@ namespace axial {
 /// which instructions hold.
 template <class T>
 inline constexpr T largest_angles = T(8192.0);
-/// In double the reduction has more bits.
+/// Largest angles in double, whose reduction has more bits.
 template <>
 inline constexpr double largest_angles<double> = 524288.0;
 

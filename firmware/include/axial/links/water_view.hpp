@@ -78,7 +78,7 @@ struct StaticWater : detail::WaterAccess<StaticWater<Robot, I, T>, double> {
   }
 };
 
-/// The same from a table.
+/// The water about a link or a base body, from a row of a table.
 template <class T, class Source>
 struct TableWater : detail::WaterAccess<TableWater<T, Source>, Source> {
   const WaterConstants<Source>& row;  ///< of the table

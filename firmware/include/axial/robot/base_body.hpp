@@ -49,7 +49,7 @@ class BaseBody {
     return BaseBody(body_.drag_quadratic(x, y, z, rx, ry, rz));
   }
 
-  /// As for a Link: keeps numbers that no body should have, as their source gives them.
+  /// Keeps numbers that no body should have, as their source gives them; as for a Link.
   constexpr BaseBody accept(AsPublished) const { return BaseBody(body_.accept(as_published)); }
 
  private:

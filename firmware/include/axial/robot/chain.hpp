@@ -78,7 +78,7 @@ struct ChainBuilder {
   constexpr void note(int where, Problem problem) {
     if (broken.problem == Problem::none && problem != Problem::none) broken = {where, problem};
   }
-  /// Of a part that no link is: what cannot be accepted first.
+  /// Notes what is wrong with a part that is no link: what cannot be accepted first.
   constexpr void note_part(Problem structural, Problem twice, Problem doubtful = Problem::none) {
     const unsigned bit = 1U << (static_cast<unsigned>(twice) - static_cast<unsigned>(Problem::gravity_is_given_twice));
     note(Broken::robot, structural);
@@ -131,7 +131,7 @@ struct ChainBuilder {
     chain.base_body = body.parameters();
     chain.has_base_body = true;
   }
-  /// When all parts are there.
+  /// Checks the drives when all parts are there.
   constexpr void check_drives() {
     if (!chain.shares_drives()) return;
     for (int i = 0; i < N; ++i) {

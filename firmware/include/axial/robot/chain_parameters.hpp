@@ -34,7 +34,7 @@ struct PayloadLimit {
   double mass = 0.0, com_reach = 0.0, inertia = 0.0;  ///< kg, m, kg m^2
   bool declared = false;                              ///< whether the robot declares one
 };
-/// Of a robot: kg, m, kg m^2.
+/// Payload limit of a robot: kg, m, kg m^2.
 constexpr PayloadLimit payload_limit(double mass, double com_reach, double inertia) {
   return {mass, com_reach, inertia, true};
 }

@@ -101,7 +101,7 @@ struct ClassicalBuilder {
   constexpr void add(const Part& part) {
     modified.add(part);
   }
-  /// With what was given in the last classical frame.
+  /// The chain with what was given in the last classical frame.
   constexpr Chain<N> chain() const {
     Chain<N> result = modified.chain;
     result.tool.pose = end.carried(result.tool.pose);

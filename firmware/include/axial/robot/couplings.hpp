@@ -9,10 +9,10 @@ namespace axial {
 
 /// Screw and spline on one shaft: the last two links before it, a slide and a turn about one axis in either order.
 struct ScrewSpline {
-  double lead = 0.0;  ///< m of the slide a turn of the nut
+  double lead = 0.0;  ///< slide travel per turn of the nut, m
 };
-/// Of a SCARA's quill: the nut turns by u_s, the spline by u_t; then q_turn = u_t, q_slide = lead/(2 pi) (u_s - u_t).
-/// `lead` in m a turn, negative for a left-handed thread. The slide's drive is the nut: rad, N m.
+/// A SCARA's quill: the nut turns by u_s, the spline by u_t; then q_turn = u_t, q_slide = lead/(2 pi) (u_s - u_t).
+/// `lead` in m per turn, negative for a left-handed thread. The slide's drive is the nut: rad, N m.
 constexpr ScrewSpline screw_spline(double lead) { return {lead}; }
 
 /// Two drives whose sum moves the one, and whose difference moves the other of the last two links before it.
@@ -25,9 +25,9 @@ constexpr Differential differential(double ratio = 1.0) { return {ratio}; }
 /// G, row by row: a row per joint, a column the drive of each joint; a column of zeros where a joint has none.
 template <int N>
 struct DriveRatios {
-  double rows[N][N] = {};  ///< rad or m of a joint a unit of a drive
+  double rows[N][N] = {};  ///< rad or m of a joint per unit of the drive
 };
-/// Of all joints at once: `axial::drive_ratios<3>({{1, 0, 0}, {0, 1, 0}, {0, -1, 1}})`, q = G u.
+/// Ratios of all joints at once: `axial::drive_ratios<3>({{1, 0, 0}, {0, 1, 0}, {0, -1, 1}})`, q = G u.
 template <int N>
 constexpr DriveRatios<N> drive_ratios(const double (&rows)[N][N]) {
   DriveRatios<N> g;

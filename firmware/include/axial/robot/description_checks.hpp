@@ -49,7 +49,7 @@ constexpr Problem geometry_problem(const LinkParameters& p, int index) {
   return Problem::none;
 }
 
-/// Of the numbers of a joint that shares drives.
+/// Problem with the numbers of a joint that shares drives.
 constexpr Problem drive_numbers_problem(const LinkParameters& p) {
   const JointDrives& d = p.drives;
   for (int n = 0; n < d.count && n < JointDrives::most; ++n)
@@ -59,7 +59,7 @@ constexpr Problem drive_numbers_problem(const LinkParameters& p) {
     return Problem::drive_limits_are_upside_down;
   return Problem::none;
 }
-/// Of what joint i makes of its chain's drives, of which G is made.
+/// Problem with what joint i makes of its chain's drives, of which G is made.
 template <int N>
 constexpr Problem shared_drives_problem(const DriveMatrix<N>& g, const LinkParameters& p, int i) {
   if (!g.is_there(i)) return Problem::drives_are_no_drives_of_the_chain;

@@ -14,10 +14,10 @@ struct DriveClusters {
   int first[N] = {};            ///< of each joint: the first joint of its cluster
   int parent[N] = {};           ///< of each cluster, by its first joint: the link that it hangs on, or base
   int count = 0;                ///< clusters that are no plain joint
-  int number[N] = {};           ///< of each joint: which of them, or -1
-  int drives[N] = {};           ///< of each of them: how many drives it has
-  int drive[N][N] = {};         ///< which, in rising order
-  int carrier[N] = {};          ///< of each of them: the link that it hangs on, or base
+  int number[N] = {};           ///< of each joint: number of its cluster, or -1 for a plain joint
+  int drives[N] = {};           ///< of each numbered cluster: how many drives it has
+  int drive[N][N] = {};         ///< of each numbered cluster: its drives, in rising order
+  int carrier[N] = {};          ///< of each numbered cluster: the link that it hangs on, or base
   int joints_of_drive[N] = {};  ///< how many joints a drive moves
 };
 
@@ -80,7 +80,7 @@ struct ClusterBuilder {
 
 }  // namespace detail
 
-/// Of a chain's parents (indices of links, or base) and the drives of its joints.
+/// Clusters from a chain's parents (indices of links, or base) and the drives of its joints.
 template <int N>
 constexpr DriveClusters<N> drive_clusters(const int (&parents)[N], const DriveMatrix<N>& g) {
   return detail::ClusterBuilder<N>(parents, g).found;

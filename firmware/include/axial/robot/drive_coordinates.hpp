@@ -11,7 +11,7 @@ namespace axial {
 /// that one may name where joints are meant, not drives: `inverse_dynamics<JointCoordinates<Palletiser>>(q, qd, qdd)`.
 template <class R>
 struct JointCoordinates {
-  /// of the tree
+  /// Chain of the tree.
   static constexpr auto chain = [] {
     auto joints = R::chain;
     for (LinkParameters& link : joints.links) {
@@ -24,10 +24,11 @@ struct JointCoordinates {
   }();
 };
 
-/// The same tree with the rotors of joints whose drive is theirs alone: what articulated bodies are made of.
+/// A robot's joints as in JointCoordinates, with the rotors of joints whose drive is theirs alone: what articulated
+/// bodies are made of.
 template <class R>
 struct ClusterCoordinates {
-  /// of the tree
+  /// Chain of the tree.
   static constexpr auto chain = [] {
     auto joints = JointCoordinates<R>::chain;
     const auto g = drive_matrix_of(R::chain.links);
@@ -68,7 +69,7 @@ constexpr LinkParameters drive_by_itself(const LinkParameters& joint, bool alone
 /// drives by themselves, without geometry or mass.
 template <class R>
 struct DriveCoordinates {
-  /// of the drives, in the order of the joints that own them
+  /// Chain of the drives, in the order of the joints that own them
   static constexpr auto chain = [] {
     constexpr auto& g = detail::drive_matrix<R>;
     constexpr auto& whole = R::chain;

@@ -14,8 +14,8 @@ struct RowStep {
   int at = 0;         ///< the one number
   double unit = 0.0;  ///< 1 or -1 of it
 };
-/// Of row i with n entries, entry(i, k): where that spares products, which 0, 1 and -1 are not. The rows of a
-/// differential are (1/2, 1/2) and (1/2, -1/2).
+/// Row i with n entries, entry(i, k), by an earlier row where that spares products, which 0, 1 and -1 are not. The rows
+/// of a differential are (1/2, 1/2) and (1/2, -1/2).
 template <class Entry>
 constexpr RowStep row_step(const Entry& entry, int i, int n) {
   int products = 0;
@@ -36,9 +36,9 @@ constexpr RowStep row_step(const Entry& entry, int i, int n) {
 /// other way: tau_u = G^T tau_q, so that power is the same on either side.
 template <int N>
 struct DriveMatrix {
-  int drives = 0;            ///< how many there are: columns of G
+  int drives = 0;            ///< number of drives: columns of G
   int owner[N] = {};         ///< index of the joint that owns a drive
-  double ratio[N][N] = {};   ///< G: rad or m of a joint a unit of a drive
+  double ratio[N][N] = {};   ///< G: rad or m of a joint per unit of the drive
   double offset[N] = {};     ///< q0: rad or m
   bool named[N] = {};        ///< whether what a joint names is there, has a drive, and does not follow the joint
   bool independent = false;  ///< whether every motion of the drives moves some joint

@@ -65,7 +65,7 @@ class Link : public LinkBuilder<Link> {
         p.water.drag_linear[i] = values[i];
     });
   }
-  /// The same in proportion to speed times its magnitude, axis by axis: N s^2/m^2, N m s^2/rad^2.
+  /// Drag in proportion to speed times its magnitude, axis by axis: N s^2/m^2, N m s^2/rad^2.
   constexpr Link drag_quadratic(double x, double y, double z, double rx = 0.0, double ry = 0.0, double rz = 0.0) const {
     return with(Quantity::drag_quadratic, [&](auto& p) {
       const double values[] = {x, y, z, rx, ry, rz};
@@ -84,7 +84,7 @@ class Link : public LinkBuilder<Link> {
   constexpr Link branch(double gamma, double b) const {
     return with(Quantity::branch, [&](auto& p) { p.gamma = Angle::from_radians(gamma), p.b = b; });
   }
-  /// The same with gamma in degrees; 0, 90, 180, -90 are exact and cost nothing.
+  /// branch() with gamma in degrees; 0, 90, 180, -90 are exact and cost nothing.
   constexpr Link branch_deg(double gamma, double b) const {
     return with(Quantity::branch, [&](auto& p) { p.gamma = Angle::from_degrees(gamma), p.b = b; });
   }

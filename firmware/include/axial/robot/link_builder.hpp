@@ -13,7 +13,7 @@ namespace axial {
 template <class Self>
 class LinkBuilder {
  public:
-  /// With all else at the defaults of LinkParameters.
+  /// A link with all else at the defaults of LinkParameters.
   constexpr explicit LinkBuilder(JointType type) { p_.type = type; }
 
   constexpr const LinkParameters& parameters() const { return p_; }  ///< the description as fields
@@ -29,7 +29,7 @@ class LinkBuilder {
     change(copy.p_);
     return copy;
   }
-  /// The same of a quantity that is named once.
+  /// A copy in which `change` has set a quantity that is named once.
   template <class Change>
   constexpr Self with(Quantity quantity, Change change) const {
     Self changed = static_cast<const Self&>(*this);
@@ -47,7 +47,7 @@ class LinkBuilder {
   constexpr Self theta(double radians) const {
     return with(Quantity::theta, [&](auto& p) { p.theta = Angle::from_radians(radians); });
   }
-  /// The same in degrees, exact for multiples of 90.
+  /// theta() in degrees, exact for multiples of 90.
   constexpr Self theta_deg(double degrees) const {
     return with(Quantity::theta, [&](auto& p) { p.theta = Angle::from_degrees(degrees); });
   }
@@ -78,7 +78,7 @@ class LinkBuilder {
     return shifted;
   }
 
-  /// Rotor inertia in kg m^2 on the motor side and gear ratio (motor turns a joint turn): adds gear^2 J to the joint.
+  /// Rotor inertia in kg m^2 on the motor side and gear ratio (motor turns per joint turn): adds gear^2 J to the joint.
   constexpr Self rotor_inertia(double kg_m2, double gear = 1.0) const {
     return with(Quantity::rotor_inertia, [&](auto& p) { p.rotor_inertia = kg_m2, p.gear = gear; });
   }
@@ -134,8 +134,8 @@ class LinkBuilder {
     return with(Quantity::effort_limit, [&](auto& p) { p.effort_limit = max; });
   }
 
-  /// Its joint is moved by the drive of joint k besides its own: q = own drive + ratio drive_k. Of its own index: how
-  /// far its own drive moves it. Several calls add up. doc/guides/shared_drives.md.
+  /// Its joint is moved by the drive of joint k besides its own: q = own drive + ratio drive_k. With k its own index:
+  /// how far its own drive moves it. Several calls add up. doc/guides/shared_drives.md.
   constexpr Self driven_by(int k, double ratio = 1.0) const {
     return changed([&](auto& p) { p.drives.name(k, ratio); });
   }

@@ -17,12 +17,12 @@ struct JointDrives {
   static constexpr int most = 6;  ///< drives of one joint
   int count = 0;                  ///< how many are named; an own drive that is not counts once, unless `complete`
   int of[most] = {};              ///< index of the joint that owns the drive, or of the one that this joint follows
-  double ratio[most] = {};        ///< rad or m of the joint a unit of the drive
+  double ratio[most] = {};        ///< rad or m of the joint per unit of the drive
   double offset = 0.0;            ///< rad or m of a joint that follows another
   bool follows = false;           ///< moves as joint of[0] does: ratio[0] q + offset
   bool complete = false;          ///< nothing but what is named moves the joint
 
-  /// Adds a drive by the index of its joint, `units` rad or m of this joint a unit of it.
+  /// Adds a drive by the index of its joint, `units` rad or m of this joint per unit of the drive.
   constexpr void name(int drive, double units) {
     if (count < most) of[count] = drive, ratio[count] = units;
     ++count;
@@ -70,10 +70,10 @@ struct LinkParameters {
   double acceleration_limit = unlimited;  ///< rad/s^2 or m/s^2
   double effort_limit = unlimited;        ///< N m or N
   JointDrives drives{};                   ///< drives that it shares with other joints
-  double drive_min = -unlimited;          ///< position of its own drive, where it is shared
-  double drive_max = unlimited;           ///< likewise
-  double drive_speed_limit = unlimited;   ///< likewise, a second
-  double drive_acceleration_limit = unlimited;  ///< likewise, a second squared
+  double drive_min = -unlimited;          ///< rad or m, least position of its own drive, where it is shared
+  double drive_max = unlimited;           ///< rad or m, largest position of its own drive
+  double drive_speed_limit = unlimited;   ///< rad/s or m/s, of its own drive
+  double drive_acceleration_limit = unlimited;  ///< rad/s^2 or m/s^2, of its own drive
   WaterParameters water{};                      ///< only scenes that name Underwater see it
 
   /// Whether limits were given to its own drive.

@@ -17,7 +17,7 @@ struct base_body;   ///< the body that is fixed to frame 0
 struct robot;       ///< the robot as a whole
 ///@}
 
-// A line a rule: the compiler shows it.
+// One line per rule: the compiler shows it.
 // clang-format off
 
 // Numbers that mean nothing: never accepted.
@@ -54,7 +54,7 @@ template <class Of> void base_or_tool_is_not_finite_give_metres_and_a_rotation()
 template <class Of> void base_or_tool_is_no_rotation_give_an_orthonormal_matrix() {}  ///< axial: base or tool rotation is not orthonormal; give a rotation matrix, row major
 template <class Of> void payload_limit_is_negative_or_not_finite_give_0_or_more() {}  ///< axial: payload_limit must be finite and >= 0; give payload_limit(kg, m, kg m^2)
 template <class Of> void tip_wrench_limit_is_negative_or_not_finite_give_0_or_more() {}  ///< axial: tip_wrench_limit must be finite and >= 0; give tip_wrench_limit(N, N m)
-template <class Of> void drive_ratio_is_not_finite_or_zero_give_a_ratio() {}  ///< axial: driven_by(), mimic() or a transmission of a link has a ratio that is 0 or not finite; give rad or m of the joint a unit of the drive
+template <class Of> void drive_ratio_is_not_finite_or_zero_give_a_ratio() {}  ///< axial: driven_by(), mimic() or a transmission of a link has a ratio that is 0 or not finite; give rad or m of the joint per unit of the drive
 template <class Of> void drive_limits_are_upside_down_give_min_below_max_and_more_than_0() {}  ///< axial: drive_limits of a link are upside down or not positive; give drive_limits(min, max, speed > 0, acceleration > 0)
 template <class Of> void drives_are_no_drives_of_the_chain_name_joints_that_have_one() {}  ///< axial: driven_by() or mimic() of a link names a joint that is not there, has no drive of its own, or follows this one; name one of the chain, counted from 0, six at most
 template <class Of> void joint_without_drive_has_rotor_friction_or_limits_of_one_give_them_to_its_drive() {}  ///< axial: a joint without a drive of its own has rotor_inertia, friction, effort_limit or drive_limits; give them to the link whose drive moves it

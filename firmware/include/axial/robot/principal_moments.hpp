@@ -52,7 +52,8 @@ struct PrincipalMoments {
   double least = 0.0, middle = 0.0, largest = 0.0;  ///< kg m^2
 };
 
-/// Of a tensor (xx yy zz xy xz yz) in any axes; to about 1e-7 of the largest where two are equal, 1e-4 where three are.
+/// Principal moments of a tensor (xx yy zz xy xz yz) in any axes; to about 1e-7 of the largest where two are equal,
+/// 1e-4 where three are.
 [[nodiscard]] constexpr PrincipalMoments principal_moments(const double (&j)[6]) {
   double size = 0.0;
   for (const double entry : j)
@@ -70,7 +71,7 @@ struct PrincipalMoments {
 struct InertiaDefect {
   double negative = 0.0, triangle = 0.0;  ///< shares, >= 0
 };
-/// That share for given moments.
+/// Defect of given moments.
 [[nodiscard]] constexpr InertiaDefect inertia_defect(const PrincipalMoments& m) {
   constexpr double beyond_measure = 1e30;  // share of nothing
   InertiaDefect defect;

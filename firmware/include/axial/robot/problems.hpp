@@ -10,7 +10,7 @@ namespace malformed {
 
 using Stop = void (*)();  ///< one of the functions above
 
-/// Those of one link, of the base body or of the robot, in the order of detail::Problem.
+/// Stops for problems of one link, of the base body or of the robot, in the order of detail::Problem.
 template <class Of>
 inline constexpr Stop stops[] = {a_or_d_is_not_finite_give_metres<Of>,
                                  alpha_or_theta_is_not_finite_give_radians<Of>,

@@ -7,7 +7,8 @@
 
 namespace axial {
 
-/// In axes of the body's frame; diagonals, about the centre of buoyancy. Only scenes that name Underwater see them.
+/// Water about a body in axes of its frame; diagonals, about the centre of buoyancy. Only scenes that name Underwater
+/// see them.
 struct WaterParameters {
   double added_mass[3] = {0.0, 0.0, 0.0};                     ///< kg
   double added_inertia[3] = {0.0, 0.0, 0.0};                  ///< kg m^2
@@ -81,7 +82,7 @@ inline constexpr T WaterConstants<T>::*water_numbers[] = {
     &WaterConstants<T>::qrz,        &WaterConstants<T>::scale_mass, &WaterConstants<T>::scale_first_moment,
     &WaterConstants<T>::scale_polar};
 
-/// The same constants in another number format.
+/// Water constants in another number format.
 template <class T>
 constexpr WaterConstants<T> converted(const WaterConstants<double>& c) {
   WaterConstants<T> result;

@@ -10,7 +10,8 @@
 namespace axial {
 namespace detail {
 
-/// The same vector. Clang stores halves of what shuffles make, and a processor waits where a kernel reads them as one.
+/// Keeps x as it is, in one register. Clang stores halves of what shuffles make, and a processor waits where a kernel
+/// reads them as one.
 template <class Vector>
 AXIAL_INLINE inline void keep_whole(Vector& x) {
 #if defined(__clang__) && defined(__x86_64__)

@@ -14,7 +14,7 @@ struct BatchStatus {
   BatchOrdinal<T, N, Bytes> code = static_cast<int>(Status::Code::ok);  ///< a Status::Code per lane, as a number
   BatchOrdinal<T, N, Bytes> joint = -1;                                 ///< counted from 0 at the base; -1 for none
 
-  /// Of one lane; the index is not checked.
+  /// Status of one lane; the index is not checked.
   [[nodiscard]] AXIAL_INLINE constexpr Status operator[](int lane) const {
     return status_from(code[lane], joint[lane]);
   }

@@ -15,7 +15,7 @@ struct Decisions {
   using Ordinal = int;    ///< an index or a code
   using Answer = Status;  ///< what an algorithm says besides its numbers
 };
-/// Likewise: bool, int and Status for all but batches.
+/// Kinds of decisions about numbers T: bool, int and Status for all but batches.
 ///@{
 template <class T>
 using Truth = typename Decisions<T>::Truth;

@@ -26,7 +26,7 @@ struct UnknownTurn {
 /// Base of every tag that a Scene may list. A tag with a run-time input declares its own `Input<Robot, T>`.
 template <class Tag>
 struct Feature {
-  /// None.
+  /// No run-time input.
   template <class Robot, class T>
   struct Input {};
 };
@@ -55,7 +55,7 @@ struct Gravity : Feature<Gravity> {};
 /// Gravity known at run time, for a tilted or moving base: input `gravity`, acceleration of free fall in axes of frame
 /// 0, m/s^2. Starts as the robot declares it; for a run-time model as NaN, until given.
 struct RuntimeGravity : Feature<RuntimeGravity> {
-  /// Its run-time input.
+  /// Run-time input of the feature.
   template <class Robot, class T>
   struct Input {
     Vec3<T> gravity = declared<Robot>(0);  ///< m/s^2, axes of frame 0
@@ -76,7 +76,7 @@ struct RuntimeGravity : Feature<RuntimeGravity> {
 
 /// A base that moves as it is told: input `base_motion`. Torques and accelerations follow; M(q) does not change.
 struct BaseMotion : Feature<BaseMotion> {
-  /// Its run-time input.
+  /// Run-time input of the feature.
   template <class Robot, class T>
   struct Input {
     GivenMotion<T> base_motion{};  ///< starts at rest
@@ -87,7 +87,7 @@ struct BaseMotion : Feature<BaseMotion> {
 /// Input `base_motion` as for BaseMotion: forward dynamics takes the angular velocity from it and finds the
 /// accelerations; inverse dynamics and base_wrench take all. doc/guides/moving_base.md.
 struct FloatingBase : Feature<FloatingBase> {
-  /// Its run-time input.
+  /// Run-time input of the feature.
   template <class Robot, class T>
   struct Input {
     GivenMotion<T> base_motion{};  ///< starts at rest
@@ -97,7 +97,7 @@ struct FloatingBase : Feature<FloatingBase> {
 /// Force that the environment (thrusters, a contact) exerts on a floating base: axes and origin of frame 0, input
 /// `base_wrench`.
 struct BaseWrench : Feature<BaseWrench> {
-  /// Its run-time input.
+  /// Run-time input of the feature.
   template <class Robot, class T>
   struct Input {
     ForceVector<Vec3<T>, Vec3<T>> base_wrench{};  ///< N m, N; starts as 0
@@ -111,7 +111,7 @@ struct Underwater : Feature<Underwater> {};
 /// Velocity of the origin of frame 0 through the water, input `velocity_through_water`, m/s in axes of frame 0: its own
 /// less that of a steady, uniform current. For an underwater base that moves, or a fixed one in a current.
 struct VelocityThroughWater : Feature<VelocityThroughWater> {
-  /// Its run-time input.
+  /// Run-time input of the feature.
   template <class Robot, class T>
   struct Input {
     Vec3<T> velocity_through_water{};  ///< m/s, starts as 0
@@ -142,7 +142,7 @@ struct ElasticJoints : Feature<ElasticJoints> {};
 
 /// Force that the environment exerts on the last link: axes and origin of its frame, input `tip_wrench`.
 struct TipWrench : Feature<TipWrench> {
-  /// Its run-time input.
+  /// Run-time input of the feature.
   template <class Robot, class T>
   struct Input {
     ForceVector<Vec3<T>, Vec3<T>> tip_wrench{};  ///< N m, N; starts as 0
@@ -151,7 +151,7 @@ struct TipWrench : Feature<TipWrench> {
 
 /// Forces that the environment exerts on every link i: axes and origin of its frame, input `wrenches[i]`.
 struct ExternalWrenches : Feature<ExternalWrenches> {
-  /// Its run-time input.
+  /// Run-time input of the feature.
   template <class Robot, class T>
   struct Input {
     Joints<Robot, ForceVector<Vec3<T>, Vec3<T>>> wrenches{};  ///< N m, N; start as 0
@@ -160,7 +160,7 @@ struct ExternalWrenches : Feature<ExternalWrenches> {
 
 /// A run-time load on the last link, input `payload`.
 struct Payload : Feature<Payload> {
-  /// Its run-time input.
+  /// Run-time input of the feature.
   template <class Robot, class T>
   struct Input {
     PayloadBody<T> payload{};  ///< starts as none
@@ -171,7 +171,7 @@ struct Payload : Feature<Payload> {
 /// algorithms): input `turns[i]`, of q without the offset theta; ignored for prismatic joints. NaN until given
 /// (in fixed point, with the exponent InputFormats::sine_cosine, 0).
 struct SineCosines : Feature<SineCosines> {
-  /// Its run-time input.
+  /// Run-time input of the feature.
   template <class Robot, class T>
   struct Input {
     Joints<Robot, SinCos<T>> turns = unknown();  ///< one per joint
@@ -194,7 +194,7 @@ struct Looped : Feature<Looped> {};
 struct Unbranched : Feature<Unbranched> {};
 
 /// For a run-time Model: joints may share drives (add() refuses such links without it), and values are those of the
-/// drives. Of a robot's type the chain says so by itself. Add #include <axial/links/driven_model.hpp>.
+/// drives. The chain of a robot's type says so by itself. Add #include <axial/links/driven_model.hpp>.
 struct SharedDrives : Feature<SharedDrives> {};
 
 /// Inertial parameters regrouped at compile time (base_parameters.hpp): the default of inverse dynamics, its gravity

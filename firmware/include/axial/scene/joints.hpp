@@ -80,7 +80,7 @@ using FreeAccelerations = Joints<S, T, typename detail::RoleOf<T, role::FreeAcce
 /// Momenta of the joints, M(q) qd: N m s or N s; what changes them: N m or N.
 template <class S, class T>
 using MomentaOf = Joints<subject_of<S, T>, T, typename detail::RoleOf<T, role::Momentum>::type>;
-/// What changes momenta, likewise of a scene: N m or N.
+/// What changes the momenta of a scene: N m or N.
 template <class S, class T>
 using MomentumRatesOf = Joints<subject_of<S, T>, T, typename detail::RoleOf<T, role::MomentumRate>::type>;
 

@@ -22,7 +22,7 @@ template <class T>
           r * held.com + tool.position,
           {dot(r.x, x), dot(r.y, y), dot(r.z, z), dot(r.x, y), dot(r.x, z), dot(r.y, z)}};
 }
-/// In the frame of the tool that the robot declares.
+/// Overload for a payload given in the frame of the tool that the robot declares.
 template <class S, class T>
 [[nodiscard]] constexpr PayloadBody<T> mounted_payload(const PayloadBody<T>& held) {
   return mounted_payload(detail::DeclaredTool<robot_of<S>, T>::pose(), held);

@@ -45,7 +45,7 @@ struct DeclaredTool<Robot, Stored<Word>> {
 /// A tool that changes at run time: its pose in the last link's frame, input `tool`. Poses and Jacobians see it; what
 /// it weighs is a payload (mounted_payload()). Starts as the robot declares it; for a run-time model as NaN.
 struct RuntimeTool : Feature<RuntimeTool> {
-  /// Its run-time input.
+  /// Run-time input of the feature.
   template <class Robot, class T>
   struct Input {
     Pose<Mat3<Vec3<T>>, Vec3<T>> tool = detail::DeclaredTool<Robot, T>::pose();  ///< m; axes as columns
