@@ -179,7 +179,7 @@ template <class S, class Algorithm>
 [[nodiscard]] constexpr Operations cost(Algorithm algorithm) {
   return detail::counted<S>(algorithm);
 }
-/// The same along a direction.
+/// Overloads for an algorithm along a direction.
 ///@{
 template <class S>
 [[nodiscard]] constexpr Operations cost(algorithm::InverseDynamicsAlong algorithm) {
@@ -190,7 +190,7 @@ template <class S>
   return detail::counted<S>(algorithm, StateDirection<robot_of<S>, Counting>{});
 }
 ///@}
-/// The same along a path with its third and fourth derivative.
+/// Overloads for an algorithm along a path with its third and fourth derivative.
 ///@{
 template <class S>
 [[nodiscard]] constexpr Operations cost(algorithm::TorqueRates algorithm) {
@@ -201,7 +201,7 @@ template <class S>
   return detail::counted<S>(algorithm, HigherDerivatives<S, Counting>{});
 }
 ///@}
-/// The same where the terms come from a separate() that was paid for before.
+/// Overload for a torque whose terms come from a separate() that was paid for before.
 template <class S>
 [[nodiscard]] constexpr Operations cost(algorithm::SeparatedTorque) {
   Trace trace;

@@ -35,7 +35,7 @@ template <class S, class T>
   static_assert(detail::same_layout<Joints<S, T>, T>(n));
   return Eigen::Map<Eigen::Matrix<T, n, 1>>(values.values);
 }
-/// The same to read alone.
+/// Overload for values to read alone.
 template <class S, class T>
 [[nodiscard]] auto as_eigen(const Joints<S, T>& values) {
   constexpr int n = Joints<S, T>::size;

@@ -56,7 +56,7 @@ constexpr void write_matrix_c(const Matrix& m, int size, CMatrix& result) {
       result.of[i][j] = to_c(m(i, j));
 }
 
-/// with the codes of axial_code
+/// A status in C, with the codes of axial_code.
 constexpr axial_status to_c(const Status& status) { return {static_cast<int>(status.code), status.joint}; }
 /// Whether any of the pointers is null.
 template <class... Pointers>

@@ -75,7 +75,7 @@ AXIAL_INLINE constexpr void separate_into(const Terms& k, const Q& q2, const Out
   terms.rest(slide, k.weight);
 }
 
-/// Sets the torque, likewise.
+/// Sets the torque, from the reading of joint 2.
 template <class Terms, class Q, class V, class A, class Tau>
 AXIAL_INLINE constexpr void torque_into(const Terms& k, const Q& q2, const V& v, const A& a, Tau& tau) {
   using namespace quantity;

@@ -21,7 +21,7 @@ constexpr BatchStatus<T, N, Bytes> checked_lanes(const Check& check) {
 }
 }  // namespace detail
 
-/// As of one state, per lane: the first joint with which something is wrong, and what.
+/// check_request() per lane: the first joint with which something is wrong, and what.
 template <class S, class T, int N, int Bytes>
 [[nodiscard]] constexpr BatchStatus<T, N, Bytes> check_request(
     const Positions<robot_of<S>, Batch<T, N, Bytes>>& q, const Velocities<robot_of<S>, Batch<T, N, Bytes>>& qd,
@@ -29,7 +29,7 @@ template <class S, class T, int N, int Bytes>
   return detail::checked_lanes<T, N, Bytes>(
       [&](int k) { return check_request<S, T>(lane(q, k), lane(qd, k), lane(qdd, k)); });
 }
-/// Of positions alone.
+/// check_position() per lane: positions alone.
 template <class S, class T, int N, int Bytes>
 [[nodiscard]] constexpr BatchStatus<T, N, Bytes> check_position(const Positions<robot_of<S>, Batch<T, N, Bytes>>& q) {
   return detail::checked_lanes<T, N, Bytes>([&](int k) { return check_position<S, T>(lane(q, k)); });

@@ -78,7 +78,7 @@ class DriveRating {
   [[nodiscard]] constexpr double continuous_effort() const { return effort_constant_ * continuous_; }
   /// peak over continuous current; 0 where there is none
   [[nodiscard]] constexpr double peak_ratio() const { return continuous_ > 0.0 ? peak_ / continuous_ : 0.0; }
-  /// of the heat that it stands
+  /// heat at which the limit begins to fall, as a share of what the winding stands
   [[nodiscard]] constexpr double fold_back() const { return fold_back_; }
   /// s, given or from the time that a cold winding stands the peak; NaN where neither or both are given
   [[nodiscard]] constexpr double time_constant() const {
@@ -97,12 +97,12 @@ class DriveRating {
 /// Ratings of the drives as a loop computes with them; current_limits() makes them.
 template <class S, class T>
 struct CurrentLimits {
-  /// Of one drive; all 0, and no effort is let through, where its rating means nothing.
+  /// Constants of one drive; all 0, and no effort is let through, where its rating means nothing.
   struct Joint {
     T continuous{};          ///< N m or N, what the winding stands for ever
     T beyond{};              ///< N m or N, by how much the peak is more
     T inverse_continuous{};  ///< 1/(N m) or 1/N
-    T inverse_margin{};      ///< of the heat between the beginning of the fall and 1
+    T inverse_margin{};      ///< 1 / (1 - heat at the beginning of the fall)
     T gain{};                ///< 1 - exp(-period / time constant)
     T steepest_change{};     ///< N m or N, by how much the limit changes from one call to the next, at most
   };
@@ -114,7 +114,7 @@ struct CurrentLimits {
 /// Starts hot, for nobody knows what was done before a reset; set 0 for windings that are known to be cold.
 template <class S, class T>
 struct WindingHeat {
-  T heat[joint_count<S>];       ///< of what the winding stands
+  T heat[joint_count<S>];       ///< as a share of what the winding stands
   T rest[joint_count<S>] = {};  ///< what `heat` is too coarse to hold
   EffortsOf<S, T> last{};       ///< N m or N, let through last
 

@@ -31,7 +31,7 @@ class FallBack {
 
  public:
   constexpr FallBack() = default;
-  /// With times other than the default ones.
+  /// A fall-back with times other than the default ones.
   constexpr explicit FallBack(const FallBackTimes& times) : times_(times) {}
 
   [[nodiscard]] AXIAL_INLINE constexpr DrivePhase phase() const {
@@ -82,7 +82,7 @@ class FallBack {
     return tau;
   }
 
-  /// Other times from now on; the present phase keeps its age.
+  /// Sets other times from now on; the present phase keeps its age.
   constexpr void set_times(const FallBackTimes& times) { times_ = times; }
 
   /// Somebody asks for disabled drives again: the next good request enables them. An arm that is held stays held.

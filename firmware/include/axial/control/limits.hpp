@@ -70,7 +70,7 @@ constexpr bool inside(const T& x, const T& low, const T& high) {
 template <class S, class T>
 struct LimitsFor {
   using Joint = typename Limits<robot_of<S>, T>::Joint;
-  /// of joint i
+  /// Limits of joint i.
   static constexpr const Joint& joint(int i) { return limits_of<robot_of<S>, T>.joints[i]; }
 
   /// Whether a position is one that the joint reaches.
@@ -85,7 +85,8 @@ struct LimitsFor {
   }
   /// Whether a speed, an acceleration or an effort is within what it may be in either direction.
   static constexpr bool allows(const T& most, const T& x) { return inside(x, -most, most); }
-  /// Brings a number that is one there; -1 where it was not, else 0. By bits, for a comparison may become a branch.
+  /// Clamps a number, which is not NaN, to what is allowed; -1 where it was outside, else 0. By bits, for a comparison
+  /// may become a branch.
   static constexpr int clamp(const T& most, T& x) {
     using Bits = typename BitsOf<T>::type;
     constexpr int sign = 8 * static_cast<int>(sizeof(T)) - 1;
@@ -94,7 +95,7 @@ struct LimitsFor {
     x = __builtin_bit_cast(T, static_cast<Bits>(bits ^ ((size ^ end) & outside)));
     return static_cast<int>(outside);
   }
-  /// The nearest one that is.
+  /// The nearest value that is allowed.
   static constexpr T nearest(const T& most, const T& x) { return x > most ? most : x < -most ? -most : x; }
   /// What is wrong with run-time inputs other than a payload: here the answer tells.
   static constexpr Status check_inputs(const Inputs<S, T>&) { return {}; }
@@ -130,7 +131,8 @@ struct SharedCheck {
     return status;
   }
 };
-/// Of positions, or of positions, speeds and accelerations; ok where joints have drives of their own.
+/// Status of the joints under shared drives, from positions, or from positions, speeds and accelerations; ok where
+/// joints have drives of their own.
 template <class S, class T, class Check, class... Values>
 constexpr Status check_shared(const Check& joints_status, const Values&... values) {
   if constexpr (shares_drives_in<typename scene_of<S>::Robot>)

@@ -94,7 +94,7 @@ struct PayloadEstimate {
   Status status{};         ///< not_ready: what was seen does not tell the payload's parameters apart well enough
                            ///< (nor where variances are not finite); not_finite: an overflow
 
-  /// As the scene's Payload takes it: a body of no extent. Without a mass beyond 0 there is none.
+  /// The estimate as the scene's Payload takes it: a body of no extent. Without a mass beyond 0 there is none.
   [[nodiscard]] constexpr PayloadBody<T> body() const {
     const bool some = mass > T(Zero{});
     const T kg = select(some, mass, T(One{})), zero(Zero{});

@@ -26,13 +26,13 @@ class BatchMask {
  public:
   using Lanes = detail::Lanes<detail::WordOf<T>, N, Bytes>;  ///< how they are kept
   constexpr BatchMask() = default;
-  /// The same for all lanes.
+  /// One decision for all lanes.
   AXIAL_INLINE constexpr BatchMask(bool all)  // NOLINT(google-explicit-constructor): a decision for all is one for each
       : lanes(detail::broadcast<Lanes>(-static_cast<detail::WordOf<T>>(all))) {}
   /// All ones where true, else zero.
   AXIAL_INLINE constexpr explicit BatchMask(const Lanes& words) : lanes(words) {}
 
-  /// Of one lane; the index is not checked.
+  /// Decision of one lane; the index is not checked.
   AXIAL_INLINE constexpr bool operator[](int lane) const { return detail::element(lanes, lane) != 0; }
   /// Lane by lane, as for bool.
   ///@{
@@ -62,12 +62,12 @@ class BatchOrdinal {
 
  public:
   constexpr BatchOrdinal() = default;
-  /// The same in all lanes.
+  /// One number in all lanes.
   AXIAL_INLINE constexpr BatchOrdinal(int all)  // NOLINT(google-explicit-constructor): kernels count with int
       : lanes(detail::broadcast<Lanes>(static_cast<detail::WordOf<T>>(all))) {}
   AXIAL_INLINE constexpr explicit BatchOrdinal(const Lanes& words) : lanes(words) {}  ///< one per lane
 
-  /// Of one lane; the index is not checked.
+  /// Number of one lane; the index is not checked.
   AXIAL_INLINE constexpr int operator[](int lane) const { return static_cast<int>(detail::element(lanes, lane)); }
   /// Lane by lane.
   AXIAL_INLINE friend constexpr Mask operator!=(const BatchOrdinal& a, const BatchOrdinal& b) {
@@ -100,7 +100,7 @@ class Batch {
   using Lanes = detail::Lanes<T, N, Bytes>;  ///< how they are kept
   static constexpr int size = N;             ///< number of lanes
   constexpr Batch() = default;
-  AXIAL_INLINE constexpr explicit Batch(T all) : lanes(detail::broadcast<Lanes>(all)) {}  ///< the same in all lanes
+  AXIAL_INLINE constexpr explicit Batch(T all) : lanes(detail::broadcast<Lanes>(all)) {}  ///< one value in all lanes
   AXIAL_INLINE constexpr explicit Batch(const Lanes& values) : lanes(values) {}           ///< one per lane
 
   /// f(k) in lane k: `Batch<double, 4>::of([&](int k) { return x[k]; })`.
@@ -141,7 +141,7 @@ class Batch {
   AXIAL_INLINE friend constexpr Batch select(const Mask& condition, const Batch& yes, const Batch& no) {
     return Batch(detail::chosen(condition.lanes, yes.lanes, no.lanes));
   }
-  /// Without its sign bit.
+  /// x without its sign bit.
   AXIAL_INLINE friend constexpr Batch absolute_of(const Batch& x) {
     return Batch(detail::lanewise<Lanes>([](auto v) AXIAL_INLINE { return detail::without_sign(v); }, x.lanes));
   }

@@ -12,7 +12,7 @@ namespace axial {
 /// compiler leaves it.
 struct Operations {
   int mul = 0, add = 0, div = 0, sincos = 0;  ///< operations of that kind; `sincos` counts pairs
-  /// All but the sine-cosine pairs.
+  /// All operations but the sine-cosine pairs.
   constexpr int total() const { return mul + add + div; }
   /// Equality of all four counts.
   constexpr bool operator==(const Operations& o) const {
@@ -158,7 +158,7 @@ class Counting {
   friend constexpr bool operator<(Counting a, Counting b) {
     return a.is_constant() && b.is_constant() && a.value_ < b.value_;
   }
-  /// Between constants as it is, else true.
+  /// Comparison of constants as it is, else true.
   friend constexpr bool operator>(Counting a, Counting b) {
     return !(a.is_constant() && b.is_constant()) || a.value_ > b.value_;
   }
@@ -195,7 +195,7 @@ template <>
 struct NumberTraits<Counting> {
   static constexpr bool is_number = true;                                                 ///< T is a number
   static constexpr Counting constant(double value) { return Counting::constant(value); }  ///< a constant of the model
-  /// that of double
+  /// Machine epsilon of double.
   static constexpr Counting epsilon() { return Counting::constant(std::numeric_limits<double>::epsilon()); }
 };
 

@@ -67,7 +67,7 @@ AXIAL_INLINE constexpr auto with_slope(const V& value, const D& slope) {
   else
     return Dual{value, slope};
 }
-/// The same with something more of a slope.
+/// x with `more` added to its slope.
 template <class X, class D>
 AXIAL_INLINE constexpr auto add_slope(const X& x, const D& more) {
   return with_slope(value_of(x), slope_of(x) + more);

@@ -32,7 +32,7 @@ struct Lanes {
   static constexpr bool is_vector = true;
   Values values;
 };
-/// In two halves, where one is too narrow.
+/// N numbers E in two halves, where one register is too narrow.
 template <class E, int N, int Bytes>
 struct Lanes<E, N, Bytes, false> {
   using Half = Lanes<E, N / 2, Bytes>;

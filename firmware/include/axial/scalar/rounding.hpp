@@ -65,7 +65,7 @@ struct Plain {
   AXIAL_INLINE constexpr const Inertia& formatted(const Inertia& inertia) const {
     return inertia;
   }
-  /// Two bodies as one, and one force less another.
+  /// Two bodies as one.
   template <class A, class B>
   AXIAL_INLINE constexpr auto add(const A& a, const B& b) const {
     return a + b;

@@ -27,7 +27,7 @@ AXIAL_INLINE constexpr T select(bool condition, const T& yes, const T& no) {
   const Bits y = __builtin_bit_cast(Bits, yes), n = __builtin_bit_cast(Bits, no);
   return __builtin_bit_cast(T, static_cast<Bits>(n ^ ((y ^ n) & (Bits{0} - static_cast<Bits>(condition)))));
 }
-/// The same for other numbers.
+/// Overload for other numbers.
 template <class T, std::enable_if_t<!std::is_floating_point_v<T> || (sizeof(T) > 8), int> = 0>
 AXIAL_INLINE constexpr T select(bool condition, const T& yes, const T& no) {
   return condition ? yes : no;
@@ -39,7 +39,7 @@ AXIAL_INLINE constexpr int first_found(int found, bool now, int index) {
 }
 /// x < 0, by its sign bit.
 AXIAL_INLINE constexpr bool is_negative(int x) { return (static_cast<unsigned>(x) >> (8 * sizeof(int) - 1)) != 0; }
-/// The same for an index.
+/// Overload for an index.
 AXIAL_INLINE constexpr int select(bool condition, int yes, int no) {
   const int mask = -static_cast<int>(condition);
   return (yes & mask) | (no & ~mask);

@@ -35,7 +35,7 @@ template <class T>
 struct LaneOf {
   using type = T;  ///< the one number
 };
-/// Likewise: T for all but batches.
+/// The number of one lane: T for all but batches.
 template <class T>
 using Lane = typename LaneOf<T>::type;
 

@@ -45,7 +45,7 @@ AXIAL_INLINE constexpr auto& vector_from(L& lanes) {
   else
     return vector_from<First - L::size / 2>(lanes.high);
 }
-/// How many of its lanes stand in one register.
+/// Number of lanes of L that stand in one register.
 template <class L>
 constexpr int lanes_of_vector() {
   if constexpr (L::is_vector)

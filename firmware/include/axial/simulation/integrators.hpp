@@ -21,7 +21,7 @@ template <class S, class T>
 struct Held {
   EffortsOf<S, T> tau{};  ///< N m or N
   Inputs<S, T> in{};      ///< run-time inputs that the scene names
-  /// Fills both at any instant.
+  /// Fills in efforts and inputs, the same at any instant.
   template <class Where>
   constexpr void operator()(const Where&, EffortsOf<S, T>& effort, Inputs<S, T>& input) const {
     effort = tau, input = in;

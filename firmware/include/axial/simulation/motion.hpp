@@ -24,7 +24,7 @@ struct Motion {
   [[nodiscard]] AXIAL_INLINE constexpr T time(T h) const { return static_cast<T>(steps) * h; }
 };
 
-/// The same with what rounding left of each sum: two more words a joint. In float, steps may then be as small as they
+/// A motion with what rounding left of each sum: two more words per joint. In float, steps may then be as small as they
 /// need to be (Kahan 1965, by the exact sum of two numbers of Knuth 1969).
 template <class S, class T>
 struct CompensatedMotion : Motion<S, T> {

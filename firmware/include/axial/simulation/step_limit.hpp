@@ -35,8 +35,8 @@ constexpr T largest_magnitude(const Square<T, N>& a, int size) {
       most = magnitude(a.values[i][j]) > most ? magnitude(a.values[i][j]) : most;
   return most;
 }
-// Sum of the squares of all elements, rooted: the Frobenius norm. Of shares of the largest element, whose squares
-// neither overflow nor vanish.
+// Sum of the squares of all elements, rooted: the Frobenius norm. Computed of shares of the largest element, whose
+// squares neither overflow nor vanish.
 template <class T, int N>
 constexpr T frobenius(const Square<T, N>& a, int size) {
   const T most = largest_magnitude(a, size);

@@ -16,7 +16,7 @@ struct DriveStiffness {
   Joints<robot_of<S>, T> damping{};    ///< N m s/rad or N s/m
 };
 
-/// Drives without any: zero by type.
+/// Drives without stiffness and damping: zero by type.
 struct NoStiffness {
   NoMotion stiffness{};  ///< none
   NoMotion damping{};    ///< none
@@ -73,7 +73,7 @@ class StiffLinks : public Links {
     auto added = h_ * (damping + h_ * stiffness(i));
     return HeavierLink<decltype(link), decltype(added)>(link, added);
   }
-  /// Of springs and drive together.
+  /// Stiffness of springs and drive together, N m/rad or N/m.
   template <class I>
   AXIAL_INLINE constexpr auto stiffness(I i) const {
     return spring_slope(Links::link(i)) + drive_.stiffness[i];

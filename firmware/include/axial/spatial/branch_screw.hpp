@@ -35,7 +35,7 @@ template <class Axis, class C, class S, class L, class Turn>
 AXIAL_INLINE constexpr auto translation(const AxialScrew<Axis, C, S, L, Turn>& x) {
   return Axis::out(along_z(x.shift));
 }
-/// Through both screws, in axes of the parent's frame.
+/// Translation through both screws, in axes of the parent's frame.
 template <class Z, class X>
 AXIAL_INLINE constexpr auto translation(const BranchScrew<Z, X>& branch) {
   return to_parent(branch.z, translation(branch.x)) + translation(branch.z);

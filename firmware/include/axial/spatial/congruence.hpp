@@ -61,14 +61,14 @@ AXIAL_INLINE constexpr auto beyond_45_degrees(const AxialScrew<Axis, C, S, L, Tu
 
 }  // namespace detail
 
-/// Of a screw; plain, without the exchange: for composite bodies, whose elements do not span magnitudes.
+/// Double angle of a screw; plain, without the exchange: for composite bodies, whose elements do not span magnitudes.
 template <class Axis, class C, class S, class L, class Turn>
 AXIAL_INLINE constexpr auto double_angle(const AxialScrew<Axis, C, S, L, Turn>& x) {
   auto ss = turned(x.sin * x.sin);
   auto sc = turned(x.sin * x.cos);
   return DoubleAngle{std::false_type{}, ss, One{} - ss - ss, sc, sc + sc};
 }
-/// With the exchange: for articulated bodies; 1M more for a turn that is not constant.
+/// Double angle of a screw with the exchange: for articulated bodies; 1M more for a turn that is not constant.
 template <class Axis, class C, class S, class L, class Turn>
 AXIAL_INLINE constexpr auto exact_double_angle(const AxialScrew<Axis, C, S, L, Turn>& x) {
   auto ss = turned(x.sin * x.sin);

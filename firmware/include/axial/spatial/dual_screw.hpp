@@ -16,7 +16,7 @@ struct DualScrew : AxialScrew<ZAxis, C, S, L> {
 
   /// The screw at the point.
   AXIAL_INLINE constexpr const AxialScrew<ZAxis, C, S, L>& at() const { return *this; }
-  /// The same as numbers: cosine and sine as values, for the slopes that matter are those of what they turn.
+  /// This screw as numbers: cosine and sine as values, for the slopes that matter are those of what they turn.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     using V = std::decay_t<decltype(value_of(T{}))>;
@@ -24,7 +24,7 @@ struct DualScrew : AxialScrew<ZAxis, C, S, L> {
                                  Holding<V>::of(turn)};
   }
 };
-/// Of a screw at the point.
+/// Dual screw of a screw at the point.
 template <class C, class S, class L, class M, class Turn, class D>
 AXIAL_INLINE constexpr auto dual_screw(const AxialScrew<ZAxis, C, S, L, Turn>& at, const M& shift, const D& turn) {
   return DualScrew<C, S, M, D>{{at.cos, at.sin, shift}, turn};

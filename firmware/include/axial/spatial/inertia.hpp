@@ -22,7 +22,7 @@ struct RigidInertia {
   AXIAL_INLINE constexpr operator RigidInertia<A, B, C>() const {
     return {mass, first_moment, inertia};
   }  // NOLINT(google-explicit-constructor)
-  /// The same body as numbers, each quantity in the form in which T keeps it.
+  /// This body as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     using Mass = Kept<T, quantity::Mass>;
@@ -63,7 +63,7 @@ struct ArticulatedInertia {
   AXIAL_INLINE constexpr operator ArticulatedInertia<A, B, C>() const {
     return {angular, coupling, linear};
   }  // NOLINT(google-explicit-constructor)
-  /// The same inertia as numbers, each quantity in the form in which T keeps it.
+  /// This inertia as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return axial::ArticulatedInertia{angular.template dense<Kept<T, quantity::RotationalInertia>>(),

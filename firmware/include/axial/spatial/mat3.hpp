@@ -19,7 +19,7 @@ struct Mat3 {
   AXIAL_INLINE constexpr operator Mat3<A, B, C>() const {
     return {x, y, z};
   }  // NOLINT(google-explicit-constructor)
-  /// The same matrix as plain numbers.
+  /// This matrix as plain numbers.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return axial::Mat3{x.template dense<T>(), y.template dense<T>(), z.template dense<T>()};
@@ -46,7 +46,7 @@ struct Sym3 {
   AXIAL_INLINE constexpr operator Sym3<A, B, C, D, E, F>() const {
     return {xx, yy, zz, xy, xz, yz};
   }  // NOLINT(google-explicit-constructor)
-  /// The same matrix as plain numbers.
+  /// This matrix as plain numbers.
   template <class T>
   AXIAL_INLINE constexpr Sym3<T> dense() const {
     using N = Holding<T>;

@@ -21,7 +21,7 @@ struct Pose {
   AXIAL_INLINE constexpr operator Pose<A, B>() const {
     return {rotation, position};
   }  // NOLINT(google-explicit-constructor)
-  /// The same pose as numbers, each quantity in the form in which T keeps it.
+  /// This pose as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return axial::Pose{rotation.template dense<Kept<T, quantity::Turn>>(),

@@ -16,7 +16,7 @@ struct ZAxis {
   AXIAL_INLINE static constexpr const V& in(const V& v) {
     return v;
   }
-  /// Back from that order.
+  /// An operand back in its own order.
   template <class V>
   AXIAL_INLINE static constexpr const V& out(const V& v) {
     return v;
@@ -69,7 +69,7 @@ struct AxialScrew {
   /// True where neither turn nor shift exists: operators then cost nothing.
   static constexpr bool is_identity = std::is_same_v<C, One> && is_zero_v<S> && is_zero_v<L>;
 
-  /// The same screw as numbers, each quantity in the form in which T keeps it.
+  /// This screw as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     using Turned = Kept<T, quantity::Turn>;
@@ -77,7 +77,7 @@ struct AxialScrew {
     return AxialScrew<Axis, Turned, Turned, Length>{Holding<Turned>::of(cos), Holding<Turned>::of(sin),
                                                     Holding<Length>::of(shift)};
   }
-  /// The same screw of which that much is known of the turn.
+  /// This screw with what is known of its turn.
   template <class Known>
   AXIAL_INLINE constexpr AxialScrew<Axis, C, S, L, Known> with_turn(Known) const {
     return {cos, sin, shift};

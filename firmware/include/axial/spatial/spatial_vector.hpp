@@ -21,7 +21,7 @@ struct MotionVector {
   AXIAL_INLINE constexpr operator MotionVector<A, B>() const {
     return {angular, linear};
   }  // NOLINT(google-explicit-constructor)
-  /// Of accelerations, where T tells quantities apart.
+  /// This motion as numbers, each in the form in which T keeps it: an acceleration where T tells quantities apart.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return axial::MotionVector{angular.template dense<Kept<T, quantity::AngularAcceleration>>(),
@@ -42,7 +42,7 @@ struct ForceVector {
   AXIAL_INLINE constexpr operator ForceVector<A, B>() const {
     return {moment, force};
   }  // NOLINT(google-explicit-constructor)
-  /// The same force as numbers, each quantity in the form in which T keeps it.
+  /// This force as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     return axial::ForceVector{moment.template dense<Kept<T, quantity::Moment>>(),

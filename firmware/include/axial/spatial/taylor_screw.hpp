@@ -27,7 +27,7 @@ struct TaylorScrew : AxialScrew<ZAxis, C, S, L> {
 
   /// The screw at time 0.
   AXIAL_INLINE constexpr const AxialScrew<ZAxis, C, S, L>& at() const { return *this; }
-  /// The same as numbers: cosine and sine as values, for the rates that matter are those of what they turn.
+  /// This screw as numbers: cosine and sine as values, for the rates that matter are those of what they turn.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     using V = std::decay_t<decltype(value_at_0(T{}))>;
@@ -37,7 +37,7 @@ struct TaylorScrew : AxialScrew<ZAxis, C, S, L> {
         {N::of(rates.linear), N::of(rates.quadratic), N::of(rates.half_square)}};
   }
 };
-/// Of a screw at time 0.
+/// Taylor screw of a screw at time 0.
 template <class C, class S, class L, class M, class Turn, class Rates>
 AXIAL_INLINE constexpr auto taylor_screw(const AxialScrew<ZAxis, C, S, L, Turn>& at, const M& shift,
                                          const Rates& rates) {

@@ -22,7 +22,7 @@ struct Vec3 {
   AXIAL_INLINE constexpr operator Vec3<A, B, C>() const {
     return {x, y, z};
   }  // NOLINT(google-explicit-constructor): zeros become numbers
-  /// The same vector as plain numbers.
+  /// This vector as plain numbers.
   template <class T>
   AXIAL_INLINE constexpr Vec3<T, T, T> dense() const {
     return {Holding<T>::of(x), Holding<T>::of(y), Holding<T>::of(z)};
