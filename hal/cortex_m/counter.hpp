@@ -23,7 +23,7 @@ constexpr std::uint32_t greatest_common_divisor(std::uint32_t a, std::uint32_t b
   return b == 0 ? a : greatest_common_divisor(b, a % b);
 }
 
-/// Instructions a SysTick tick, as a reduced ratio: instructions a second over ticks a second.
+/// Instructions per SysTick tick, as a reduced ratio: instructions per second over ticks per second.
 constexpr CounterScale instructions_of_ticks(std::uint32_t tick_Hz,
                                              std::uint32_t instruction_ns = usual_instruction_ns) {
   const std::uint32_t instructions_per_s = 1'000'000'000u / instruction_ns;
@@ -66,7 +66,7 @@ class Counter {
 
  public:
   using Known = KnownInstructions;
-  /// Instructions a second in the emulator.
+  /// Instructions per second in the emulator.
   static constexpr std::uint32_t per_second = 1'000'000'000u / instruction_ns;
   /// More instructions than these do not fit SysTick.
   static constexpr auto span =

@@ -11,7 +11,7 @@
 
 namespace axial::hal::cortex_m {
 
-/// Of a core that runs at `core_Hz`; `Known_` is the cost of known code in its cycles.
+/// Cycle counter of a core that runs at `core_Hz`; `Known_` is the cost of known code in its cycles.
 template <std::uint32_t core_Hz, class Known_>
 class CycleCounter {
  public:

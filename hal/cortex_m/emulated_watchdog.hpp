@@ -48,7 +48,7 @@ class EmulatedWatchdog {
   inline static volatile std::uint32_t left_ = 0;
 };
 
-/// Of a board whose watchdog its emulator has.
+/// No emulated watchdog: for a board whose watchdog its emulator has.
 struct NoEmulatedWatchdog {
   static void start(std::uint32_t, std::uint32_t) {}
   static void feed() {}

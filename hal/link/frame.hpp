@@ -21,7 +21,7 @@ constexpr std::size_t body_size(std::size_t payload) { return header_size + payl
 constexpr std::size_t wire_size(std::size_t payload) { return cobs_size(body_size(payload)) + 2; }
 constexpr std::size_t max_wire_size = wire_size(max_payload);
 
-/// Of frames that belong to no session: what opens one.
+/// Session number of frames that belong to none: what opens one.
 constexpr std::uint32_t no_session = 0;
 
 /// A frame in someone else's memory.

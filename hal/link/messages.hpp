@@ -122,7 +122,7 @@ struct Shutdown {
   std::uint8_t exit_code;
 };
 
-/// Its own sequence number is the one after which set-points are counted.
+/// Starts a session: its own sequence number is the one after which set-points are counted.
 struct Start {
   static constexpr MessageType type = MessageType::start;
   std::uint8_t mode;

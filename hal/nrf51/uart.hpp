@@ -87,7 +87,7 @@ class Uart : public SerialPort<Uart<Port, receive_capacity>, receive_capacity> {
  private:
   friend Base;
 
-  /// As SerialPort asks.
+  /// Sends a byte, as SerialPort asks.
   static bool send(std::uint8_t byte) {
     auto& port = Port::registers();
     port.sent = 0;

@@ -69,7 +69,7 @@ class Uart : public SerialPort<Uart<Port, receive_capacity>, receive_capacity> {
  private:
   friend Base;
 
-  /// As SerialPort asks.
+  /// Sends a byte, as SerialPort asks.
   static bool send(std::uint8_t byte) {
     auto& port = Port::registers();
     if (!Base::wait_until([&port] { return (port.line_status & line_status::room_to_send) != 0; })) return false;

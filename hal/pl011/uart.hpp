@@ -78,7 +78,7 @@ class Uart : public SerialPort<Uart<Port, receive_capacity>, receive_capacity> {
  private:
   friend Base;
 
-  /// As SerialPort asks.
+  /// Sends a byte, as SerialPort asks.
   static bool send(std::uint8_t byte) {
     auto& port = Port::registers();
     if (!Base::wait_until([&port] { return (port.flags & flag::send_full) == 0; })) return false;

@@ -1,7 +1,7 @@
 #pragma once
-/// How many instructions a piece of code retires, by minstret.
+/// Count of the instructions that a piece of code retires, by minstret.
 ///
-/// QEMU 7.2 with `-icount shift=6` shows virtual time in minstret, 64 ns an instruction; a part, and QEMU without that
+/// QEMU 7.2 with `-icount shift=6` shows virtual time in minstret, 64 ns per instruction; a part, and QEMU without that
 /// flag, shows instructions. The empty bracket, whose instructions are known, tells which.
 
 #include <cstdint>
@@ -35,7 +35,7 @@ namespace axial::hal::riscv {
 template <std::uint32_t instruction_ns>
 class Counter {
  public:
-  /// Instructions a second in the emulator.
+  /// Instructions per second in the emulator.
   static constexpr std::uint32_t per_second = 1'000'000'000u / instruction_ns;
   /// More instructions than these do not fit the counter's lower half in the emulator.
   static constexpr std::uint32_t span = 0xFFFFFFFFu / instruction_ns;

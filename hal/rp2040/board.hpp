@@ -117,7 +117,7 @@ struct Rp2040 : cortex_m::BoardBase<Rp2040, rp2040::clock::core_Hz,
 #endif
   static void connect_pins() { rp2040::connect_uart0(rp2040::resets(), rp2040::bank(), rp2040::pads()); }
 
-  /// By the watchdog, which resets all but the oscillators; a request of the core resets the cores alone.
+  /// Restarts by the watchdog, which resets all but the oscillators; a request of the core resets the cores alone.
   [[noreturn]] static void restart() {
     Watchdog::trigger();
     for (;;)

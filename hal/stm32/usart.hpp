@@ -73,7 +73,7 @@ class Usart : public SerialPort<Usart<Port, receive_capacity>, receive_capacity>
  private:
   friend Base;
 
-  /// As SerialPort asks.
+  /// Sends a byte, as SerialPort asks.
   static bool send(std::uint8_t byte) {
     auto& port = Port::registers();
     if (!Base::wait_until([&port] { return (port.status & usart_status::sent) != 0; })) return false;

@@ -17,7 +17,7 @@ struct Platform {
   static volatile std::uint32_t* timer() { return words(0x0200BFF8); }
   static volatile std::uint32_t* plic() { return words(0x0C000000); }
 
-  /// By the machine's test device, "sifive,test1".
+  /// Restarts by the machine's test device, "sifive,test1".
   [[noreturn]] static void restart() {
     constexpr std::uint32_t reset = 0x7777;
     for (;;)
