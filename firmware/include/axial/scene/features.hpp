@@ -194,7 +194,7 @@ struct Looped : Feature<Looped> {};
 struct Unbranched : Feature<Unbranched> {};
 
 /// For a run-time Model: joints may share drives (add() refuses such links without it), and values are those of the
-/// drives. The chain of a robot's type says so by itself. Add #include <axial/links/driven_model.hpp>.
+/// drives. The chain of a robot's type says so by itself. Include <axial/links/driven_model.hpp> for it.
 struct SharedDrives : Feature<SharedDrives> {};
 
 /// Inertial parameters regrouped at compile time (base_parameters.hpp): the default of inverse dynamics, its gravity
