@@ -15,7 +15,7 @@ FOLDERS = ("firmware", "hal", "robots", "host_sim", "tests", "cmake")
 FLAGS = ["-std=c++17", "-O0", "-DAXIAL_INLINE=", "-DAXIAL_USER_OPTIONS", "-ffp-contract=off", "-w"]
 INCLUDES = ["-Ifirmware/include", "-I.", "-Itests", "-Ihost_sim"]
 RUN_SECONDS = 60
-COMPILE_SECONDS = 300
+COMPILE_SECONDS = 600
 
 
 class BuildError(Exception):

@@ -185,7 +185,6 @@ class DriveErrors {
     const auto& ranges = ranges_of<Joint, KinematicParameters, A, recursion::Kinematics>;
     const auto found = bounds::jacobian_bounds(m, rounding, ranges);
     const int length = ranges.format[0].length;
-    constexpr double root3 = 1.7320508075688774;
     return each_drive([&](int k) {
       Terms terms;
       double error = 0.0;
