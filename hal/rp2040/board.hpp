@@ -64,9 +64,10 @@ struct Chip {
 
 }  // namespace rp2040
 
-struct Rp2040 : cortex_m::BoardBase<Rp2040, rp2040::clock::core_Hz,
-                                    cortex_m::CycleCounter<rp2040::clock::core_Hz, cortex_m::KnownCyclesM0Plus>> {
-  static constexpr const char* name = "rp2040";
+/// What the boards of a Pico share, wherever their code runs.
+struct RaspberryPiPico
+    : cortex_m::BoardBase<RaspberryPiPico, rp2040::clock::core_Hz,
+                          cortex_m::CycleCounter<rp2040::clock::core_Hz, cortex_m::KnownCyclesM0Plus>> {
   static constexpr std::uint32_t flash_bytes = 2048 * 1024, ram_bytes = 264 * 1024;
   /// 125 MHz / (16 * 3.90625); from the crystal alone 750 kbit/s, from the ring some 400 kbit/s. At 1 Mbit/s request
   /// and answer of six joints would take longer than 1 ms.
@@ -135,6 +136,6 @@ struct Rp2040 : cortex_m::BoardBase<Rp2040, rp2040::clock::core_Hz,
   inline static bool emulated_ = false;
 };
 
-static_assert(pl011::uart_rate(rp2040::clock::core_Hz, Rp2040::baud).baud == Rp2040::baud);
+static_assert(pl011::uart_rate(rp2040::clock::core_Hz, RaspberryPiPico::baud).baud == RaspberryPiPico::baud);
 
 }  // namespace axial::hal

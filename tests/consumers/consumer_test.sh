@@ -182,7 +182,7 @@ NewBoardCompilesFromEachBoard() {
   local like name
   echo '#include <board.hpp>
 static_assert(axial::hal::Board::flash_bytes > 0);' >"$FOLDER/board.cpp"
-  for like in stm32f405 stm32f100 nrf51 rp2040 mps2_an500 mps2_an505; do
+  for like in stm32f405 stm32f100 nrf51 rp2040 rp2040_ram mps2_an500 mps2_an505; do
     name=like_$like
     quietly ./axial new-board "$name" --like "$like"
     quietly arm-none-eabi-g++ -std=c++17 -mcpu=cortex-m0 -mthumb -Wall -Wextra -Werror -DAXIAL_SEMIHOSTING=1 -fno-exceptions \

@@ -5,6 +5,10 @@
 
 namespace axial::hal {
 
+struct Rp2040 : RaspberryPiPico {
+  static constexpr const char* name = "rp2040";
+};
+
 using Board = Rp2040;
 
 }  // namespace axial::hal

@@ -5,7 +5,7 @@
 
 namespace axial::hal {
 
-struct Rp2040Ram : Rp2040 {
+struct Rp2040Ram : RaspberryPiPico {
   static constexpr const char* name = "rp2040_ram";
 };
 

@@ -147,8 +147,8 @@ TEST(Rp2040DrivePin, IsHighWhereThePortDrivesItAndIsConnected) {
 
 /// RP2040 Datasheet, 2.3.1.7: SIO at 0xD000 0000, GPIO_OUT_CLR at 0x18.
 TEST(Rp2040DrivePin, AFaultDisablesByOneStore) {
-  EXPECT_EQ(Rp2040::DrivePin::off_register, 0xD0000018u);
-  EXPECT_EQ(Rp2040::DrivePin::off_word, gpio_2);
+  EXPECT_EQ(RaspberryPiPico::DrivePin::off_register, 0xD0000018u);
+  EXPECT_EQ(RaspberryPiPico::DrivePin::off_word, gpio_2);
 }
 
 /// The second core's boot ROM: every word comes back, `wrong` ones as another. `taken` words, of which 0, 0, 1 begin.
