@@ -111,7 +111,7 @@ void couple(const SourceTree& source, Description& robot) {
     name_transmission(transmission, robot);
   for (const auto& link : source.links)
     if (link.joint.moves() && !link.joint.leader.empty()) name_mimic(link.joint, robot);
-  ToDrives{robot};
+  if (robot.size() <= description::most_links) ToDrives{robot};  // others are refused later
 }
 
 void assume_drive_limits(Description& robot) {
