@@ -1,9 +1,9 @@
 // Lines that somebody wrote into a header by hand.
 #include <host_sim/description/header.hpp>
+#include <host_sim/system/temporary_folder.hpp>
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -25,10 +25,10 @@ Description two_joints() {
 
 bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// A file that is removed again.
+/// A file that is removed again, in a folder that no test beside this one writes into.
 struct File {
-  std::string path = testing::TempDir() + "kept_test_arm.hpp";
-  ~File() { std::remove(path.c_str()), std::remove((path + ".before").c_str()); }
+  host_sim::TemporaryFolder folder;
+  std::string path = folder.file("arm.hpp");
   void write(const std::string& text) const { std::ofstream(path) << text; }
   static std::string read(const std::string& name) {
     std::ostringstream text;
