@@ -10,4 +10,15 @@ struct Interrupt {
   Handler handler;
 };
 
+/// Calls the handler of a line; false where it has none.
+template <class Interrupts>
+bool call_handler(const Interrupts& interrupts, unsigned line) {
+  for (const auto& interrupt : interrupts) {
+    if (interrupt.number != line) continue;
+    interrupt.handler();
+    return true;
+  }
+  return false;
+}
+
 }  // namespace axial::hal

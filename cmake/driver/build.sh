@@ -7,6 +7,8 @@ readonly RUNNER_IMAGES=(selftest{,-scara,-puma560} fixed-{scara,puma560} feedfor
   injection-scara kernels-scara faults overflow tracking-fixed-scara
   size-puma560-bare-inverse_dynamics-unrolled-off{,-fixed32} size-scara-bare-inverse_dynamics-unrolled-off-double)
 readonly RAM_IMAGES=(selftest{,-scara} size-puma560-bare-inverse_dynamics-unrolled-off{,-fixed32}) # of rp2040_ram
+readonly CORE_BOARD=rp2350_riscv # its core in an emulator, without peripherals
+readonly CORE_IMAGES=(selftest{,-scara,-puma560} fixed-{scara,puma560} size-puma560-bare-inverse_dynamics-unrolled-off{,-fixed32})
 readonly BOARDS=("${QEMU_BOARDS[@]}" "$RUNNER_BOARD" rp2040_ram)
 readonly SELFTEST_BOARDS=(mps2_an505) # run the self-tests alone
 readonly FAULT_BOARDS=(mps2_an500)    # run the image of faults alone
@@ -41,6 +43,7 @@ build_boards() {
   build "$RUNNER_BOARD" "${RUNNER_IMAGES[@]}"
   build rp2040_ram "${RAM_IMAGES[@]}"
   build rp2040_second_core selftest
+  build "$CORE_BOARD" "${CORE_IMAGES[@]}"
   for board in "${FAULT_BOARDS[@]}"; do
     build "$board" faults
   done

@@ -110,7 +110,7 @@ def write(options):
         "board.hpp": header((like / "board.hpp").read_text(), options.like, options.name),
         "board.json": description((like / "board.json").read_text(), options, cpu, toolchain),
         "memory.ld": (like / "memory.ld").read_text(),
-        **{source.name: source.read_text() for source in like.glob("*.cpp")},
+        **{source.name: source.read_text() for source in (*like.glob("*.cpp"), *like.glob("*code.ld"))},
         "README.md": README.format(name=options.name, like=options.like, cpu=cpu),
     }
     with_preset = presets(PRESETS.read_text(), options.name, options.like, cpu, toolchain)

@@ -2,6 +2,7 @@
 /// The base of a RISC-V board. A board derives from this and adds its clocks, pins and serial port.
 
 #include <cstdint>
+#include <type_traits>
 
 #include <hal/board_base.hpp>
 #include <hal/interrupt.hpp>
@@ -15,6 +16,18 @@
 
 namespace axial::hal::riscv {
 
+/// The controller of a platform's interrupt lines: its own type `Interrupts`, or the standard one.
+template <class Platform, class = void>
+struct ControllerOf {
+  using Type = Plic<Platform>;
+};
+template <class Platform>
+struct ControllerOf<Platform, std::void_t<typename Platform::Interrupts>> {
+  using Type = typename Platform::Interrupts;
+};
+template <class Platform>
+using Controller = typename ControllerOf<Platform>::Type;
+
 /// What hal::BoardBase asks of a core. `Platform`: see timer_tick.hpp and plic.hpp; restart() resets the part.
 template <class Platform, std::uint32_t instruction_ns>
 struct Core {
@@ -27,7 +40,7 @@ struct Core {
     Semihosting::probe();
     set<Csr::status>(status::interrupts);
   }
-  static void enable_interrupt(unsigned line) { Plic<Platform>::enable(line); }
+  static void enable_interrupt(unsigned line) { Controller<Platform>::enable(line); }
   template <class Predicate>
   static void sleep_unless(Predicate awake) {
     riscv::sleep_unless(awake);
@@ -51,7 +64,7 @@ struct Core {
 /// `Derived` gives what hal::BoardBase asks for, and interrupts[].
 template <class Derived, class Platform, std::uint32_t instruction_ns>
 struct BoardBase : hal::BoardBase<Derived, Core<Platform, instruction_ns>> {
-  using Plic = riscv::Plic<Platform>;
+  using Controller = riscv::Controller<Platform>;
   static void timer_interrupt() { BoardBase::Tick::interrupt(); }
 
   /// The machine timer is the watchdog too: the same in the emulator.

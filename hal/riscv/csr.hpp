@@ -10,13 +10,15 @@ enum class Csr : unsigned {
   status = 0x300,
   interrupt_enable = 0x304,
   trap_vector = 0x305,
+  count_inhibit = 0x320,
   exception_pc = 0x341,
   cause = 0x342,
   trap_value = 0x343,
   pmp_configuration_0 = 0x3A0,
   pmp_address_0 = 0x3B0,
   pmp_address_1 = 0x3B1,
-  retired_high = 0xB82
+  retired_high = 0xB82,
+  architecture_id = 0xF12
 };
 
 template <Csr csr>

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include <hal/interrupt.hpp>
 #include <hal/riscv/core.hpp>
 
 namespace axial::hal::riscv {
@@ -24,7 +25,7 @@ struct Plic {
   static bool serve(const Interrupts& interrupts) {
     volatile auto* registers = Platform::plic();
     while (const std::uint32_t line = registers[claim]) {
-      if (!call(interrupts, line)) return false;
+      if (!call_handler(interrupts, line)) return false;
       registers[claim] = line;
     }
     return true;
@@ -32,16 +33,6 @@ struct Plic {
 
  private:
   static constexpr unsigned enables = 0x2000 / 4, threshold = 0x200000 / 4, claim = 0x200004 / 4;
-
-  template <class Interrupts>
-  static bool call(const Interrupts& interrupts, std::uint32_t line) {
-    for (const auto& interrupt : interrupts) {
-      if (interrupt.number != line) continue;
-      interrupt.handler();
-      return true;
-    }
-    return false;
-  }
 };
 
 }  // namespace axial::hal::riscv

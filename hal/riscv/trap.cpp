@@ -54,7 +54,7 @@ extern "C" [[gnu::used]] void axial_interrupt(axial::hal::riscv::TrapFrame* fram
   using axial::hal::Board;
   const std::uint32_t cause = read<Csr::cause>();
   if (cause == (interrupt_cause | timer_cause)) return Board::timer_interrupt();
-  if (cause == (interrupt_cause | external_cause) && Board::Plic::serve(Board::interrupts)) return;
+  if (cause == (interrupt_cause | external_cause) && Board::Controller::serve(Board::interrupts)) return;
   fail(make_report(*frame, static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(frame + 1)), cause));
 }
 

@@ -75,15 +75,27 @@ bool start_crystal(Crystal& crystal) {
   return wait_until([&] { return (crystal.status & crystal_stable) != 0; });
 }
 
-template <class Chip>
+/// What the parts of this family differ in.
+struct Rp2040Plan {
+  static constexpr std::uint32_t ring_Hz = clock::ring_Hz, core_Hz = clock::core_Hz, pll_block = block::pll_sys;
+  static constexpr std::uint32_t feedback = clock::feedback, post_dividers = clock::post_dividers;
+
+  /// Has the tick of the timer and of the watchdog be `cycles` of the reference.
+  template <class Chip>
+  static void start_tick(Chip& chip, std::uint32_t cycles) {
+    chip.tick = tick_enable | cycles;
+  }
+};
+
+template <class Plan, class Chip>
 bool start_pll(Chip& chip) {
   auto& pll = chip.pll;
-  release(chip.resets, block::pll_sys);
+  release(chip.resets, Plan::pll_block);
   pll.control = reference_by_1;
-  pll.feedback = feedback;
+  pll.feedback = Plan::feedback;
   pll.power = dsm_power_down | post_power_down;
   if (!wait_until([&] { return (pll.control & locked) != 0; })) return false;
-  pll.post_dividers = post_dividers;
+  pll.post_dividers = Plan::post_dividers;
   pll.power = dsm_power_down;
   return true;
 }
@@ -92,18 +104,18 @@ bool start_pll(Chip& chip) {
 /// the ring that runs since reset. The port's clock is the core's; the tick of the timer and of the watchdog is 1 us of
 /// the reference, longer by a thirteenth on the nominal ring. `Chip` holds the registers `crystal`, `pll`, `clocks`,
 /// `resets` and `tick`, so that a host test can play them.
-template <class Chip>
+template <class Plan = Rp2040Plan, class Chip>
 ClockReport start(Chip&& chip) {
   const auto run = [&](ClockSource source, std::uint32_t system_Hz, std::uint32_t reference_Hz) -> ClockReport {
     chip.clocks.peripheral.control = peripheral_enable;
-    chip.tick = tick_enable | (reference_Hz + 999'999) / 1'000'000;
+    Plan::start_tick(chip, (reference_Hz + 999'999) / 1'000'000);
     return {source, system_Hz, system_Hz};
   };
   select(chip.clocks.system, system_from_reference);
   if (!start_crystal(chip.crystal) || !select(chip.clocks.reference, reference_from_crystal))
-    return run(ClockSource::internal, ring_Hz, ring_Hz);
-  if (start_pll(chip) && select(chip.clocks.system, system_from_pll))
-    return run(ClockSource::crystal, core_Hz, crystal_Hz);
+    return run(ClockSource::internal, Plan::ring_Hz, Plan::ring_Hz);
+  if (start_pll<Plan>(chip) && select(chip.clocks.system, system_from_pll))
+    return run(ClockSource::crystal, Plan::core_Hz, crystal_Hz);
   select(chip.clocks.system, system_from_reference);
   return run(ClockSource::crystal_alone, crystal_Hz, crystal_Hz);
 }

@@ -19,24 +19,30 @@ struct PowerRegisters {
 
 namespace watchdog_words {
 constexpr std::uint32_t trigger = 1u << 31, enable = 1u << 30, most_load = 0xFFFFFF;
-/// What a restart resets: all but the ring (bit 0) and the crystal (bit 1), as power-on does.
-constexpr std::uint32_t everything = 0x1FFFF & ~3u;
 }  // namespace watchdog_words
 
-/// Half ticks in `ms`, at most 8 388 ms.
+/// What the parts of this family differ in.
+struct Rp2040Watch {
+  /// Half ticks of 1 us.
+  static constexpr std::uint32_t a_ms = 2000;
+  /// What a restart resets: all but the ring (bit 0) and the crystal (bit 1), as power-on does.
+  static constexpr std::uint32_t everything = 0x1FFFF & ~3u;
+};
+
+/// Counts in `ms`; at most 8 388 ms on the RP2040.
+template <class Watch = Rp2040Watch>
 constexpr std::uint32_t watchdog_load(std::uint32_t ms) {
-  constexpr std::uint32_t a_ms = 2000;
-  return ms > watchdog_words::most_load / a_ms ? watchdog_words::most_load : a_ms * ms;
+  return ms > watchdog_words::most_load / Watch::a_ms ? watchdog_words::most_load : Watch::a_ms * ms;
 }
 
 /// `Port` gives `registers()` and `power()`.
-template <class Port>
+template <class Port, class Watch = Rp2040Watch>
 class Watchdog {
  public:
   /// Runs on under a debugger.
   static void start(std::uint32_t ms) {
-    load_ = watchdog_load(ms);
-    Port::power().watchdog_select = watchdog_words::everything;
+    load_ = watchdog_load<Watch>(ms);
+    Port::power().watchdog_select = Watch::everything;
     feed();
     Port::registers().control = watchdog_words::enable;
   }
@@ -45,7 +51,7 @@ class Watchdog {
 
   /// Restarts the part at once.
   static void trigger() {
-    Port::power().watchdog_select = watchdog_words::everything;
+    Port::power().watchdog_select = Watch::everything;
     Port::registers().control = watchdog_words::trigger;
   }
 

@@ -13,7 +13,7 @@ endif()
 set(CMAKE_CXX_STANDARD_INCLUDE_DIRECTORIES ${cxx_headers} ${cxx_headers}/arm-none-eabi /usr/include/newlib)
 
 set(AXIAL_LIBRARY_FLAGS -fno-asynchronous-unwind-tables)  # nothing unwinds
-set(AXIAL_LIBRARY_LINK_FLAGS -nodefaultlibs)  # memcpy and its like are ours: hal/riscv/memory_functions.cpp
+set(AXIAL_LIBRARY_LINK_FLAGS ${AXIAL_CPU_LINK_FLAGS} -nodefaultlibs)  # memcpy and its like are ours: hal/riscv/memory_functions.cpp
 set(CMAKE_CXX_STANDARD_LIBRARIES -lgcc)       # soft float
 
 include(${CMAKE_CURRENT_LIST_DIR}/bare_metal.cmake)

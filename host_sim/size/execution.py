@@ -13,6 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 LISTED = re.compile(rb"^0x([0-9a-f]{8}):", re.MULTILINE)  # an instruction of a block
 
 
+KERNEL = ("-kernel", "{}")  # how QEMU takes an image, where board.json has no other way
 RETURN = 2  # cycles of BX, which a runner's count of an empty kernel holds
 
 
@@ -81,7 +82,7 @@ def runs_of(path, log, counted):
 def run_in_qemu(qemu, path, entry, reached, timeout=120):
     """QEMU lists each block that it translates, and logs each that it enters."""
     reader, writer = os.pipe()
-    command = [qemu["program"], *qemu["arguments"], "-serial", "null", "-kernel", str(path),
+    command = [qemu["program"], *qemu["arguments"], "-serial", "null", *(part.format(path) for part in qemu.get("image", KERNEL)),
                "-d", "in_asm,exec,nochain", "-dfilter", ranges(reached), "-D", f"/dev/fd/{writer}"]
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, pass_fds=[writer])
     os.close(writer)

@@ -41,7 +41,9 @@ def needs(name, registers):
         return registers
     if name in ("jalr", "ret"):
         return registers[-1:] or ("ra",)
-    return registers[-1:] if name.startswith("csr") else registers[1:]
+    if name.startswith("csr"):
+        return () if name == "csrr" or name.endswith("i") else registers[-1:]
+    return registers[1:]
 
 
 class Fetch:

@@ -13,6 +13,7 @@ import time
 import link
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+KERNEL = ("-kernel", "{}")  # how QEMU takes an image, where board.json has no other way
 IMAGES = pathlib.Path(os.environ.get("AXIAL_IMAGES_ROOT", ROOT / "build"))
 
 
@@ -49,7 +50,7 @@ def command(board_name, path, serial, semihosting=True, fast=False):
         arguments = arguments[:at] + arguments[at + 2 :]
     if fast:
         arguments = [argument + ",sleep=off" if argument.startswith("shift=") else argument for argument in arguments]
-    return [qemu["program"], *arguments, "-kernel", str(path), "-serial", serial]
+    return [qemu["program"], *arguments, *(part.format(path) for part in qemu.get("image", KERNEL)), "-serial", serial]
 
 
 def run(board_name, name, timeout=120):

@@ -6,7 +6,7 @@ import unittest
 import emulator
 
 SKIPPED = 77
-FEW_IMAGES = {"rp2040": ("scara", "puma560"), "rp2040_ram": ("scara",)}  # whose emulator is slow
+FEW_IMAGES = {"rp2040": ("scara", "puma560"), "rp2040_ram": ("scara",), "rp2350_riscv": ("scara", "puma560")}  # the others are not built for tests
 ROBOTS = {"scara": 3, "scara_rrpr": 4, "puma560": 6, "panda": 7, "planar2r": 2}
 
 

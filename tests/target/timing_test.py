@@ -93,6 +93,11 @@ class Hazard3(unittest.TestCase):
             with self.subTest(each["name"]):
                 self.assertEqual((instructions, found), (each["instructions"], each["cycles"]))
 
+    def test_a_control_register_is_read_without_a_wait(self):
+        """Rule 7 of the sequences, where the word on its way is that of a register that is only written."""
+        for name, registers, needed in (("csrr", ["a1"], []), ("csrrwi", ["a1"], []), ("csrw", ["a1"], ["a1"]), ("csrrs", ["a1", "a2"], ["a2"])):
+            self.assertEqual(list(hazard3.needs(name, registers)), needed)
+
     def test_each_rule_is_needed(self):
         """Negative control: without it sequences come out wrong."""
         nothing = property(lambda _: None, lambda *_: None)

@@ -9,9 +9,10 @@ Installs and builds what is missing: an image for each kernel of the robot of th
 robots/README.md), bare: with gravity and rotors. Tells the instructions that a call executes in the board's emulator (the dearest of 8 states), cycles
 and microseconds by a model of its core that is named, flash and static RAM beside an image without a kernel, and the deepest stack
 that the machine code can reach. On rp2040 cycles are those of a
-warm cache, and the interval's upper end those of an empty one; rp2040_ram has code in RAM. The safe loop is axial::feedforward: inverse
+warm cache, and the interval's upper end those of an empty one; rp2040_ram and rp2350_riscv have code in RAM. The safe loop is axial::feedforward: inverse
 dynamics, limits, status, last safe torque.
-  --board ANY_BOARD   stm32f405 (default), stm32f100, nrf51, rv32_virt, rp2040, rp2040_ram, mps2_an500, mps2_an505
+  --board ANY_BOARD   stm32f405 (default), stm32f100, nrf51, rv32_virt, rp2040, rp2040_ram,
+                      rp2350_riscv, mps2_an500, mps2_an505
   --number float|fixed32  default float
   --type NAME         the robot's struct, such as robots::MyArm; default: the one that holds the last chain of the header
   --json FILE         the rows once more, as an array of objects
