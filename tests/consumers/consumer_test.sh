@@ -188,9 +188,12 @@ static_assert(axial::hal::Board::flash_bytes > 0);' >"$FOLDER/board.cpp"
     quietly arm-none-eabi-g++ -std=c++17 -mcpu=cortex-m0 -mthumb -Wall -Wextra -Werror -DAXIAL_SEMIHOSTING=1 -fno-exceptions \
       -fno-rtti -fsyntax-only -I. -I"hal/boards/$name" "$FOLDER/board.cpp"
   done
-  quietly ./axial new-board like_rv32_virt --like rv32_virt
-  quietly cmake --preset like_rv32_virt
-  quietly cmake --build --preset like_rv32_virt --target axial_board
+  for like in rv32_virt rp2350_riscv; do
+    name=like_$like
+    quietly ./axial new-board "$name" --like "$like"
+    quietly cmake --preset "$name"
+    quietly cmake --build --preset "$name" --target axial_board
+  done
 }
 
 BadBoardsAreRefused() {
