@@ -78,8 +78,20 @@ def print_table(options, rows):
           f"The safe loop is axial::{SAFE_LOOP}.")
 
 
+def print_refusals(options, found):
+    """What the library does not offer for the robot's joints is no failure."""
+    offered = []
+    for probe in found:
+        why = measure.refusal_of(options.board, probe)
+        if why:
+            print(f"cost: {probe.algorithm} in {options.number} is not offered: {why}", file=sys.stderr)
+        else:
+            offered.append(probe)
+    return offered
+
+
 def run_measure(options):
-    work = [(options.board, probe) for probe in probes(options.board, options.number)]
+    work = [(options.board, probe) for probe in print_refusals(options, probes(options.board, options.number))]
     with concurrent.futures.ProcessPoolExecutor(os.cpu_count()) as pool:
         found = list(pool.map(figures, work))
     rows = [complete(row, options.name) for row in found if isinstance(row, dict)]

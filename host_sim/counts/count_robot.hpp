@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/cost.hpp>
+#include <axial/dynamics/shared_drives.hpp>
 #include <host_sim/counts/forms.hpp>
 #include <host_sim/counts/rows.hpp>
 #include <robots/models/models.hpp>
@@ -26,8 +27,10 @@ class RobotRows {
     }
     for_each_form<R>([&](auto form) { forward_dynamics(form); });
     chosen_forward_dynamics();
-    both_parameters(axial::algorithm::inverse_dynamics_derivatives);
-    both_parameters(axial::algorithm::forward_dynamics_derivatives);
+    if constexpr (!shares_drives<R>) {
+      both_parameters(axial::algorithm::inverse_dynamics_derivatives);
+      both_parameters(axial::algorithm::forward_dynamics_derivatives);
+    }
     return rows_;
   }
 

@@ -27,14 +27,22 @@ constexpr const char* name_of(axial::Route route) {
 template <class R, class... Features>
 using Bare = axial::Scene<R, axial::Gravity, axial::RotorInertia, Features...>;
 
+/// Whether joints of a robot share drives: articulated bodies are then clusters, by the split form alone, and analytic
+/// derivatives are refused.
+template <class R>
+inline constexpr bool shares_drives = axial::detail::shares_drives_in<typename axial::scene_of<R>::Robot>;
+
 /// Calls visit(Form<Scene>{algorithm, parameters}) for each. The split form's bias torque is on base parameters always.
 template <class R, class Visit>
 void for_each_form(const Visit& visit) {
   using namespace axial;
-  visit(Form<Bare<R, ArticulatedBody>>{"articulated_body", "full"});
-  visit(Form<Bare<R, ArticulatedBody, BaseParameters>>{"articulated_body", "base"});
+  if constexpr (!shares_drives<R>) {
+    visit(Form<Bare<R, ArticulatedBody>>{"articulated_body", "full"});
+    visit(Form<Bare<R, ArticulatedBody, BaseParameters>>{"articulated_body", "base"});
+  }
   visit(Form<Bare<R, SplitArticulatedBody>>{"split_articulated_body", "full"});
-  visit(Form<Bare<R, SplitArticulatedBody, BaseParameters>>{"split_articulated_body", "base"});
+  if constexpr (!shares_drives<R>)
+    visit(Form<Bare<R, SplitArticulatedBody, BaseParameters>>{"split_articulated_body", "base"});
   visit(Form<Bare<R, CompositeBody, FullParameters>>{"composite_body", "full"});
   visit(Form<Bare<R, CompositeBody>>{"composite_body", "base"});
 }

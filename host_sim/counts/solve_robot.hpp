@@ -1,7 +1,7 @@
 // What solve.hpp declares, for the source of a robot.
 #pragma once
 
-#include <axial/dynamics/forward_dynamics.hpp>
+#include <axial/dynamics/shared_drives.hpp>
 #include <host_sim/counts/float_or_double.hpp>
 #include <host_sim/counts/forms.hpp>
 #include <host_sim/counts/solve.hpp>
@@ -11,7 +11,7 @@ namespace counts {
 template <class R>
 axial::Joints<R, FloatOrDouble> joints(const std::vector<double>& values) {
   axial::Joints<R, FloatOrDouble> result{};
-  for (int i = 0; i < R::chain.size; ++i)
+  for (int i = 0; i < axial::joint_count<R>; ++i)
     result[i] = FloatOrDouble::constant(values[static_cast<std::size_t>(i)]);
   return result;
 }

@@ -4,12 +4,13 @@
 #include <firmware/apps/number_systems.hpp>
 #include <firmware/apps/states.hpp>
 #include <host_sim/errors/reference.hpp>
-#include <oracle/from_axial.hpp>
-#include <oracle/recursive.hpp>
+#include <host_sim/robots/driven_robot.hpp>
 
 #include <cmath>
 
 namespace errors {
+
+using host_sim::DrivesOf;
 
 /// What the algorithms of firmware/apps/size read.
 template <class R, class T>
@@ -40,7 +41,7 @@ quad exact_of(const Values& values, int i) {
 template <class R, class Values>
 quad exact_position(const Values& values, int i) {
   if constexpr (axial::is_stored_v<std::decay_t<decltype(values[i])>>)
-    if (R::chain.links[i].type == axial::JointType::revolute)
+    if (DrivesOf<R>::chain.links[i].type == axial::JointType::revolute)
       return quad(values[i].raw) * oracle::right_angle<quad>() / quad(0x1p30);
   return exact_of(values, i);
 }
@@ -56,13 +57,14 @@ class Draw {
   Given<R, double> next() {
     using namespace axial;
     auto m = apps::next_state<R, float>(random_);
-    const auto qd = apps::nearest<Velocities<R, Fixed16>>(m.qd);
-    const auto qdd = apps::nearest<Accelerations<R, Fixed16>>(m.qdd);
+    auto qd = apps::nearest<Velocities<R, Fixed16>>(m.qd);
+    auto qdd = apps::nearest<Accelerations<R, Fixed16>>(m.qdd);
     auto slides = apps::nearest_positions<R, Fixed32>(m.q);
+    if constexpr (detail::shares_drives_in<DrivesOf<R>>) hold_joints(slides, qd, qdd);
     Given<R, double> given;
-    for (int i = 0; i < R::chain.size; ++i) {
+    for (int i = 0; i < joint_count<R>; ++i) {
       slides[i].raw &= ~0xffff;
-      const bool turns = R::chain.links[i].type == JointType::revolute;
+      const bool turns = DrivesOf<R>::chain.links[i].type == JointType::revolute;
       given.q[i] = turns ? static_cast<double>(m.q[i]) : static_cast<double>(exact_of(slides, i));
       given.qd[i] = static_cast<double>(exact_of(qd, i)), given.qdd[i] = static_cast<double>(exact_of(qdd, i));
     }
@@ -71,19 +73,45 @@ class Draw {
   }
 
  private:
+  /// Joints that share drives stay inside limits of their own: rates are scaled back, slides by the drive that moves
+  /// them.
+  template <class Positions, class Speeds, class Accelerations>
+  static void hold_joints(Positions& u, Speeds& ud, Accelerations& udd) {
+    constexpr const auto& g = axial::detail::drive_matrix<R>;
+    const auto at = [&](const auto& words, int i) {
+      double sum = 0.0;
+      for (int k = 0; k < g.drives; ++k)
+        sum += g.ratio[i][k] * static_cast<double>(exact_of(words, k));
+      return sum;
+    };
+    double speed = 1.0, acceleration = 1.0;
+    for (int i = 0; i < R::chain.size; ++i) {
+      const auto& limit = R::chain.links[i];
+      speed = std::fmin(speed, limit.speed_limit / std::fabs(at(ud, i)));
+      acceleration = std::fmin(acceleration, limit.acceleration_limit / std::fabs(at(udd, i)));
+      if (limit.type == axial::JointType::revolute) continue;
+      const int k = g.mover_of(i);
+      const double q = at(u, i) + g.offset[i], to = std::fmin(limit.position_max, std::fmax(limit.position_min, q));
+      u[k].raw += static_cast<std::int32_t>(std::ldexp((to - q) / g.ratio[i][k], u.exponent(k)));
+    }
+    for (int k = 0; k < g.drives; ++k) {
+      ud[k].raw = static_cast<std::int16_t>(ud[k].raw * speed);
+      udd[k].raw = static_cast<std::int16_t>(udd[k].raw * acceleration);
+    }
+  }
   void add_efforts(Given<R, double>& given) const {
     Vector q, qd, qdd;
-    for (int i = 0; i < R::chain.size; ++i)
+    for (int i = 0; i < axial::joint_count<R>; ++i)
       q.push_back(given.q[i]), qd.push_back(given.qd[i]), qdd.push_back(given.qdd[i]);
-    const Vector tau = oracle::recursive_inverse_dynamics(chain_, q, qd, qdd);
-    for (int i = 0; i < R::chain.size; ++i) {
+    const Vector tau = robot_.inverse_dynamics(q, qd, qdd);
+    for (int i = 0; i < axial::joint_count<R>; ++i) {
       const int finest = axial::EffortsOf<axial::scene_of<R>, axial::Fixed16>::exponent(i) + 8;
       given.tau[i] = std::ldexp(std::round(std::ldexp(static_cast<double>(tau[std::size_t(i)]), finest)), -finest);
     }
   }
 
   axial::apps::Random random_;
-  oracle::Chain<quad> chain_ = oracle::of_robot<quad, R>();
+  oracle::DrivenChain<quad> robot_ = host_sim::driven_robot<quad, R>();
 };
 
 /// The same state in numbers T.
@@ -95,10 +123,10 @@ Given<R, T> in_numbers(const Given<R, double>& state) {
   given.qd = apps::nearest<Velocities<R, T>>(state.qd);
   given.qdd = apps::nearest<Accelerations<R, T>>(state.qdd);
   const auto tau = apps::nearest<EffortsOf<scene_of<R>, T>>(state.tau);
-  for (int i = 0; i < R::chain.size; ++i)
+  for (int i = 0; i < axial::joint_count<R>; ++i)
     given.tau[i] = tau[i];
   if constexpr (is_number_v<T>)
-    for (int i = 0; i < R::chain.size; ++i)
+    for (int i = 0; i < axial::joint_count<R>; ++i)
       given.turns[i] = {static_cast<T>(oracle::sin(quad(given.q[i]))), static_cast<T>(oracle::cos(quad(given.q[i])))};
   return given;
 }
@@ -107,7 +135,7 @@ template <class R, class T>
 Inputs exactly(const Given<R, T>& given) {
   axial::EffortsOf<axial::scene_of<R>, T> tau;
   Inputs in;
-  for (int i = 0; i < R::chain.size; ++i) {
+  for (int i = 0; i < axial::joint_count<R>; ++i) {
     tau[i] = given.tau[i];
     in.q.push_back(exact_position<R>(given.q, i));
     in.qd.push_back(exact_of(given.qd, i)), in.qdd.push_back(exact_of(given.qdd, i)),
@@ -131,8 +159,8 @@ class States {
   Reference& reference() { return reference_; }
   /// True where the drives can exert the efforts: fixed point rescales others, and says so.
   bool declared(std::size_t state) const {
-    for (int i = 0; i < R::chain.size; ++i)
-      if (std::fabs(drawn_[state].tau[i]) > 0.99 * R::chain.links[i].effort_limit) return false;
+    for (int i = 0; i < axial::joint_count<R>; ++i)
+      if (std::fabs(drawn_[state].tau[i]) > 0.99 * DrivesOf<R>::chain.links[i].effort_limit) return false;
     return true;
   }
 
@@ -144,7 +172,7 @@ class States {
       drawn_.push_back(draw.next());
       inputs.push_back(exactly<R, Words>(in_numbers<R, Words>(drawn_.back())));
     }
-    reference_ = Reference(oracle::of_robot<quad, R>(), std::move(inputs));
+    reference_ = Reference(host_sim::driven_robot<quad, R>(), std::move(inputs));
   }
   std::vector<Given<R, double>> drawn_;
   Reference reference_{{}, {}};

@@ -3,8 +3,6 @@
 #include <host_sim/analysis/error_scales.hpp>
 #include <oracle/compare.hpp>
 #include <oracle/differences.hpp>
-#include <oracle/lagrange.hpp>
-#include <oracle/recursive.hpp>
 
 namespace errors {
 namespace {
@@ -13,8 +11,8 @@ using oracle::Vec3;
 
 void append(Vector& values, const Vec3<quad>& v) { values.insert(values.end(), {v.x, v.y, v.z}); }
 
-Vector pose(const oracle::Chain<quad>& chain, const Vector& q) {
-  const auto tool = oracle::tool_pose(chain, q);
+Vector pose(const oracle::DrivenChain<quad>& chain, const Vector& q) {
+  const auto tool = chain.tool_pose(q);
   const auto rows = oracle::transpose(tool.rotation);
   Vector values;
   for (const auto& part : {rows.c0, rows.c1, rows.c2, tool.position})
@@ -22,10 +20,10 @@ Vector pose(const oracle::Chain<quad>& chain, const Vector& q) {
   return values;
 }
 
-Vector jacobian(const oracle::Chain<quad>& chain, const Vector& q) {
-  const auto J = oracle::tool_jacobian(chain, q);
+Vector jacobian(const oracle::DrivenChain<quad>& chain, const Vector& q) {
+  const auto J = chain.tool_jacobian(q);
   Vector values;
-  for (int j = 0; j < chain.size(); ++j)
+  for (int j = 0; j < static_cast<int>(q.size()); ++j)
     for (const auto* part : {&J.angular, &J.linear})
       append(values, {(*part)(0, j), (*part)(1, j), (*part)(2, j)});
   return values;
@@ -45,11 +43,6 @@ Vector lower_triangle(std::size_t n, const Column& column) {
   return lower;
 }
 
-oracle::Chain<quad> without_gravity(oracle::Chain<quad> chain) {
-  chain.gravity = {};
-  return chain;
-}
-
 void append(Vector& values, const Vector& more) { values.insert(values.end(), more.begin(), more.end()); }
 Vector joined(const Vector& symmetric, const oracle::Jacobians& slopes) {
   Vector values = symmetric;
@@ -60,32 +53,27 @@ Vector joined(const Vector& symmetric, const oracle::Jacobians& slopes) {
 
 }  // namespace
 
-/// A column is the torque of a unit acceleration, without gravity and at rest.
 Vector Reference::mass_matrix(const Vector& q) const {
-  const auto weightless = without_gravity(chain_);
-  const Vector rest(q.size(), quad(0));
-  return lower_triangle(
-      q.size(), [&](const Vector& unit) { return oracle::recursive_inverse_dynamics(weightless, q, rest, unit); });
+  const auto M = chain_.mass_matrix(q);
+  Vector lower;
+  for (int i = 0; i < M.rows(); ++i)
+    for (int j = 0; j <= i; ++j)
+      lower.push_back(M(i, j));
+  return lower;
 }
 Vector Reference::inverse_mass_matrix(const Vector& q) const {
-  const auto weightless = without_gravity(chain_);
-  const Vector rest(q.size(), quad(0));
-  return lower_triangle(
-      q.size(), [&](const Vector& unit) { return oracle::recursive_forward_dynamics(weightless, q, rest, unit); });
+  const auto M = chain_.mass_matrix(q);
+  return lower_triangle(q.size(), [&](const Vector& unit) { return oracle::solve(M, unit); });
 }
 
 Vector Reference::torque_derivatives(const Inputs& in) const {
-  const auto torque = [&](const Vector& q, const Vector& qd) {
-    return oracle::recursive_inverse_dynamics(chain_, q, qd, in.qdd);
-  };
+  const auto torque = [&](const Vector& q, const Vector& qd) { return chain_.inverse_dynamics(q, qd, in.qdd); };
   Vector values = torque(in.q, in.qd);
   append(values, joined(mass_matrix(in.q), oracle::differences(in.q, in.qd, torque)));
   return values;
 }
 Vector Reference::acceleration_derivatives(const Inputs& in) const {
-  const auto acceleration = [&](const Vector& q, const Vector& qd) {
-    return oracle::recursive_forward_dynamics(chain_, q, qd, in.tau);
-  };
+  const auto acceleration = [&](const Vector& q, const Vector& qd) { return chain_.forward_dynamics(q, qd, in.tau); };
   Vector values = joined(inverse_mass_matrix(in.q), oracle::differences(in.q, in.qd, acceleration));
   append(values, acceleration(in.q, in.qd));
   return values;
@@ -95,15 +83,15 @@ Vector Reference::result(Job job, const Inputs& in) const {
   const Vector rest(in.q.size(), quad(0));
   switch (job) {
     case Job::torque:
-      return oracle::recursive_inverse_dynamics(chain_, in.q, in.qd, in.qdd);
+      return chain_.inverse_dynamics(in.q, in.qd, in.qdd);
     case Job::gravity:
-      return oracle::recursive_inverse_dynamics(chain_, in.q, rest, rest);
+      return chain_.inverse_dynamics(in.q, rest, rest);
     case Job::bias:
-      return oracle::recursive_inverse_dynamics(chain_, in.q, in.qd, rest);
+      return chain_.inverse_dynamics(in.q, in.qd, rest);
     case Job::mass_matrix:
       return mass_matrix(in.q);
     case Job::acceleration:
-      return oracle::recursive_forward_dynamics(chain_, in.q, in.qd, in.tau);
+      return chain_.forward_dynamics(in.q, in.qd, in.tau);
     case Job::pose:
       return pose(chain_, in.q);
     case Job::jacobian:

@@ -2,8 +2,7 @@
 #pragma once
 
 #include <host_sim/errors/job.hpp>
-#include <oracle/chain.hpp>
-#include <oracle/scalar.hpp>
+#include <oracle/driven.hpp>
 
 #include <map>
 #include <vector>
@@ -13,14 +12,14 @@ namespace errors {
 using oracle::quad;
 using Vector = oracle::Vector<quad>;
 
-/// What a kernel was given, exactly.
+/// What a kernel was given, exactly: by joints, or by drives where joints share them.
 struct Inputs {
   Vector q, qd, qdd, tau;
 };
 
 class Reference {
  public:
-  Reference(oracle::Chain<quad> chain, std::vector<Inputs> states)
+  Reference(oracle::DrivenChain<quad> chain, std::vector<Inputs> states)
       : chain_(std::move(chain)), states_(std::move(states)) {}
 
   std::size_t size() const { return states_.size(); }
@@ -39,7 +38,7 @@ class Reference {
   Vector torque_derivatives(const Inputs& in) const;
   Vector acceleration_derivatives(const Inputs& in) const;
 
-  oracle::Chain<quad> chain_;
+  oracle::DrivenChain<quad> chain_;
   std::vector<Inputs> states_;
   std::map<Job, std::vector<Vector>> results_;
   std::map<Job, std::vector<double>> scales_;

@@ -75,8 +75,10 @@ class Numbers {
   }
   template <class Columns>
   void add_columns(const Columns& columns) {
+    int room = 0;  // columns by drives that joints share may be sums
+    if constexpr (axial::is_stored_v<T>) room = axial::column_headroom<S>;
     for (int j = 0; j < n; ++j)
-      add_vector(columns[j].angular, direction()), add_vector(columns[j].linear, length());
+      add_vector(columns[j].angular, direction() - room), add_vector(columns[j].linear, length() - room);
   }
   static constexpr int direction() {
     if constexpr (axial::is_stored_v<T>) return axial::direction_exponent<T>;
@@ -172,6 +174,15 @@ inline void refuse_bad(const axial::Status& status, const Kernel& kernel) {
                            std::to_string(static_cast<int>(status.code)));
 }
 
+/// What the library does not offer where joints share drives: derivatives; in fixed point forward dynamics, and loops.
+template <class Algorithm, class S, class T>
+constexpr bool is_offered() {
+  constexpr bool fixed = axial::is_stored_v<T>;
+  if (!axial::detail::shares_drives_in<typename axial::scene_of<S>::Robot>) return true;
+  return !is_derivatives(job_of<Algorithm>) && !(fixed && job_of<Algorithm> == Job::acceleration) &&
+         !(fixed && axial::scene_of<S>::template has<axial::Looped>);
+}
+
 /// Algorithm on scene S in numbers T.
 template <class Algorithm, class S, class T>
 Row row_of(const Kernel& kernel) {
@@ -182,7 +193,7 @@ Row row_of(const Kernel& kernel) {
   Reference& reference = all.reference();
   const auto& wanted = reference.results(job);
   Relative errors(reference.scales(job)), torques(reference.scales(Job::torque));
-  Blocks blocks(job, R::chain.size, reference.scales(job));
+  Blocks blocks(job, axial::joint_count<R>, reference.scales(job));
   int judged = 0;
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     if (job == Job::acceleration && !all.declared(k)) continue;
@@ -199,6 +210,12 @@ Row row_of(const Kernel& kernel) {
   if (job == Job::acceleration) row.error_torque = torques.largest();
   if (is_derivatives(job)) row.blocks = blocks.all();
   return row;
+}
+
+/// Adds the row of a kernel that is offered.
+template <class Algorithm, class S, class T>
+void add_row(std::vector<Row>& rows, const Kernel& kernel) {
+  if constexpr (is_offered<Algorithm, S, T>()) rows.push_back(row_of<Algorithm, S, T>(kernel));
 }
 
 }  // namespace errors

@@ -43,7 +43,9 @@ nlohmann::ordered_json object(const Row& row, const Choice& choice) {
 
 void run(const std::string& robot, const Choice& choice, const std::string& json) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const std::string& name : robot.empty() ? ranges::robots() : std::vector<std::string>{robot}) {
+  auto robots = robot.empty() ? ranges::robots(choice.algorithm) : std::vector<std::string>{robot};
+  if (robots.empty()) robots = ranges::robots();  // an algorithm that no robot knows: rows() names those that there are
+  for (const std::string& name : robots) {
     const auto rows = ranges::rows(name, choice);
     print(name, choice, rows);
     for (const Row& row : rows)

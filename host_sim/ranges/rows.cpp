@@ -50,6 +50,8 @@ template <class RecursionType, class DefaultParameters>
 struct Analysis {
   using Recursion = RecursionType;
   using Parameters = DefaultParameters;
+  static constexpr bool is_forward = std::is_same_v<Recursion, axial::recursion::ArticulatedBodies> ||
+                                     std::is_same_v<Recursion, axial::recursion::ArticulatedBodiesAtRest>;
   // Columns of the mass matrix are forces of a unit acceleration.
   static constexpr const char* per = std::is_same_v<Recursion, axial::recursion::CompositeBodies> ? " a unit" : "";
   const char* name;
@@ -97,14 +99,65 @@ std::vector<Row> rows_of(const axial::Ranges<N>& ranges, const axial::LinkParame
   return rows;
 }
 
+// What a drive answers, after the links: a row at the link that owns it.
+struct OfDrives {
+  const char *quantity, *unit;
+};
+template <class Errors, class Size, class Exponent, class Bounds>
+void add_drives(std::vector<Row>& rows, const char* robot, const OfDrives& kind, const Errors& g, const Size& size,
+                const Exponent& exponent, const Bounds& errors) {
+  for (int k = 0; k < g.drives; ++k)
+    rows.push_back({robot, g.owner[k], kind.quantity, kind.unit, size(k), exponent(k), errors[k]});
+}
+
+// Joints that share drives: links as far as the drives take them, then what each drive answers.
+template <class S, class Analysis, class Arithmetic>
+std::vector<Row> analysed_with_drives(const char* robot) {
+  using Recursion = typename Analysis::Recursion;
+  using T = axial::Stored<typename Arithmetic::Word>;
+  using Errors = axial::detail::DriveErrors<S, T>;
+  using Sizes = axial::detail::DriveSizes<S, typename Arithmetic::Word>;
+  if constexpr (Analysis::is_forward) {
+    throw std::runtime_error("joints of '" + std::string(robot) +
+                             "' share drives: forward dynamics has no formats for them; there are: inverse_dynamics, "
+                             "mass_matrix, forward_kinematics");
+  } else {
+    auto rows = rows_of(Errors::joint_ranges(Recursion{}), Sizes::Joint::Robot::chain.links, robot, Arithmetic::unit,
+                        Analysis::per);
+    if constexpr (std::is_same_v<Recursion, axial::recursion::NewtonEuler>)
+      add_drives(
+          rows, robot, {"drive effort", "N m or N"}, Sizes::g, Sizes::effort,
+          [](int k) { return axial::EffortsOf<S, T>::exponent(k); }, Errors::efforts(0.0));
+    if constexpr (std::is_same_v<Recursion, axial::recursion::CompositeBodies>)
+      add_drives(
+          rows, robot, {"drive inertia", "kg m^2 or kg"}, Sizes::g, Sizes::inertia,
+          [](int k) { return axial::MassMatrixOf<S, T>::exponent(k, k); }, Errors::rows());
+    return rows;
+  }
+}
+
+template <class Robot, class Arithmetic>
+struct SceneIn {  // drives have errors in the arithmetic that a scene names
+  template <class... Tags>
+  using With = axial::scene_of<axial::Scene<Robot, axial::Gravity, axial::RotorInertia, Tags...>>;
+  using Nearest = std::conditional_t<Arithmetic::high_word, With<axial::HighWord>, With<>>;
+  using Down =
+      std::conditional_t<Arithmetic::high_word, With<axial::RoundDown, axial::HighWord>, With<axial::RoundDown>>;
+  using type = std::conditional_t<Arithmetic::nearest, Nearest, Down>;
+};
+
 // The choice as types, one step at a time.
 template <class Robot, class Analysis, class Arithmetic>
 std::vector<Row> analysed() {
   using Scene = axial::scene_of<Robot>;
-  using Parameters = axial::detail::with_rotors<Scene, typename Analysis::Parameters>;
-  return rows_of(
-      axial::detail::analysed<Scene, Parameters, Arithmetic>(typename Analysis::Recursion{}, axial::Wanted::errors),
-      Robot::chain.links, Robot::name, Arithmetic::unit, Analysis::per);
+  if constexpr (axial::detail::has_shared_drives<Scene>) {
+    return analysed_with_drives<typename SceneIn<Robot, Arithmetic>::type, Analysis, Arithmetic>(Robot::name);
+  } else {
+    using Parameters = axial::detail::with_rotors<Scene, typename Analysis::Parameters>;
+    return rows_of(
+        axial::detail::analysed<Scene, Parameters, Arithmetic>(typename Analysis::Recursion{}, axial::Wanted::errors),
+        Robot::chain.links, Robot::name, Arithmetic::unit, Analysis::per);
+  }
 }
 template <class Robot, class Analysis, class Word>
 std::vector<Row> rounded(const Choice& choice) {
@@ -133,6 +186,18 @@ std::vector<std::string> algorithms() {
 std::vector<std::string> robots() {
   std::vector<std::string> names;
   for_each_robot([&](auto robot) { names.push_back(robot.name); });
+  return names;
+}
+
+std::vector<std::string> robots(const std::string& algorithm) {
+  std::vector<std::string> names;
+  for_each_algorithm([&](auto known) {
+    if (algorithm != known.name) return;
+    for_each_robot([&](auto robot) {
+      using Scene = axial::scene_of<typename decltype(robot)::Robot>;
+      if (!(decltype(known)::is_forward && axial::detail::has_shared_drives<Scene>)) names.push_back(robot.name);
+    });
+  });
   return names;
 }
 

@@ -37,8 +37,9 @@ struct Row {
 /// Names of the algorithms whose recursion has an analysis.
 std::vector<std::string> algorithms();
 
-/// Names of the robots: all that declare the limits that formats come from.
+/// Names of the robots: all that declare the limits that formats come from; those that an algorithm has formats for.
 std::vector<std::string> robots();
+std::vector<std::string> robots(const std::string& algorithm);
 
 /// Rows of a robot's bare scene, link by link. Throws std::runtime_error that names what there is when the robot or the
 /// algorithm is unknown.

@@ -30,8 +30,12 @@ def targets(options):
 
 
 def rows(options):
+    found = chosen(options.board, options.algorithm)
+    refusals = {probe: measure.refusal_of(options.board, probe) for probe in found}
+    if all(refusals.values()):
+        sys.exit(f"axial choose: {next(iter(refusals.values())).removeprefix('axial: ')}")
     errors = json.loads(subprocess.run([options.program], check=True, capture_output=True, text=True).stdout)
-    sizes = [measure.Figures(options.board, probe).row() for probe in chosen(options.board, options.algorithm)]
+    sizes = [measure.Figures(options.board, probe).row() for probe in found if not refusals[probe]]
     pathlib.Path(options.file).write_text(json.dumps(kernels.joined(errors, sizes)) + "\n", encoding="utf-8")
 
 

@@ -9,6 +9,7 @@ import sys
 from typing import NamedTuple
 
 import execution
+import refused
 import riscv_stack
 import stack
 import timing  # in the folder that stack names
@@ -82,6 +83,18 @@ def own_probes(board):
 def units(board):
     """{name of a probe: the source that holds its kernel}"""
     return {probe.name: unit for probe, unit in listing(board) + listing(board, "own.txt")}
+
+
+@functools.lru_cache
+def refusals(board):
+    """{source: why} of a user's kernels that the library does not offer, in the log of ./axial's build."""
+    log = IMAGES / f"{board}-own.log"
+    return refused.refused(log.read_text(encoding="utf-8", errors="replace"))[0] if log.is_file() else {}
+
+
+def refusal_of(board, probe):
+    """Why the library does not offer a user's kernel; None where it does."""
+    return refusals(board).get(units(board)[probe.name])
 
 
 def path_of(board, name):

@@ -4,6 +4,7 @@
 #include <axial/axial.hpp>
 #include <axial/fixed.hpp>
 #include <host_sim/ranges/rows.hpp>
+#include <robots/gripper.hpp>
 #include <robots/puma560.hpp>
 
 #include <map>
@@ -37,6 +38,24 @@ TEST(Ranges, AreThoseOfTheKernel) {
   }
 }
 
+// Joints that share a drive are bounded as far as it takes them; what the drives answer stands after the links.
+TEST(Ranges, OfSharedDrivesEndWithWhatDrivesAnswer) {
+  using R = robots::Gripper;
+  constexpr auto effort = axial::error_bound<R>(axial::algorithm::inverse_dynamics);
+  constexpr auto inertia = axial::error_bound<R>(axial::algorithm::mass_matrix);
+  const auto efforts = by_place(ranges::rows("gripper", {}));
+  const auto inertias = by_place(ranges::rows("gripper", {"mass_matrix"}));
+  EXPECT_NEAR(efforts.at({0, "angular velocity"}).bound, R::chain.links[0].speed_limit, 0.01);
+  EXPECT_NEAR(efforts.at({2, "length"}).bound, 0.01 + R::chain.links[1].position_max, 1e-4)
+      << "the follower, from its d";
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_EQ(*efforts.at({k, "drive effort"}).error, effort[k]);
+    EXPECT_EQ(efforts.at({k, "drive effort"}).exponent, (axial::EffortsOf<R, axial::Fixed32>::exponent(k)));
+    EXPECT_EQ(*inertias.at({k, "drive inertia"}).error, inertia[k]);
+  }
+  EXPECT_THROW(ranges::rows("gripper", {"forward_dynamics"}), std::runtime_error);
+}
+
 TEST(Ranges, TheFirstLinkTurnsAsItsJointIsAllowed) {
   const auto& link = robots::Puma560::chain.links[0];
   const auto found = by_place(ranges::rows("puma560", {}));
@@ -52,7 +71,7 @@ TEST(Ranges, FormatsHoldTheirBoundsAndWasteLittle) {
   };
   for (const std::string& algorithm : ranges::algorithms())
     for (int word : {16, 32})
-      for (const std::string& robot : ranges::robots())
+      for (const std::string& robot : ranges::robots(algorithm))
         for (const Row& row : ranges::rows(robot, {algorithm, word, true, false})) {
           SCOPED_TRACE(robot + " " + algorithm + " " + row.quantity + " of link " + std::to_string(row.link));
           const double capacity = std::ldexp(1.0, word - 1);

@@ -214,6 +214,8 @@ TEST(SharedDrivesInFixedPoint, CountTurnsOfDrivesThatPassOne) {
   EXPECT_TRUE(check_position<R>(at(5.5, -5.5)).ok());
   EXPECT_EQ(check_position<R>(at(7.9, 7.9)).code, Status::Code::position_limit);
   EXPECT_EQ(check_position<R>(at(7.9, 7.9)).joint, 3);
+  EXPECT_EQ(check_request<R>(at(7.9, 7.9), Velocities<R, T>{}, Accelerations<R, T>{}).code,
+            Status::Code::position_limit);
   EXPECT_TRUE(check_position<R>(at(1.9, 1.9)).ok()) << "the limit is inside";
   EXPECT_FALSE(check_position<R>(at(1.9001, 1.9)).ok());
   const auto speeds = to_fixed<Velocities<R, T>>(Joints<R, double>{0, 0, 0, 11.0, 11.0}).values;

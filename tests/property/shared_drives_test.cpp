@@ -1,6 +1,7 @@
 // Joints that share drives, against Lagrange's equations of all joints with their couplings as constraints, multipliers
 // and all, in 113 bits; against a closed form; power on either side of random couplings.
 #include <axial/batch.hpp>
+#include <host_sim/robots/driven_robot.hpp>
 #include <utility>
 
 #include "constrained.hpp"
@@ -45,6 +46,27 @@ void expect_constrained(const oracle::Load<quad>& load, unsigned seed, int state
         oracle::relative_error(property::vector(found), exact.forward(at, speed, convert<quad>(property::vector(tau)))),
         tolerance<T>)
         << state;
+  }
+}
+
+/// The tools' reference takes the library's G, which is in double: against matrices written by hand and multipliers.
+template <class R>
+void expect_reference(unsigned seed) {
+  const auto exact = Constrained::of<R>();
+  const auto reference = host_sim::driven_robot<quad, R>();
+  oracle::RandomChains random(seed);
+  for (int state = 0; state < 10; ++state) {
+    const auto x = motion<R>(random, exact.owner());
+    const auto u = convert<quad>(x.u), ud = convert<quad>(x.ud), udd = convert<quad>(x.udd);
+    const auto expect = [&](const Vector<quad>& found, const Vector<quad>& wanted) {
+      EXPECT_LE(error_in(wanted, oracle::largest(wanted), found), 1e-14) << state;
+    };
+    const auto tau = exact.inverse(u, ud, udd);
+    expect(reference.inverse_dynamics(u, ud, udd), tau);
+    expect(reference.forward_dynamics(u, ud, tau), exact.forward(u, ud, tau));
+    expect(oracle::elements(reference.mass_matrix(u)), oracle::elements(exact.mass(u)));
+    const auto twist = oracle::tool_jacobian(exact.chain(), exact.positions(u)).linear * (exact.g() * ud);
+    expect(reference.tool_jacobian(u).linear * ud, twist);
   }
 }
 
@@ -123,6 +145,13 @@ TEST(SharedDrives, AreConstraintsWithMultipliersInFloat) {
   expect_plain<robots::WristArm, float>(13);
   expect_plain<robots::Gripper, float>(14);
   expect_plain<Followers, float>(15);
+}
+TEST(SharedDrives, OfTheToolsReferenceAreConstraintsWithMultipliers) {
+  expect_reference<robots::ScaraQuill>(41);
+  expect_reference<robots::Palletiser>(42);
+  expect_reference<robots::WristArm>(43);
+  expect_reference<robots::Gripper>(44);
+  expect_reference<Followers>(45);
 }
 TEST(SharedDrives, CarryFrictionOfDrivesSpringsOfJointsAndWrenches) {
   oracle::Load<quad> load;

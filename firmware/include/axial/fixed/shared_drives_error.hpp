@@ -111,10 +111,22 @@ class DriveErrors {
   }
 
  public:
+  /// What bounds the joints' own quantities within the limits of the drives, with errors from what G makes of words.
+  ///@{
+  static constexpr auto joint_ranges(recursion::NewtonEuler, double word = 0.0) {
+    return newton_euler_errors(mechanism<Parameters>(word, role::Effort{}), rounding,
+                               ranges_of<Joint, Parameters, A, recursion::NewtonEuler>);
+  }
+  static constexpr auto joint_ranges(recursion::CompositeBodies) {
+    return composite_body_ranges(mechanism<Parameters>(0.0, role::Effort{}), rounding, Wanted::errors);
+  }
+  static constexpr auto joint_ranges(recursion::Kinematics) {
+    return kinematics_ranges(mechanism<KinematicParameters>(0.0, role::Effort{}), rounding);
+  }
+  ///@}
   /// Errors of efforts, N m or N; `word`: what words of drives are off by themselves, 0 or half a unit.
   static constexpr auto efforts(double word) {
-    const auto m = mechanism<Parameters>(word, role::Effort{});
-    const auto found = newton_euler_errors(m, rounding, ranges_of<Joint, Parameters, A, recursion::NewtonEuler>);
+    const auto found = joint_ranges(recursion::NewtonEuler{}, word);
     return each_drive([&](int k) {
       return answer(
           k, EffortsOf<S, T>::exponent(k), [&](int i) { return found.range[i].joint_effort; },
@@ -173,7 +185,7 @@ class DriveErrors {
   }
   /// Errors of the origins of the links' frames, m.
   static constexpr auto origins() {
-    const auto found = kinematics_ranges(mechanism<KinematicParameters>(0.0, role::Effort{}), rounding);
+    const auto found = joint_ranges(recursion::Kinematics{});
     Row<double, joints> errors{};
     for (int i = 0; i < joints; ++i)
       errors[i] = found.range[i].length.error;

@@ -82,7 +82,10 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   /// The joint's screw; a slide's travel is what its limits leave, not the sum of two bounds.
   constexpr auto z(const Position& q) const {
     auto screw = Access::z(q);
-    if (constants().prismatic) screw.shift.bound.size = mechanism().joints[index_].travel;
+    if (constants().prismatic) {
+      screw.shift.bound.size = mechanism().joints[index_].travel;
+      note(quantity::Length{}, screw.shift.bound);
+    }
     return screw;
   }
 

@@ -1,0 +1,44 @@
+"""What a build of a user's kernels says: which of them the library does not offer for joints that share drives.
+
+usage: refused.py LOG     prints the compiler's sentences; exits with 1 where anything else failed too
+"""
+
+import pathlib
+import re
+import sys
+
+SENTENCE = re.compile(r"(?:static assertion failed: |error: static_assert failed.* \"|region `)([^\n\"]*)")
+SOURCE = re.compile(r"([\w.+-]+)\.cpp\.obj?\b")
+
+
+def failures(log):
+    """(what could not be built, what was said of it) of each failed step of ninja's log."""
+    for text in log.split("\nFAILED: ")[1:]:
+        first, _, rest = text.partition("\n")
+        yield first, re.split(r"\n\[\d+/\d+\] |\nninja: ", rest)[0]
+
+
+def refused(log):
+    """{source: the library's first sentence about shared drives}, and whether nothing else failed."""
+    sources, only = {}, True
+    for target, said in failures("\n" + log):
+        about = [sentence for sentence in SENTENCE.findall(said) if "share drives" in sentence]
+        source = SOURCE.search(target)
+        if about and source:
+            sources[source[1]] = min(about, key=lambda sentence: ("this function" in sentence, sentence))
+        else:
+            only = False
+    return sources, only
+
+
+def main():
+    log = pathlib.Path(sys.argv[1]).read_text(encoding="utf-8", errors="replace")
+    sources, only = refused(log)
+    said = SENTENCE.findall(log) if not only else sources.values()
+    for sentence in sorted(set(said))[:5]:
+        print(sentence)
+    sys.exit(0 if only else 1)
+
+
+if __name__ == "__main__":
+    main()
