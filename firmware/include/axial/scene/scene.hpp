@@ -117,6 +117,12 @@ using scene_of = typename detail::SceneOf<S>::type;
 template <class S>
 using robot_of = typename detail::Computed<typename scene_of<S>::Robot>::Named;
 
+namespace detail {
+/// The robot whose description formats and limits follow from: the one that a user named, or what stands for it.
+template <class S, class R = robot_of<S>>
+using described_by = std::conditional_t<decltype(is_malformed<R>(0))::value, StandIn<R>, R>;
+}  // namespace detail
+
 /// Number of joint values of a robot or a scene: one per joint, or one per drive where joints share drives; for a
 /// run-time Model<N>, its capacity.
 template <class S>

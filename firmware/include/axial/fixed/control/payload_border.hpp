@@ -20,7 +20,7 @@ struct ConvertedPayload {
 /// in.payload keeps the one before. Integers alone, as to_fixed().
 template <class S, class Word, class T>
 [[nodiscard]] constexpr ConvertedPayload<Word> to_fixed_payload(const PayloadBody<T>& load) {
-  using F = InputFormats<robot_of<S>, Stored<Word>>;
+  using F = InputFormats<detail::described_by<S>, Stored<Word>>;
   bool finite = true;
   const auto word = [&finite](const T& x, int exponent) {
     finite = finite & is_finite(x);

@@ -24,7 +24,7 @@ struct ColumnRounding<S, Stored<Word>> {
   static constexpr int fitting(double most) { return rounding.exponent(1.001 * most); }
   static constexpr double all_speeds() {
     double sum = 0.0;
-    for (const LinkParameters& link : robot_of<S>::chain.links)
+    for (const LinkParameters& link : detail::described_by<S>::chain.links)
       sum += link.speed_limit;
     return sum;
   }

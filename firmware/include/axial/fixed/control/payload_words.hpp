@@ -11,7 +11,7 @@ namespace axial {
 /// largest word, and the status is payload_limit.
 template <class S, class Word>
 struct PayloadWords {
-  using Formats = InputFormats<robot_of<S>, Stored<Word>>;     ///< of the scene's inputs
+  using Formats = InputFormats<detail::described_by<S>, Stored<Word>>;     ///< of the scene's inputs
   static constexpr int mass_exponent = Formats::payload_mass;  ///< of the mass
   static constexpr int com_exponent = Formats::payload_com;    ///< of the centre of mass
   static constexpr int first_moment_exponent =
@@ -27,7 +27,7 @@ struct PayloadWords {
 template <class S, class Word = std::int32_t>
 [[nodiscard]] constexpr PayloadWords<S, Word> payload_words(const PayloadEstimate<Scaled>& estimate) {
   static_assert(sizeof(Word) == 4, "axial: payload words are of Fixed32");
-  static_assert(robot_of<S>::chain.payload_limit.declared,
+  static_assert(detail::described_by<S>::chain.payload_limit.declared,
                 "axial: a payload's words take their formats from the declared payload; add axial::payload_limit(mass, "
                 "com_reach, inertia) to the robot's chain");
   using Words = PayloadWords<S, Word>;

@@ -42,7 +42,7 @@ struct Certificate {
     constexpr auto& needs = ranges_for<Scene, typename T::Word, BaseParameters, recursion::MotionEfforts>;
     Certificate c;
     double largest = 0.0;
-    for (const auto& link : robot_of<S>::chain.links)
+    for (const auto& link : detail::described_by<S>::chain.links)
       largest = link.acceleration_limit > largest ? link.acceleration_limit : largest;
     for (int i = 0; i < size; ++i) {
       const double unit = power_of_two(Requests::exponent(i));
@@ -51,7 +51,7 @@ struct Certificate {
       c.column_shift[i] = Requests::exponent(i) - accelerations[i];
       c.widest = i == 0 || c.column_shift[i] > c.widest ? c.column_shift[i] : c.widest;
       c.drive_shift[i] = Needs::exponent(i) - efforts[i];
-      c.inside[i] = static_cast<std::int64_t>(robot_of<S>::chain.links[i].acceleration_limit * unit);
+      c.inside[i] = static_cast<std::int64_t>(detail::described_by<S>::chain.links[i].acceleration_limit * unit);
       c.tight[i] = static_cast<std::int64_t>(largest * unit / 128.0);
     }
     return c;

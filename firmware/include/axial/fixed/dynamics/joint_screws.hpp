@@ -17,7 +17,7 @@ struct PairsOf<S, Stored<Word>> {
     check_fixed_scene<scene_of<S>>();
     using A = ArithmeticOf<scene_of<S>, Word>;
     for (int i = 0; i < joint_count<S>; ++i) {
-      const bool turns_it = robot_of<S>::chain.links[i].type == JointType::revolute;
+      const bool turns_it = detail::described_by<S>::chain.links[i].type == JointType::revolute;
       const auto pair = sincos(Bam<A>{turns_it ? static_cast<std::int32_t>(q[i].raw) : 0});
       turns[i] = {{pair.sin.raw}, {pair.cos.raw}};
     }

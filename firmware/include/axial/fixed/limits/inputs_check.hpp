@@ -64,7 +64,7 @@ constexpr bool is_not_negative(const Sym3<Stored<Word>>& j) {
 /// A payload in fixed point against the declared one.
 template <class S, class Word>
 constexpr bool payload_within(const PayloadBody<Stored<Word>>& load) {
-  using F = InputFormats<robot_of<S>, Stored<Word>>;
+  using F = InputFormats<detail::described_by<S>, Stored<Word>>;
   const auto& j = load.inertia_com;
   const bool mass = within_magnitude(load.mass, F::load.mass, F::payload_mass);
   const bool com = within_length(load.com, F::load.com_reach, F::payload_com), inertia = is_not_negative(j);
@@ -83,18 +83,18 @@ constexpr bool payload_within(const PayloadBody<Stored<Word>>& load) {
 template <class S, class Word>
 constexpr Status check_fixed_inputs(const Inputs<S, Stored<Word>>& in) {
   using Scene = scene_of<S>;
-  using F = InputFormats<robot_of<S>, Stored<Word>>;
+  using F = InputFormats<detail::described_by<S>, Stored<Word>>;
   bool within = true;
   if constexpr (Scene::template has<TipWrench>)
     within = within_length(in.tip_wrench.force, F::wrench.force, F::tip_force) &
              within_length(in.tip_wrench.moment, F::wrench.moment, F::tip_moment);
   if constexpr (Scene::template has<RuntimeGravity>) {
-    constexpr auto g = robot_of<S>::chain.gravity;
+    constexpr auto g = detail::described_by<S>::chain.gravity;
     within = within & within_length(in.gravity, length_of(g.x, g.y, g.z), F::gravity);
   }
   if constexpr (Scene::template has<SineCosines>)
     for (int i = 0; i < joint_count<S>; ++i)
-      within = within & (!turns_of<robot_of<S>>.of[i] | is_turn(in.turns[i], F::sine_cosine));
+      within = within & (!turns_of<detail::described_by<S>>.of[i] | is_turn(in.turns[i], F::sine_cosine));
   return {within ? Status::Code::ok : Status::Code::input_limit, -1};
 }
 

@@ -41,7 +41,7 @@ struct FixedValues : WordValues<SceneType, S> {
   /// Words with their formats, indexed as the links are.
   template <class R, class Word, class Role>
   AXIAL_INLINE static constexpr auto read(const Joints<R, Stored<Word>, Role>& values) {
-    return detail::FixedView<robot_of<R>, S, Joints<R, Stored<Word>, Role>, Role>{values};
+    return detail::FixedView<detail::described_by<R>, S, Joints<R, Stored<Word>, Role>, Role>{values};
   }
   /// values[i] = x, rounded into the format of the values.
   template <class Values, class I, class X>
