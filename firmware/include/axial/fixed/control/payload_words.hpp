@@ -11,9 +11,9 @@ namespace axial {
 /// largest word, and the status is payload_limit.
 template <class S, class Word>
 struct PayloadWords {
-  using Formats = InputFormats<detail::described_by<S>, Stored<Word>>;     ///< of the scene's inputs
-  static constexpr int mass_exponent = Formats::payload_mass;  ///< of the mass
-  static constexpr int com_exponent = Formats::payload_com;    ///< of the centre of mass
+  using Formats = InputFormats<detail::described_by<S>, Stored<Word>>;  ///< of the scene's inputs
+  static constexpr int mass_exponent = Formats::payload_mass;           ///< of the mass
+  static constexpr int com_exponent = Formats::payload_com;             ///< of the centre of mass
   static constexpr int first_moment_exponent =
       Formats::of(Formats::load.mass * Formats::load.com_reach);  ///< of the first moment
   Stored<Word> mass{};                                            ///< kg
