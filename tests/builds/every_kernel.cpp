@@ -128,6 +128,20 @@ bool converted() {
          RotaryEncoder<4096>::velocity<Values, 0>(1).status.ok();
 }
 
+// A wrench at the tip of a robot that declares one.
+struct Pushed {
+  static constexpr auto chain = [] {
+    auto c = robots::Scara::chain;
+    c.tip_wrench_limit = tip_wrench_limit(20.0, 5.0);
+    return c;
+  }();
+};
+template <class T>
+bool pushed() {
+  const auto columns = jacobian<Pushed>(Positions<Pushed, T>{});
+  return columns.status.ok() && transpose_times(columns, {}).size == 3;
+}
+
 // Called with every answer, so that none is left out behind one that is not ok: kernels run under sanitizers, too.
 template <class... Ok>
 bool all(Ok... ok) {
@@ -184,7 +198,7 @@ bool in_floating_point() {
              separated<Scara, float>({}, {}, {}), simulated<Planar2r, float>(), simulated<Planar2r, double>(),
              differentiated<Planar2r, float>(), rated<Planar2r, float>(), rated<Scara, double, Looped>(),
              elastic_joints<float>(), elastic_joints<double, Looped>(), differentiated<Loaded<Scara, Looped>, double>(),
-             modelled<float>(), modelled<double>(), counted<Scara>(), in_batches<Planar2r, float>(),
+             modelled<float>(), modelled<double>(), counted<Scara>(), in_batches<Planar2r, float>(), pushed<float>(),
              in_batches<Loaded<Scara, Looped>, double>(),
              check_finite(closed_form::scara_torque<Scara>(Joints<Scara, float>{}, Joints<Scara, float>{},
                                                            Joints<Scara, float>{}))
@@ -195,8 +209,8 @@ bool in_fixed_point();
 bool in_fixed_point() {
   using robots::Planar2r, robots::Scara;
   return all(all_of<Planar2r, Fixed32>(), all_of<Planar2r, Fixed16>(), all_of<Loaded<Scara>, Fixed32>(),
-             separated<Scara, Fixed32>({}, {}, {}), converted<Planar2r>(), bounded<Planar2r>(),
-             certified_forward_dynamics<Planar2r, Fixed32>({}, {}, {}).status.ok(),
+             separated<Scara, Fixed32>({}, {}, {}), converted<Planar2r>(), bounded<Planar2r>(), pushed<Fixed32>(),
+             pushed<Fixed16>(), certified_forward_dynamics<Planar2r, Fixed32>({}, {}, {}).status.ok(),
              closed_form::scara_torque<Scara>(Positions<Scara, Fixed32>{}, Velocities<Scara, Fixed32>{},
                                               Accelerations<Scara, Fixed32>{})[0]
                      .raw == 0);

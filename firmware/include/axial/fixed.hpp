@@ -32,5 +32,6 @@
 #include <axial/fixed/dynamics/momentum.hpp>
 #include <axial/fixed/dynamics/separated_error.hpp>
 #include <axial/fixed/dynamics/separated_torque.hpp>
+#include <axial/fixed/dynamics/tool_motion.hpp>
 #include <axial/fixed/error_bound.hpp>
 #include <axial/fixed/limits/position_check.hpp>

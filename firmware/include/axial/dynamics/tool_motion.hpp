@@ -20,6 +20,11 @@ constexpr void check_axes() {
   static_assert(!shares_drives_in<typename scene_of<R>::Robot>,
                 "axial: columns of drives are no axes, of which this is; take the Jacobian of JointCoordinates<Robot>");
 }
+// What a wrench exerts on the joint of a Jacobian's column.
+template <class Column, class Wrench>
+AXIAL_INLINE constexpr auto effort_of_wrench(const Column& column, const Wrench& wrench) {
+  return dot(column.angular, wrench.moment) + dot(column.linear, wrench.force);
+}
 template <class T>
 AXIAL_INLINE constexpr auto cross(const Vec3<T>& w, const MotionVector<Vec3<T>, Vec3<T>>& column) {
   return MotionVector<Vec3<T>, Vec3<T>>{axial::cross(w, column.angular), axial::cross(w, column.linear)};
@@ -27,14 +32,15 @@ AXIAL_INLINE constexpr auto cross(const Vec3<T>& w, const MotionVector<Vec3<T>, 
 }  // namespace detail
 
 /// Efforts of the joints, N m or N, that a wrench at the tool exerts on them: J^T w; what the drives exert against it
-/// is the opposite. `wrench` is in world axes, its moment (N m) about the origin that the Jacobian is of.
+/// is the opposite. `wrench` is in world axes, its moment (N m) about the origin that the Jacobian is of. In fixed
+/// point (fixed/dynamics/tool_motion.hpp) it has the formats of a tip wrench, and no wrench of words overflows.
 template <class R, class T>
-[[nodiscard]] constexpr Efforts<R, T> transpose_times(const Jacobian<R, T>& jacobian,
-                                                      const ForceVector<Vec3<T>, Vec3<T>>& wrench) {
+[[nodiscard]] constexpr WrenchEfforts<R, T> transpose_times(const Jacobian<R, T>& jacobian,
+                                                            const ForceVector<Vec3<T>, Vec3<T>>& wrench) {
   detail::check_real<T>();
-  Efforts<R, T> tau{};
+  WrenchEfforts<R, T> tau{};
   for (int j = 0; j < joint_count<R>; ++j)
-    tau[j] = dot(jacobian[j].angular, wrench.moment) + dot(jacobian[j].linear, wrench.force);
+    tau[j] = detail::effort_of_wrench(jacobian[j], wrench);
   return tau;
 }
 

@@ -41,6 +41,7 @@ struct MotionEffort {};      ///< what a motion inside the limits needs, whateve
 struct FreeAcceleration {};  ///< what forward dynamics answers: bounded by efforts, not by a request's limits
 struct Momentum {};          ///< N m s or N s
 struct MomentumRate {};      ///< N m or N
+struct WrenchEffort {};      ///< of a wrench at the tool: N m or N
 }  // namespace role
 
 namespace detail {
@@ -83,6 +84,10 @@ using MomentaOf = Joints<subject_of<S, T>, T, typename detail::RoleOf<T, role::M
 /// What changes the momenta of a scene: N m or N.
 template <class S, class T>
 using MomentumRatesOf = Joints<subject_of<S, T>, T, typename detail::RoleOf<T, role::MomentumRate>::type>;
+
+/// What a wrench at the tool exerts on the joints: N m or N.
+template <class R, class T>
+using WrenchEfforts = Joints<R, T, typename detail::RoleOf<T, role::WrenchEffort>::type>;
 
 /// Joint values that are zero by type: a query that leaves them out does not pay for them.
 struct NoMotion {
