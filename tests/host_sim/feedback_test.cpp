@@ -1,9 +1,11 @@
 // The feedback of the tracking controller as numbers: gains, signs, wrapping angles, limits; statuses on the wire.
+#include <firmware/apps/elastic/controller.hpp>
 #include <firmware/apps/tracking/controller.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include <robots/scara.hpp>
 
@@ -94,6 +96,57 @@ TYPED_TEST(Feedback, EndsAtTheDeclaredEfforts) {
     EXPECT_NEAR(forward.tau[i], most, 1e-5 * most) << i;
     EXPECT_NEAR(backward.tau[i], -most, 1e-5 * most) << i;
   }
+}
+
+// A SCARA behind harmonic drives of 12 Hz: at rest its slide hangs on a spring of w^2 m, so the motor stands m g / K
+// above where a rigid one would.
+class ElasticFeedback : public testing::Test {
+ protected:
+  static constexpr double weight = 1.25 * 9.8125, spring_rate = 2.0 * 3.14159265358979323846 * 12.0;
+  static constexpr double deflection = 9.8125 / (spring_rate * spring_rate);
+  static constexpr double count = 1.0 / slide_counts;
+  // w^2 of the feedback, of links and motors that are as heavy.
+  static constexpr double stiffness = 16.0 * 3.14159265358979323846 * 16.0 * 3.14159265358979323846 * 0.25 * 2.5;
+
+  /// The slide's answer at rest at 0.125 m, its motor seen at 0.125 m and what is added.
+  link::Torque answer(double seen, link::FeedForward feed = link::FeedForward::full, bool derivatives = true) {
+    link::SetPoint wanted{};
+    link::Measurement measured{};
+    link::Torque torque{};
+    wanted.joints = measured.joints = derivatives_.joints = 3;
+    wanted.q[2] = 0.125F;
+    measured.position[2] = static_cast<std::int32_t>(std::llround((0.125 + seen) * slide_counts));
+    measured.feeds_forward = static_cast<std::uint8_t>(feed);
+    if (derivatives) controller_.take(derivatives_);
+    controller_.measure(measured);
+    controller_.load(wanted);
+    controller_.compute();
+    controller_.settle(wanted);
+    controller_.store(torque);
+    return torque;
+  }
+  link::Derivatives derivatives_{};
+  ElasticController<Elastic<Scara, 12>> controller_;
+};
+
+TEST_F(ElasticFeedback, IsOfTheMotorThatItsSpringDeflects) {
+  EXPECT_NEAR(answer(-deflection).tau[2], -weight, stiffness * count) << "the motor is where its load pulls it";
+  controller_ = {};
+  EXPECT_NEAR(answer(0.0).tau[2], -weight - stiffness * deflection, stiffness * count) << "as if the joint were rigid";
+}
+TEST_F(ElasticFeedback, IsOfTheLinkWhereJointsAreTakenAsRigid) {
+  EXPECT_NEAR(answer(0.0, link::FeedForward::rigid).tau[2], -weight, stiffness * count);
+}
+TEST_F(ElasticFeedback, NeedsItsDerivativesAtEverySetPoint) {
+  const auto status = [&](bool derivatives) {
+    return static_cast<link::TorqueStatus>(answer(-deflection, link::FeedForward::full, derivatives).status);
+  };
+  EXPECT_EQ(status(true), link::TorqueStatus::ok);
+  EXPECT_EQ(status(false), link::TorqueStatus::not_measured);
+  EXPECT_EQ(status(true), link::TorqueStatus::ok);
+  EXPECT_EQ(status(false), link::TorqueStatus::not_measured) << "those of the set-point before are old";
+  derivatives_.q4[2] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(status(true), link::TorqueStatus::not_finite);
 }
 
 TEST(LinkStatus, SaysWhatTheHostCanDoAbout) {
