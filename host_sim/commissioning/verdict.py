@@ -10,7 +10,8 @@ from statics import SURE, Fitter
 
 # By kind: the standard deviation above which the poses do not tell an unknown; above which it counts as poorly told; the least error that is a fault.
 UNTOLD = {"zero": np.radians(2.0), "slide": 0.02, "tilt": np.radians(2.0), "scale": 0.15, "offset": 0.3, "coulomb": np.inf}
-POOR = {"zero": np.radians(0.2), "slide": 2e-3, "tilt": np.radians(0.1), "scale": 0.02, "offset": 0.1, "coulomb": np.inf}
+# Of a scale a third of 2 %: one that a small tilt alone tells may well be off by two of its standard errors.
+POOR = {"zero": np.radians(0.2), "slide": 2e-3, "tilt": np.radians(0.1), "scale": 0.007, "offset": 0.1, "coulomb": np.inf}
 FAULT = {"zero": np.radians(0.5), "slide": 2e-3, "tilt": np.radians(0.3), "scale": 0.03, "offset": 0.05}
 TOGETHER = 0.8  # correlation of errors from which two unknowns are mixed up
 HELPS = 0.6  # of a standard deviation: a pose that leaves no more is worth naming
