@@ -5,9 +5,11 @@
 
 #include <axial/options/begin.hpp>
 
-/// What a call says where values stand in each other's place (a macro: static_assert takes a literal only).
-#define AXIAL_ROLES_MIXED \
-  "axial: positions, velocities and accelerations are mixed up; give them in the order q, qd, qdd (or tau)"
+/// What a call says where values stand in each other's place, or are a scene's (a macro: static_assert takes a literal
+/// only).
+#define AXIAL_ROLES_MIXED                                                                                        \
+  "axial: positions, velocities and accelerations are mixed up; give them in the order q, qd, qdd (or tau), as " \
+  "axial::Positions<Robot, T> and its like of the robot, not of a scene"
 
 namespace axial {
 
@@ -44,6 +46,15 @@ struct RoleSaid<A, std::void_t<typename A::Role>> {
 template <class S, class T, class Said>
 struct RoleSaid<Joints<S, T, Said>, void> {
   using type = Said;
+};
+/// A motion belongs to the robot, whatever the scene; efforts in fixed point have the formats of a scene.
+struct OfAScene {};
+template <class Said>
+inline constexpr bool is_of_motion = std::is_void_v<Said> || std::is_same_v<Said, role::Position> ||
+                                     std::is_same_v<Said, role::Velocity> || std::is_same_v<Said, role::Acceleration>;
+template <class R, class... F, class T, class Said>
+struct RoleSaid<Joints<Scene<R, F...>, T, Said>, void> {
+  using type = std::conditional_t<is_of_motion<Said>, OfAScene, Said>;
 };
 ///@}
 
