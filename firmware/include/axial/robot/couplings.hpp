@@ -39,10 +39,17 @@ constexpr DriveRatios<N> drive_ratios(const double (&rows)[N][N]) {
 
 namespace detail {
 
+/// Whether two joints still have a drive each that moves no other of the two: no transmission lies between them yet.
+template <int N>
+constexpr bool are_uncoupled(const LinkParameters (&links)[N], int a, int b) {
+  const JointDrives &of_a = links[a].drives, &of_b = links[b].drives;
+  return !of_a.names(a) && !of_a.names(b) && !of_b.names(a) && !of_b.names(b);
+}
+
 /// Writes a part's rows into the links before it, of which there are `count`.
 template <int N>
 constexpr bool couple(const ScrewSpline& screw, LinkParameters (&links)[N], int count) {
-  if (count < 2) return false;
+  if (count < 2 || !are_uncoupled(links, count - 2, count - 1)) return false;
   const int slide = links[count - 1].type == JointType::prismatic ? count - 1 : count - 2;
   const int turn = 2 * count - 3 - slide;
   constexpr double two_pi = 6.283185307179586476925;
@@ -51,8 +58,8 @@ constexpr bool couple(const ScrewSpline& screw, LinkParameters (&links)[N], int 
 }
 template <int N>
 constexpr bool couple(const Differential& gears, LinkParameters (&links)[N], int count) {
-  if (count < 2) return false;
   const int a = count - 2, b = count - 1;
+  if (count < 2 || !are_uncoupled(links, a, b)) return false;
   links[a].drives.name(a, 0.5), links[a].drives.name(b, 0.5);
   links[b].drives.name(a, 0.5 * gears.ratio), links[b].drives.name(b, -0.5 * gears.ratio);
   return true;
@@ -61,6 +68,7 @@ template <int M, int N>
 constexpr bool couple(const DriveRatios<M>& g, LinkParameters (&links)[N], int count) {
   if (M != N || count != N) return false;
   for (int i = 0; i < N; ++i) {
+    if (links[i].drives.count > 0) return false;
     links[i].drives.complete = true;
     for (int k = 0; k < N; ++k)
       if (M == N && g.rows[i % M][k % M] != 0.0) links[i].drives.name(k, g.rows[i % M][k % M]);

@@ -58,7 +58,7 @@ template <class Of> void drive_ratio_is_not_finite_or_zero_give_a_ratio() {}  //
 template <class Of> void drive_limits_are_upside_down_give_min_below_max_and_more_than_0() {}  ///< axial: drive_limits of a link are upside down or not positive; give drive_limits(min, max, speed > 0, acceleration > 0)
 template <class Of> void drives_are_no_drives_of_the_chain_name_joints_that_have_one() {}  ///< axial: driven_by() or mimic() of a link names a joint that is not there, has no drive of its own, or follows this one; name one of the chain, counted from 0, six at most
 template <class Of> void joint_without_drive_has_rotor_friction_or_limits_of_one_give_them_to_its_drive() {}  ///< axial: a joint without a drive of its own has rotor_inertia, friction, effort_limit or drive_limits; give them to the link whose drive moves it
-template <class Of> void transmission_is_misplaced_put_it_behind_its_links() {}  ///< axial: screw_spline() stands behind a slide and a turn, differential() behind its two links, drive_ratios() of all joints behind all
+template <class Of> void transmission_is_misplaced_put_it_behind_its_links() {}  ///< axial: screw_spline() stands behind a slide and a turn, differential() behind its two links, drive_ratios() of all joints behind all; no two of them on the same links
 template <class Of> void drives_do_not_move_the_joints_independently_check_their_ratios() {}  ///< axial: some motion of the drives moves no joint, or some joint is moved by none; check the ratios of driven_by(), mimic() and transmissions
 
 // Numbers that no robot has: .accept(axial::as_published) keeps them.
