@@ -41,7 +41,7 @@ class Verdict:
         self.deviation[self.places] = np.sqrt(np.diag(self.covariance))
         self.designer = design.Designer(statics, float(np.median(poses.mass[poses.mass > 0.0])), seed, self.fit.x,
                                         np.sqrt(np.mean(self.fit.sigma ** 2, axis=0)), held=False)
-        ratios = {i: (self.ratio(self.deviation, i, UNTOLD), self.ratio(self.deviation, i, POOR)) for i in self.places}
+        ratios = {i: (self.doubt(self.deviation, i, UNTOLD), self.doubt(self.deviation, i, POOR)) for i in self.places}
         self.told = np.array([i in ratios and ratios[i][0] <= 1.0 for i in range(len(self.fit.x))])
         self.untold = [self._explained(i) for i in self.places if ratios[i][0] > 1.0]
         self.poor = [self._explained(i) for i in self.places if ratios[i][0] <= 1.0 < ratios[i][1]]
@@ -67,6 +67,11 @@ class Verdict:
         unit = self.rows.size[joint] if kind in ("offset", "coulomb") else 1.0
         return abs(values[i]) / (limits[kind] * unit)
 
+    def doubt(self, values, i, limits):
+        """That of a standard deviation; of a scale far above 1, which torques in other units have, over the scale."""
+        size = max(1.0, abs(self.fit.x[i])) if self.name(i)[0] == "scale" else 1.0
+        return self.ratio(values, i, limits) / size
+
     def _explained(self, i):
         kind, joint = self.statics.unknowns.kind(i)
         where = int(np.flatnonzero(self.places == i)[0])
@@ -76,7 +81,7 @@ class Verdict:
         best, values = int(np.argmin(after)), np.zeros(len(self.fit.x))
         values[i] = after[best]
         limits = POOR if self.told[i] else UNTOLD
-        tells = self.ratio(values, i, limits) < 1.0 or after[best] < HELPS * self.deviation[i]
+        tells = self.doubt(values, i, limits) < 1.0 or after[best] < HELPS * self.deviation[i]
         return Untold(kind, joint, self._partners(where), self.designer.poses[best] if tells else None)
 
     def _partners(self, where):

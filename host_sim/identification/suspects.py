@@ -53,7 +53,7 @@ class Suspect:
                 "position negated": f"q{first} looks negated",
                 "axis turned": f"the axis of joint {first} looks turned around: q{first} and tau{first} are both negated",
                 "degrees": "every angle looks given in degrees" if every else f"q{first} looks given in degrees",
-                "torque scaled": f"tau{first} looks scaled by {self.value:.3g}",
+                "torque scaled": f"tau{first} looks scaled by {self.value:.4g}",
                 "zero off": f"the zero of joint {first} looks off: q{first} is {_offset(self.value, units[first - 1])} too large"}[self.kind]
 
 
