@@ -13,6 +13,8 @@ FINALISTS = 4  # suspects that get a whole fit, beside negated torques: negative
 MENDS = 0.4  # of the residual as recorded: what a remedy must at least come to
 ALIKE, EXACT = 1.05, 1e-4  # residuals by which this log does not tell two suspects apart: times the smaller, and beyond it
 SCALES_ALIKE = 0.02  # a torque scaled by this much of -1 is negated
+OTHER_UNITS, UNLIKELY = 30.0, 5.0  # times the torques of the description: no bodies are that far off; few are
+EXPLAINED = 0.4  # of the torques, by one factor on the description's
 
 
 class Doubts:
@@ -60,6 +62,31 @@ class Doubts:
         tried += self.scales() + suspects.zeros(self.robot, self.score)
         scores = [self.score(each) for each in tried]
         return [tried[i] for i in np.argsort(scores, kind="stable")]
+
+
+class OtherUnits(ValueError):
+    """Every torque is so many times what the description says that it must be in another unit."""
+
+
+def shared_scale(equations, prior):
+    """The one factor on the description's torques, friction and rotors that it lacks apart, that comes nearest to a log's; the part of the
+    log's torques that it explains. Bodies take any factor in: no residual tells it."""
+    size = np.sqrt(np.sum(np.where(equations.valid, equations.tau, 0.0) ** 2, axis=0) / equations.valid.sum(axis=0)) + 1e-300
+    weight = equations.valid / size
+    said, measured = equations.regressor @ prior * weight, equations.tau * weight
+    scale = float(np.sum(said * measured) / max(np.sum(said * said), 1e-300))
+    return scale, 1.0 - float(np.sum((measured - scale * said) ** 2) / max(np.sum(measured * measured), 1e-300))
+
+
+def check_units(scale, explained):
+    """Nothing, or a doubt; raises OtherUnits."""
+    size = max(abs(scale), 1.0 / max(abs(scale), 1e-300))
+    if size < UNLIKELY or explained < EXPLAINED:
+        return []
+    text = f"every tau looks scaled by {scale:.4g}: that many times the description's torques, of which it explains {100 * explained:.3g} %"
+    if size < OTHER_UNITS:
+        return [text + "; are they of the drives, on the joint's side, in N m?"]
+    raise OtherUnits(text + f"; is the unit N m? --torque-scale {np.sign(scale) * 10.0 ** np.round(np.log10(abs(scale))):g} divides them, --torque-scale 1 takes them as they are")
 
 
 def _residual(regressor, tau):

@@ -26,6 +26,13 @@ SUSPICIOUS = 0.2  # of the limit: above, what would mend the log is told althoug
 FIXED = {"rotors": ("rotor",), "friction": ("viscous", "forward", "backward")}
 
 
+def scale(text):
+    """Raises ValueError, which the parser tells."""
+    if not 0.0 < abs(value := float(text)) < np.inf:
+        raise ValueError
+    return value
+
+
 def parsed(arguments):
     parser = argparse.ArgumentParser(prog="identify", description=__doc__, allow_abbrev=False)
     parser.add_argument("log")
@@ -34,6 +41,7 @@ def parsed(arguments):
     parser.add_argument("--tip", default="")
     parser.add_argument("-o", dest="header")
     parser.add_argument("--cutoff", type=float)
+    parser.add_argument("--torque-scale", type=scale)
     parser.add_argument("--keep", action="append", default=[], choices=sorted(FIXED))
     parser.add_argument("--validate")
     parser.add_argument("--residual-limit", type=float, default=RESIDUAL_LIMIT)
@@ -72,12 +80,13 @@ class Fit:
 
 
 class Identification(Fit):
-    """Everything that is found out about a robot from a log. Raises consistency.NotFound."""
+    """Everything that is found out about a robot from a log. Raises consistency.NotFound, and doubts.OtherUnits unless the units are told."""
 
-    def __init__(self, robot, log, keep=(), cutoff=None):
+    def __init__(self, robot, log, keep=(), cutoff=None, units_are_told=False):
         super().__init__(robot, log, keep, cutoff)
-        self.consistent = consistency.nearest(robot, self.free, self.base, self.fit, drive_scales(robot, log))
         self.prior = self.base.combinations @ robot.prior[self.free]
+        self.doubts = [] if units_are_told else doubts.check_units(*doubts.shared_scale(self.equations, self.prior))
+        self.consistent = consistency.nearest(robot, self.free, self.base, self.fit, drive_scales(robot, log))
 
     def torques(self, equations):
         """What the prior, the base parameters and the consistent parameters predict."""
@@ -100,9 +109,9 @@ class Identification(Fit):
         return smoothing.equations(self.robot, log, self.columns, self.known, self.cutoff)[0]
 
 
-def read(path, robot):
+def read(path, robot, torque_scale=None):
     try:
-        return recording.read(path, robot)
+        return recording.read(path, robot, torque_scale or 1.0)
     except recording.RecordingError as error:
         raise ValueError(f"{path}: {error}") from error
 
@@ -110,7 +119,9 @@ def read(path, robot):
 def identified(robot, log, options):
     """Raises ValueError where bodies have nothing like the log's parameters."""
     try:
-        return Identification(robot, log, options.keep, options.cutoff)
+        return Identification(robot, log, options.keep, options.cutoff, options.torque_scale is not None)
+    except doubts.OtherUnits as error:
+        raise ValueError(f"{options.log}: no header is written; {error}") from error
     except consistency.NotFound as error:
         reason = diagnosis(Fit(robot, log, options.keep, options.cutoff), np.inf, 0.01 * options.residual_limit)
         raise ValueError(f"{options.log}: {error}; no header is written; {reason}") from error
@@ -131,12 +142,12 @@ def refuse(found, judged, options):
 
 
 def suspicion(found, options):
-    """Of a log that is taken: the single mistake without which far less would be left; nothing where there is none."""
+    """Of a log that is taken: doubts about its units; the single mistake without which far less would be left."""
     limit, worst = 0.01 * options.residual_limit, found.residuals().max()
     if not SUSPICIOUS * limit < worst <= limit:
-        return []
+        return found.doubts
     remedy = best_remedy(found)
-    return [doubts.sentence(found.robot, worst, remedy, limit)] if doubts.mends(worst, remedy, limit) else []
+    return found.doubts + [doubts.sentence(found.robot, worst, remedy, limit)] if doubts.mends(worst, remedy, limit) else []
 
 
 def diagnosis(found, worst, limit):
@@ -176,12 +187,12 @@ def write_header(found, path, judged):
 
 def identify(options):
     with robots.Robot(options.program, options.robot, options.tip) as robot:
-        log = read(options.log, robot)
+        log = read(options.log, robot, options.torque_scale)
         print(f"{len(log.time)} rows of {len(robot)} joints; fitting", file=sys.stderr, flush=True)
         found = identified(robot, log, options)
         judged = {options.log: found.equations}
         if options.validate:
-            judged[options.validate] = found.on(read(options.validate, robot))
+            judged[options.validate] = found.on(read(options.validate, robot, options.torque_scale))
         folder = pathlib.Path(options.output)
         folder.mkdir(parents=True, exist_ok=True)
         print(report.text(found, judged, suspicion(found, options)))

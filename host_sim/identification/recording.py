@@ -34,8 +34,8 @@ class Recording:
         return (self.time[-1] - self.time[0]) / (len(self.time) - 1)
 
 
-def read(path, robot):
-    """Raises RecordingError."""
+def read(path, robot, torque_scale=1.0):
+    """Torques are divided by torque_scale. Raises RecordingError."""
     try:
         with open(path, encoding="utf-8", newline="") as file:
             header = [name.strip() for name in next(csv.reader(file), [])]
@@ -47,6 +47,7 @@ def read(path, robot):
         raise RecordingError("is not text; give comma separated numbers below a header line") from error
     _check_time(values[:, columns["time"][0]])
     groups = {name: values[:, where] for name, where in columns.items()}
+    groups["tau"] = groups["tau"] / torque_scale
     notes = _doubts(groups, robot)
     return _even(groups, notes)
 

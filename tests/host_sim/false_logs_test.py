@@ -163,6 +163,21 @@ class Mistakes(unittest.TestCase):
                 robot, _, log, _ = Arms.of(name)
                 found = identify.Identification(robot, log)
                 self.assertLess(found.residuals().max(), identify.SUSPICIOUS * LIMIT)
+                self.assertEqual(found.doubts, [])
+
+    def test_of_the_unit_of_every_torque_are_named(self):
+        """Bodies of a thousand times the mass explain torques in N mm, so the description is asked."""
+        for name, factor in (("planar2r", 1000.0), ("puma560", 1000.0), ("panda", 0.001), ("random-1", 1000.0), ("random-3", 0.001)):
+            with self.subTest(robot=name, factor=factor):
+                robot, _, log, _ = Arms.of(name)
+                text = verdict(robot, dataclasses.replace(log, tau=log.tau * factor))
+                self.assertIn("no header is written; every tau looks scaled by ", text)
+                self.assertLess(abs(np.log2(float(text.split("scaled by ")[1].split(":")[0]) / factor)), 1.0, text)
+                self.assertIn(f"--torque-scale {factor:g} divides them", text)
+
+    def test_that_may_be_rough_descriptions_are_only_told(self):
+        robot, _, log, _ = Arms.of("puma560")
+        self.assertIn("on the joint's side, in N m?", verdict(robot, dataclasses.replace(log, tau=log.tau * 10.0)))
 
     def test_of_no_suspect_are_not_pinned_on_one(self):
         robot, _, log, _ = Arms.of("scara")
@@ -186,7 +201,7 @@ class Reactions(unittest.TestCase):
 
 def verdict(robot, log):
     """What is said of a log; empty where it is taken."""
-    options = argparse.Namespace(log="log", keep=(), cutoff=None, residual_limit=100 * LIMIT)
+    options = argparse.Namespace(log="log", keep=(), cutoff=None, residual_limit=100 * LIMIT, torque_scale=None)
     try:
         with contextlib.redirect_stderr(io.StringIO()):
             identify.refuse(found := identify.identified(robot, log, options), {"log": found.equations}, options)
@@ -218,6 +233,16 @@ class Verb(unittest.TestCase):
         status, _, err = self.identify(planted(self.log, Suspect("torques exchanged", (1, 2))), "--residual-limit", "300")
         self.assertEqual(status, 0, err)
         self.assertTrue(self.header.exists())
+
+    def test_takes_torques_by_the_scale_that_is_told(self):
+        _, self.described, log, _ = Arms.of("planar2r")
+        for factor, told, taken in ((1000.0, (), False), (1000.0, ("--torque-scale", "1000"), True), (0.01, (), False), (0.01, ("--torque-scale", "1"), True)):
+            with self.subTest(factor=factor, told=told):
+                status, out, err = self.identify(dataclasses.replace(log, tau=log.tau * factor), *told)
+                self.assertEqual(status, 0 if taken else 1, err)
+                self.assertEqual(self.header.exists(), taken)
+                self.assertEqual("looks scaled" in out + err, not taken)
+                self.header.unlink(missing_ok=True)
 
     def test_says_verified_only_of_a_second_log(self):
         status, out, err = self.identify(self.log)

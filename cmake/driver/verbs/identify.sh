@@ -20,6 +20,8 @@ physically consistent parameters of every link that have them, and says how sure
   --residual-limit NUMBER  % of a joint's RMS torque that may stay unexplained, here and in the second log; default 5. Above it no header
                       is written, the exit status is 1, and exchanged columns, signs, zeros, scales and units of each joint are tried
                       for the one that mends it
+  --torque-scale NUMBER  that torques are divided by: 1000 for N mm. Where it is given the units are taken for right; where not, torques
+                      of 30 times what the description says, or of a 30th, are refused
   --keep rotors|friction  as the robot has them, not fitted; may stand twice
   --output FOLDER     report, predicted torques and picture; default output/identify
   --json FILE         the report once more, as an array of objects
