@@ -39,19 +39,20 @@ constexpr DriveRatios<N> drive_ratios(const double (&rows)[N][N]) {
 
 namespace detail {
 
-/// Whether two joints still have a drive each that moves no other of the two: no transmission lies between them yet.
-template <int N>
-constexpr bool are_uncoupled(const LinkParameters (&links)[N], int a, int b) {
-  const JointDrives &of_a = links[a].drives, &of_b = links[b].drives;
-  return !of_a.names(a) && !of_a.names(b) && !of_b.names(a) && !of_b.names(b);
+/// Whether drive a or b is named already.
+constexpr bool names_one(const JointDrives& drives, int a, int b) {
+  for (int k = 0; k < drives.count && k < JointDrives::most; ++k)
+    if (!drives.follows && (drives.of[k] == a || drives.of[k] == b)) return true;
+  return false;
 }
 
 /// Writes a part's rows into the links before it, of which there are `count`.
 template <int N>
 constexpr bool couple(const ScrewSpline& screw, LinkParameters (&links)[N], int count) {
-  if (count < 2 || !are_uncoupled(links, count - 2, count - 1)) return false;
+  if (count < 2) return false;
   const int slide = links[count - 1].type == JointType::prismatic ? count - 1 : count - 2;
   const int turn = 2 * count - 3 - slide;
+  if (names_one(links[slide].drives, slide, turn) || names_one(links[turn].drives, slide, turn)) return false;
   constexpr double two_pi = 6.283185307179586476925;
   links[slide].drives.name(slide, screw.lead / two_pi), links[slide].drives.name(turn, -screw.lead / two_pi);
   return links[slide].type == JointType::prismatic && links[turn].type == JointType::revolute;
@@ -59,7 +60,7 @@ constexpr bool couple(const ScrewSpline& screw, LinkParameters (&links)[N], int 
 template <int N>
 constexpr bool couple(const Differential& gears, LinkParameters (&links)[N], int count) {
   const int a = count - 2, b = count - 1;
-  if (count < 2 || !are_uncoupled(links, a, b)) return false;
+  if (count < 2 || names_one(links[a].drives, a, b) || names_one(links[b].drives, a, b)) return false;
   links[a].drives.name(a, 0.5), links[a].drives.name(b, 0.5);
   links[b].drives.name(a, 0.5 * gears.ratio), links[b].drives.name(b, -0.5 * gears.ratio);
   return true;

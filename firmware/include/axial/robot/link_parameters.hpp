@@ -27,12 +27,6 @@ struct JointDrives {
     if (count < most) of[count] = drive, ratio[count] = units;
     ++count;
   }
-  /// Whether that drive is among them.
-  constexpr bool names(int drive) const {
-    for (int k = 0; k < count && k < most; ++k)
-      if (!follows && of[k] == drive) return true;
-    return false;
-  }
 };
 
 /// What a link is, in SI units and radians. Frame i is fixed to link i, its z axis is joint i's axis; the transform
