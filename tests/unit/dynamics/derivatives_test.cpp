@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
 #include <cmath>
+#include <cstring>
+#include <new>
+#include <robots/two_arm.hpp>
 
 using namespace axial;
 
@@ -185,4 +188,42 @@ TEST(Derivatives, OfFrictionAtRestAreFinite) {
   EXPECT_EQ(d.dtau_dqd(2, 2), 0.0);
   EXPECT_NEAR(d.dtau_dqd(3, 3), 0.0, 1e-15) << "neither direction's effort, at rest";
   EXPECT_EQ(d.dtau_dq(5, 5), 4.0) << "the spring";
+}
+
+namespace {
+// What `make` returns, in room whose bytes were all `byte` before.
+template <class Make>
+auto made_in_room_of(int byte, const Make& make) {
+  using Result = decltype(make());
+  alignas(Result) unsigned char room[sizeof(Result)];
+  std::memset(room, byte, sizeof room);
+  asm volatile("" : : "r"(room) : "memory");  // else the compiler may leave out what nobody reads
+  return Result(*::new (static_cast<void*>(room)) Result(make()));
+}
+template <class V>
+void expect_same_entries(const V& a, const V& b) {
+  for (std::size_t k = 0; k < sizeof a.values / sizeof a.values[0]; ++k)
+    EXPECT_EQ(a.values[k], b.values[k]) << k;
+}
+template <class S, int n = joint_count<S>>
+void expect_every_entry_written() {
+  Joints<robot_of<S>, double> q{}, qd{}, x{};
+  for (int i = 0; i < n; ++i)
+    q[i] = 0.3 + 0.1 * i, qd[i] = 0.7 - 0.2 * i, x[i] = 1.0 + 0.5 * i;
+  const auto inverse = [&] { return inverse_dynamics_derivatives<S>(q, qd, x); };
+  const auto a = made_in_room_of(0, inverse), b = made_in_room_of(0xff, inverse);
+  expect_same_entries(a.tau, b.tau), expect_same_entries(a.M, b.M);
+  expect_same_entries(a.dtau_dq, b.dtau_dq), expect_same_entries(a.dtau_dqd, b.dtau_dqd);
+  const auto forward = [&] { return forward_dynamics_derivatives<S>(q, qd, x); };
+  const auto c = made_in_room_of(0, forward), d = made_in_room_of(0xff, forward);
+  expect_same_entries(c.qdd, d.qdd), expect_same_entries(c.M_inverse, d.M_inverse);
+  expect_same_entries(c.dqdd_dq, d.dqdd_dq), expect_same_entries(c.dqdd_dqd, d.dqdd_dqd);
+}
+}  // namespace
+
+TEST(Derivatives, OfNoEntryKeepWhatWasInMemoryBefore) {
+  expect_every_entry_written<Selective>();
+  expect_every_entry_written<Mixed>();
+  expect_every_entry_written<robots::TwoArm>();
+  expect_every_entry_written<Scene<robots::TwoArm, Gravity, RotorInertia, Looped>>();
 }

@@ -17,7 +17,7 @@ struct Velocity {};  ///< qd
 template <class S, class T, class By>
 struct JointMatrix {
   static constexpr int size = joint_count<S>;  ///< number of joints
-  T values[size * size] = {};                  ///< row by row
+  T values[size * size];                       ///< row by row; zero where the matrix is initialised by {}
 
   AXIAL_INLINE constexpr T& operator()(int i, int j) { return values[i * size + j]; }  ///< entry (i, j)
   /// Entry (i, j).
@@ -54,21 +54,21 @@ struct with_mass_matrix {
   /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
-    MassMatrixOf<S, T> M{};  ///< d tau / d qdd, with rotors as the scene names them
+    MassMatrixOf<S, T> M;  ///< d tau / d qdd, with rotors as the scene names them
   };
 };
 struct with_position_jacobian {
   /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
-    JointMatrixOf<S, T, by::Position> dtau_dq{};  ///< (i, j) = d tau_i / d q_j: N m/rad, N m/m, N/rad or N/m
+    JointMatrixOf<S, T, by::Position> dtau_dq;  ///< (i, j) = d tau_i / d q_j: N m/rad, N m/m, N/rad or N/m
   };
 };
 struct with_velocity_jacobian {
   /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
-    JointMatrixOf<S, T, by::Velocity> dtau_dqd{};  ///< (i, j) = d tau_i / d qd_j: N m s/rad and so on
+    JointMatrixOf<S, T, by::Velocity> dtau_dqd;  ///< (i, j) = d tau_i / d qd_j: N m s/rad and so on
   };
 };
 ///@}
@@ -83,6 +83,54 @@ struct InverseDynamicsDerivatives<S, T>
 
 namespace derivatives {
 
+/// Results without numbers in their matrices.
+template <class Result>
+AXIAL_INLINE inline Result unwritten() {
+  Result result;
+  return result;
+}
+/// What the algorithm over `Links` starts with. Unrolled, it writes every entry, those of zero too: zeros beforehand
+/// would be written twice, and only constant expressions ask for them. A loop does not write pairs of
+/// two branches.
+template <class Links, class Result>
+AXIAL_INLINE constexpr Result blank() {
+  if constexpr (Links::unrolled)
+    if (!__builtin_is_constant_evaluated()) return unwritten<Result>();
+  return Result{};
+}
+/// Whether joint j is link i's own or one that carries it; j before i.
+template <class Links>
+constexpr bool is_carried_by(int i, int j) {
+  while (i > j)
+    i = Links::parent_index(i);
+  return i == j;
+}
+/// Hands zeros of pairs of joints on two branches to `out`, where the compiler knows the branches.
+template <class Links, class Out>
+AXIAL_INLINE constexpr void write_between_branches(const Links& links, Out& out) {
+  if constexpr (Links::unrolled)
+    for_each_link(links, [&](auto i) AXIAL_INLINE {
+      for_each_link(links, [&](auto j) AXIAL_INLINE {
+        constexpr int row = decltype(i)::value, column = decltype(j)::value;
+        if constexpr (column < row && !is_carried_by<Links>(row, column)) {
+          out.mass(i, j, Zero{});
+          out.position(i, j, Zero{});
+          out.position(j, i, Zero{});
+          out.velocity(i, j, Zero{});
+          out.velocity(j, i, Zero{});
+        }
+      });
+    });
+}
+/// Writes an entry; what is zero by type becomes a number.
+template <class Matrix, class I, class J, class X>
+AXIAL_INLINE constexpr void write_entry(Matrix& matrix, I i, J j, const X& x) {
+  if constexpr (is_zero_v<X>)
+    matrix(i, j) = {};
+  else
+    matrix.set(i, j, x);
+}
+
 /// Where the algorithm over `Links` writes entries: into what was asked for.
 template <class Links, class Result>
 struct Entries {
@@ -96,17 +144,17 @@ struct Entries {
   /// M(i, j)
   template <class I, class J, class X>
   AXIAL_INLINE constexpr void mass(I i, J j, const X& x) {
-    if constexpr (Result::template has<with_mass_matrix>) result.M.set(i, j, x);
+    if constexpr (Result::template has<with_mass_matrix>) write_entry(result.M, i, j, x);
   }
   /// d tau_i / d q_j
   template <class I, class J, class X>
   AXIAL_INLINE constexpr void position(I i, J j, const X& x) {
-    if constexpr (Result::template has<with_position_jacobian>) result.dtau_dq.set(i, j, x);
+    if constexpr (Result::template has<with_position_jacobian>) write_entry(result.dtau_dq, i, j, x);
   }
   /// d tau_i / d qd_j
   template <class I, class J, class X>
   AXIAL_INLINE constexpr void velocity(I i, J j, const X& x) {
-    if constexpr (Result::template has<with_velocity_jacobian>) result.dtau_dqd.set(i, j, x);
+    if constexpr (Result::template has<with_velocity_jacobian>) write_entry(result.dtau_dqd, i, j, x);
   }
 };
 

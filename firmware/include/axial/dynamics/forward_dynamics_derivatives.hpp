@@ -14,21 +14,21 @@ struct with_inverse_mass_matrix {
   /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
-    MassMatrixOf<S, T> M_inverse{};  ///< d qdd / d tau, symmetric: 1/(kg m^2), 1/(kg m), 1/kg
+    MassMatrixOf<S, T> M_inverse;  ///< d qdd / d tau, symmetric: 1/(kg m^2), 1/(kg m), 1/kg
   };
 };
 struct with_acceleration_by_position {
   /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
-    JointMatrixOf<S, T, by::Position> dqdd_dq{};  ///< (i, j) = d qdd_i / d q_j, at given efforts
+    JointMatrixOf<S, T, by::Position> dqdd_dq;  ///< (i, j) = d qdd_i / d q_j, at given efforts
   };
 };
 struct with_acceleration_by_velocity {
   /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
-    JointMatrixOf<S, T, by::Velocity> dqdd_dqd{};  ///< (i, j) = d qdd_i / d qd_j, at given efforts
+    JointMatrixOf<S, T, by::Velocity> dqdd_dqd;  ///< (i, j) = d qdd_i / d qd_j, at given efforts
   };
 };
 ///@}
@@ -89,26 +89,27 @@ struct SlopeEntries {
   /// d tau_i / d q_j
   template <class I, class J, class X>
   AXIAL_INLINE constexpr void position(I i, J j, const X& x) {
-    if constexpr (Result::template has<with_acceleration_by_position>) result.dqdd_dq.set(i, j, x);
+    if constexpr (Result::template has<with_acceleration_by_position>) write_entry(result.dqdd_dq, i, j, x);
   }
   /// d tau_i / d qd_j
   template <class I, class J, class X>
   AXIAL_INLINE constexpr void velocity(I i, J j, const X& x) {
-    if constexpr (Result::template has<with_acceleration_by_velocity>) result.dqdd_dqd.set(i, j, x);
+    if constexpr (Result::template has<with_acceleration_by_velocity>) write_entry(result.dqdd_dqd, i, j, x);
   }
 };
 
-/// Accelerations and the factors of M, from one pass at qdd = 0.
+/// Accelerations, their status and the factors of M, from one pass at qdd = 0.
 template <class Links, class Input, class Q, class Screws, class V, class Tau, class A, class F>
-AXIAL_INLINE constexpr void solve_and_factor(const Links& links, const Input& in, const Q& q, const Screws& screws,
+AXIAL_INLINE constexpr auto solve_and_factor(const Links& links, const Input& in, const Q& q, const Screws& screws,
                                              const V& qd, const Tau& tau, A& qdd, F& factors) {
   RestEntries at_rest{factors.m, tau, qdd};
   entries(links, in, q, screws, qd, NoMotion{}, at_rest);
   const auto composite = map_links(links, [&](auto i) AXIAL_INLINE { return factors.m(i, i); });
-  qdd.status = crba::solve(links, factors.m, qdd);
+  const auto status = crba::solve(links, factors.m, qdd);
   for_each_link(links, [&](auto i) AXIAL_INLINE {
     factors.inverses[i] = crba::pivot(links.link(i), factors.m(i, i), composite[i]).inverse;
   });
+  return status;
 }
 
 /// Jacobians of inverse dynamics become those of forward dynamics: -M^-1 times them.
@@ -125,20 +126,22 @@ AXIAL_INLINE constexpr void solve_slopes(const Links& links, F factors, Result& 
     solve_columns(links, factors, result.dqdd_dqd);
 }
 
-/// The algorithm over any form of links.
+/// The algorithm over any form of links: all results but the status, which it returns.
 template <class Links, class Input, class Q, class V, class Tau, class Result>
-AXIAL_INLINE constexpr void run_forward(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
+AXIAL_INLINE constexpr auto run_forward(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
                                         Result& result) {
   using T = typename Links::Scalar;
   auto screws = joint_screws(links, in, q);
-  auto qdd = result.qdd;  // not the result itself, a store to which may change q for all that the compiler knows
+  Row<T, Links::capacity> qdd;  // not the result, a store to which may change q for all that the compiler knows
   Factors<MassMatrix<typename Links::Scene::Robot, T>, T, Links::capacity> factors;
-  solve_and_factor(links, in, q, screws, qd, tau, qdd, factors);
+  const auto status = solve_and_factor(links, in, q, screws, qd, tau, qdd, factors);
   SlopeEntries<Result> slopes{result};
   entries(links, in, q, screws, qd, qdd, slopes);
-  result.qdd = qdd;
+  write_between_branches(links, slopes);
+  for_each_link(links, [&](auto i) AXIAL_INLINE { result.qdd[i] = qdd[i]; });
   if constexpr (Result::template has<with_inverse_mass_matrix>) invert(links, factors, result.M_inverse);
   solve_slopes(links, factors, result);
+  return status;
 }
 
 }  // namespace derivatives
@@ -159,9 +162,10 @@ template <class S, class... Wanted, class T>
       every_joint_is_resisted<S>(),
       "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "
       "each joint a mass, an inertia about the joint axis, or rotor_inertia()");
-  ForwardDynamicsDerivatives<S, T, Wanted...> result{};
+  constexpr auto links = links_of<S, T, BaseParameters, recursion::Derivatives>();
+  auto result = derivatives::blank<decltype(links), ForwardDynamicsDerivatives<S, T, Wanted...>>();
   const detail::StateCheck<S, T> check(in, q, qd);
-  derivatives::run_forward(links_of<S, T, BaseParameters, recursion::Derivatives>(), in, q, qd, tau, result);
+  result.qdd.status = derivatives::run_forward(links, in, q, qd, tau, result);
   check.judge(result.qdd);
   return result;
 }
@@ -174,8 +178,8 @@ template <class... Wanted, int N, class... F, class T, class M = Model<N, F...>>
   ForwardDynamicsDerivatives<M, T, Wanted...> result{};
   const auto links = model.template links<T>();
   const auto asked = detail::collected_request(links, in, q, qd);
-  derivatives::run_forward(links, in, q, qd, tau, result);
-  result.qdd.status = detail::sound_status(links, asked, result.qdd, result.qdd.status);
+  const auto solved = derivatives::run_forward(links, in, q, qd, tau, result);
+  result.qdd.status = detail::sound_status(links, asked, result.qdd, solved);
   return result;
 }
 

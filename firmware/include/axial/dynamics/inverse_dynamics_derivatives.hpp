@@ -63,9 +63,10 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
 /// The algorithm's results over links, joint values as callers have them.
 template <class Result, class Links, class Input, class Q, class V, class A>
 AXIAL_INLINE constexpr Result results(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd) {
-  Result result{};
+  auto result = blank<Links, Result>();
   Entries<Links, Result> entries{result};
   run(links, in, links.read(q), links.read(qd), links.read(qdd), entries);
+  write_between_branches(links, entries);
   return result;
 }
 

@@ -30,21 +30,43 @@ AXIAL_INLINE constexpr auto doubled_moments(const RigidInertia<M, H, J>& body) {
 
 namespace detail {
 
+// A negative constant by its absolute value: links whose moments balance have products but for a sign twice.
+template <class X>
+struct Negative {
+  X absolute{};
+};
+template <class A, class X>
+AXIAL_INLINE constexpr auto operator*(const A& a, const Negative<X>& x) {
+  return -(a * x.absolute);
+}
+template <class X>
+Negative(X) -> Negative<X>;
 template <class T, class Constants, Member<double> M>
 AXIAL_INLINE constexpr auto twice_constant() {
   return literal<T>([] { return 2.0 * (Constants::of().*M); });
 }
+template <class Constants, Member<double> A, Member<double> B, Member<double> C>
+constexpr double second_moment() {
+  return Constants::of().*A + Constants::of().*B - Constants::of().*C;
+}
+template <class T, class Constants, Member<double> A, Member<double> B, Member<double> C>
+AXIAL_INLINE constexpr auto second_moment_constant() {
+  if constexpr (second_moment<Constants, A, B, C>() < 0.0)
+    return Negative{literal<T>([] { return -second_moment<Constants, A, B, C>(); })};
+  else
+    return literal<T>([] { return second_moment<Constants, A, B, C>(); });
+}
 template <class T, class Constants>
 AXIAL_INLINE constexpr auto twice_of_link() {
   using C = LinkConstants<double>;
-  return DoubledMoments{twice_constant<T, Constants, &C::mass>(),
-                        Vec3{twice_constant<T, Constants, &C::hx>(), twice_constant<T, Constants, &C::hy>(),
-                             twice_constant<T, Constants, &C::hz>()},
-                        Sym3{literal<T>([] { return Constants::of().jyy + Constants::of().jzz - Constants::of().jxx; }),
-                             literal<T>([] { return Constants::of().jxx + Constants::of().jzz - Constants::of().jyy; }),
-                             literal<T>([] { return Constants::of().jxx + Constants::of().jyy - Constants::of().jzz; }),
-                             -twice_constant<T, Constants, &C::jxy>(), -twice_constant<T, Constants, &C::jxz>(),
-                             -twice_constant<T, Constants, &C::jyz>()}};
+  return DoubledMoments{
+      twice_constant<T, Constants, &C::mass>(),
+      Vec3{twice_constant<T, Constants, &C::hx>(), twice_constant<T, Constants, &C::hy>(),
+           twice_constant<T, Constants, &C::hz>()},
+      Sym3{second_moment_constant<T, Constants, &C::jyy, &C::jzz, &C::jxx>(),
+           second_moment_constant<T, Constants, &C::jxx, &C::jzz, &C::jyy>(),
+           second_moment_constant<T, Constants, &C::jxx, &C::jyy, &C::jzz>(), -twice_constant<T, Constants, &C::jxy>(),
+           -twice_constant<T, Constants, &C::jxz>(), -twice_constant<T, Constants, &C::jyz>()}};
 }
 template <class Robot, class Parameters, int I>
 struct ConstantsOfLink {

@@ -48,7 +48,7 @@ inline constexpr JointMatrixFormat<S, Word, By> joint_matrix_format = JointMatri
 template <class S, class Word, class By>
 struct JointMatrix<S, Stored<Word>, By> {
   static constexpr int size = joint_count<S>;  ///< number of joints
-  Stored<Word> values[size * size] = {};       ///< row by row
+  Stored<Word> values[size * size];            ///< row by row; zero where the matrix is initialised by {}
 
   /// Exponent of entry (i, j).
   [[nodiscard]] static constexpr int exponent(int i, int j) {
