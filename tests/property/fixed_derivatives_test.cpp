@@ -138,3 +138,80 @@ TEST(FixedDerivativesUnderLoad, StayInsideTheirCertifiedErrors) {
   EXPECT_EQ(range_overflows, 0U);
   EXPECT_GT(nearest, 0.05) << "a bound as loose as this says little";
 }
+
+namespace {
+
+// A payload of any declared mass, centre and inertia; one in four at the ends of its ranges.
+template <class R, class In, class ExactIn>
+void put_payload(In& in, ExactIn& exact_in, std::mt19937_64& generator) {
+  using Format = InputFormats<R, Fixed32>;
+  using property::put;
+  constexpr PayloadLimit most = R::chain.payload_limit;
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  const bool at_ends = generator() % 4 == 0;
+  const auto pick = [&](double largest) {
+    const double x = any(generator);
+    return at_ends ? std::copysign(largest, x) : largest * x;
+  };
+  const auto positive = [&](double largest) { return std::fabs(pick(largest)); };
+  auto &body = in.payload, &exact = exact_in.payload;
+  const double side = most.com_reach / std::sqrt(3.0);
+  put(body.mass, exact.mass, positive(most.mass), Format::payload_mass);
+  put(body.com.x, exact.com.x, pick(side), Format::payload_com);
+  put(body.com.y, exact.com.y, pick(side), Format::payload_com);
+  put(body.com.z, exact.com.z, pick(side), Format::payload_com);
+  auto &j = body.inertia_com, &e = exact.inertia_com;
+  put(j.xx, e.xx, positive(most.inertia), Format::payload_inertia);
+  put(j.yy, e.yy, positive(most.inertia), Format::payload_inertia);
+  put(j.zz, e.zz, positive(most.inertia), Format::payload_inertia);
+  put(j.xy, e.xy, pick(0.5 * most.inertia), Format::payload_inertia);
+  put(j.xz, e.xz, pick(0.5 * most.inertia), Format::payload_inertia);
+  put(j.yz, e.yz, pick(0.5 * most.inertia), Format::payload_inertia);
+}
+constexpr int payload_states = 2000;
+
+// The largest share of a certified error.
+template <class Words, class Exact, class Bound>
+double largest_share(const Words& words, const Exact& exact, const Bound& within, int joints) {
+  double share = 0.0;
+  for (int i = 0; i < joints; ++i)
+    for (int j = 0; j < joints; ++j) {
+      const double error = std::fabs(property::real(words(i, j), words.exponent(i, j)) - exact(i, j));
+      EXPECT_LE(error, within(i, j) + 1e-12) << i << ' ' << j;
+      if (within(i, j) > 0.0) share = std::fmax(share, error / within(i, j));
+    }
+  return share;
+}
+template <class R, class... Tags>
+void expect_inside_with_payload() {
+  using Exact = Scene<R, Gravity, RotorInertia, Payload>;
+  using Checked = Scene<R, Gravity, RotorInertia, Payload, RangeCheck, Tags...>;
+  constexpr int joints = joint_count<R>;
+  constexpr auto bound = error_bound<Checked>(algorithm::inverse_dynamics_derivatives);
+  range_overflows = 0;
+  std::mt19937_64 generator(23);
+  double mass = 0.0, position = 0.0, velocity = 0.0;
+  for (int k = 0; k < payload_states; ++k) {
+    const property::FixedState<R> state(generator);
+    Inputs<Checked, Fixed32> in{};
+    Inputs<Exact, double> exact_in{};
+    put_payload<R>(in, exact_in, generator);
+    const auto got = inverse_dynamics_derivatives<Checked>(state.q, state.qd, state.qdd, in);
+    const auto exact = inverse_dynamics_derivatives<Exact>(state.q_real, state.qd_real, state.qdd_real, exact_in);
+    mass = std::fmax(mass, largest_share(got.M, exact.M, bound.M, joints));
+    position = std::fmax(position, largest_share(got.dtau_dq, exact.dtau_dq, bound.dtau_dq, joints));
+    velocity = std::fmax(velocity, largest_share(got.dtau_dqd, exact.dtau_dqd, bound.dtau_dqd, joints));
+    for (int i = 0; i < joints; ++i)
+      EXPECT_LE(std::fabs(property::real(got.tau[i], got.tau.exponent(i)) - exact.tau[i]), bound.tau[i]) << i;
+  }
+  EXPECT_EQ(range_overflows, 0U);
+  for (const double share : {mass, position, velocity})
+    EXPECT_GT(share, 0.05) << "a bound as loose as this says little";
+}
+
+}  // namespace
+
+TEST(FixedDerivativesWithPayload, StayInsideTheirCertifiedErrors) {
+  expect_inside_with_payload<robots::Scara>();
+  expect_inside_with_payload<robots::ScaraRrpr, HighWord>();
+}

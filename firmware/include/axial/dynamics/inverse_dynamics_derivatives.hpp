@@ -10,6 +10,20 @@
 namespace axial {
 namespace derivatives {
 
+/// Doubled moments of a link with what it bears: constants of the model where the compiler knows that this is nothing.
+template <class Link, class B>
+AXIAL_INLINE constexpr auto loaded_moments(const Link& link, const B& body) {
+  if constexpr (!Link::Scene::template has<Payload>) {
+    return doubled_moments(link);
+  } else if constexpr (Link::unrolled) {
+    if constexpr (Link::is_last)
+      return doubled_moments(link, body);
+    else
+      return doubled_moments(link);
+  } else {
+    return doubled_moments(link, body);
+  }
+}
 /// What link i is by itself.
 template <class Links, class Input, class Motions, class Passages, class Water, class I>
 AXIAL_INLINE constexpr auto own_part(const Links& links, const Input& in, const Motions& motions,
@@ -18,12 +32,8 @@ AXIAL_INLINE constexpr auto own_part(const Links& links, const Input& in, const 
   auto link = links.link(i);
   auto body = loads.body(link);
   auto force = rnea::own_force(links, in, motions, water, i);
-  auto flow = [&](const auto& moments)
-                  AXIAL_INLINE { return mass_flow(link, moments, motions[i].w, passages[i].origin); };
-  if constexpr (Links::Scene::template has<Payload>)
-    return link.shape(Subtree{link.formatted(body), flow(doubled_moments(body)), force});
-  else
-    return link.shape(Subtree{link.formatted(body), flow(doubled_moments(link)), force});
+  auto flow = mass_flow(link, loaded_moments(link, body), motions[i].w, passages[i].origin);
+  return link.shape(Subtree{link.formatted(body), flow, force});
 }
 
 /// The algorithm over any form of links and the screws at q; hands every entry to `out`.
@@ -80,10 +90,9 @@ AXIAL_INLINE constexpr Result results(const Links& links, const Input& in, const
 /// with the last link; wrenches are constant in the axes of the link that they act on. A base that moves or floats
 /// keeps the motion that the inputs say. Errors: tests/property/derivatives_test.cpp holds them below 1e-6 of a block's
 /// largest entry in float for three arms, below 1e-13 in double for all that it knows. In fixed point every entry has
-/// an exponent and a certified error (error_bound()), where q, qd and qdd are inside the declared limits; unrolled,
-/// without a payload. Source: Singh, Russell and Wensing 2022, "Efficient Analytical Derivatives of Rigid-Body Dynamics
-/// Using Spatial Vector Algebra" (arXiv 2105.05102), in link frames with successive axial screws. NaN and infinities
-/// propagate.
+/// an exponent and a certified error (error_bound()), where q, qd and qdd are inside the declared limits; unrolled.
+/// Source: Singh, Russell and Wensing 2022, "Efficient Analytical Derivatives of Rigid-Body Dynamics Using Spatial
+/// Vector Algebra" (arXiv 2105.05102), in link frames with successive axial screws. NaN and infinities propagate.
 template <class S, class... Wanted, class T>
 [[nodiscard]] constexpr InverseDynamicsDerivatives<S, T, Wanted...> inverse_dynamics_derivatives(
     const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const Accelerations<robot_of<S>, T>& qdd,

@@ -80,6 +80,23 @@ template <class Scene, int I, class T, class Parameters, class Rounder>
 AXIAL_INLINE constexpr auto doubled_moments(const StaticLink<Scene, I, T, Parameters, Rounder>&) {
   return detail::twice_of_link<T, detail::ConstantsOfLink<typename Scene::Robot, Parameters, I>>();
 }
+/// Doubled moments of a body that a link bears. Where results have formats each second moment is rounded as half of
+/// what it says: that has room where an inertia has.
+template <class Link, class M, class H, class J>
+AXIAL_INLINE constexpr auto doubled_moments(const Link& link, const RigidInertia<M, H, J>& body) {
+  if constexpr (Link::ranged) {
+    const auto& h = body.first_moment;
+    const auto& j = body.inertia;
+    const auto about = [&](const auto& a, const auto& b, const auto& c) AXIAL_INLINE {
+      return twice(link.sum(quantity::RotationalInertia{}, half(a), half(b), -half(c)));
+    };
+    return DoubledMoments{twice(body.mass), Vec3{twice(h.x), twice(h.y), twice(h.z)},
+                          Sym3{about(j.yy, j.zz, j.xx), about(j.xx, j.zz, j.yy), about(j.xx, j.yy, j.zz), -twice(j.xy),
+                               -twice(j.xz), -twice(j.yz)}};
+  } else {
+    return doubled_moments(body);
+  }
+}
 /// Doubled moments of any other view of a link.
 template <class Link>
 AXIAL_INLINE constexpr auto doubled_moments(const Link& link) -> decltype(doubled_moments(link.body())) {

@@ -33,10 +33,21 @@ struct FineLink {
   template <class Q>
   void leave_room(Q, double) const {}
   template <class Q, class First, class... Terms>
-  BoundedVector sum(Q, const First& first, const Terms&... terms) const {
-    axial::bounds::VectorSum all = axial::bounds::vector_of(first);
-    (axial::bounds::detail::accumulate(all, axial::bounds::vector_of(terms)), ...);
-    return bounded(axial::detail::tightened(all.bound));
+  auto sum(Q, const First& first, const Terms&... terms) const {
+    using namespace axial::bounds;
+    if constexpr (axial::bounds::detail::IsVector<First>::value) {
+      VectorSum all = vector_of(first);
+      (axial::bounds::detail::accumulate(all, vector_of(terms)), ...);
+      return bounded(axial::detail::tightened(all.bound));
+    } else {
+      NumberSum all = term_of(first);
+      (axial::bounds::detail::accumulate(all, term_of(terms)), ...);
+      return word_of(all.bound, fine);
+    }
+  }
+  template <class F>
+  void while_quiet(const F& f) const {
+    f();
   }
   const WordRounding& rounding() const { return exact_rounding; }
   const CompositeBody& formatted(const CompositeBody& body) const { return body; }

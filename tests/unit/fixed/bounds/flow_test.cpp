@@ -131,6 +131,39 @@ TEST(Flows, OfALinkByItsMoments) {
       },
       0.6);
 }
+// s (1 - 2 n n^T): of all matrices of that norm the one whose second moments, tr(J) 1 - 2 J, are the largest.
+Sym3<double> mirror(double norm, Choice& c) {
+  const double s = norm * c.next();
+  const Vector n = unit(c);
+  return {s - 2.0 * s * n.x * n.x, s - 2.0 * s * n.y * n.y, s - 2.0 * s * n.z * n.z,
+          -2.0 * s * n.x * n.y,    -2.0 * s * n.x * n.z,    -2.0 * s * n.y * n.z};
+}
+TEST(Flows, OfAPayloadByItsNorms) {
+  expect_bounds(
+      [](std::mt19937_64& random) {
+        const SplitBall w = any_bound(random), v = any_bound(random);
+        const Ball mass{any_size(random), 1e-4}, moment{any_size(random), 1e-3 * any_size(random)},
+            inertia{any_size(random), 1e-3 * any_size(random)};
+        const Number none = word_of({}, fine);
+        const bounds::Body body{
+            word_of(mass, fine), {none, none, none, moment}, {{none, none, none, none, none, none}, inertia}};
+        const auto bound = mass_flow(FineLink{}, doubled_moments(FineLink{}, body), bounded(w), bounded(v));
+        return climb(
+            [&](Choice& c) {
+              const Sample a = sample(w, c), b = sample(v, c);
+              const Scalar m = sample(mass, c);
+              const Vector h = vector_within(moment.size, moment.size, moment.size, c);
+              const Vector h_off = plus(h, vector_within(moment.error, moment.error, moment.error, c));
+              const Sym3<double> j = mirror(inertia.size, c), j_off = added(j, mirror(inertia.error, c));
+              return nearness_of(
+                  bound, mass_flow(Plain{}, doubled_moments(RigidInertia{m.exact, h, j}), a.exact, b.exact),
+                  mass_flow(Plain{}, doubled_moments(RigidInertia{m.computed, h_off, j_off}), a.computed, b.computed),
+                  c);
+            },
+            random());
+      },
+      0.5);
+}
 TEST(Flows, ThroughTheJointsScrew) { expect_flows<ZAxis>(0.5); }
 TEST(Flows, ThroughAnXScrew) { expect_flows<XAxis>(0.5); }
 TEST(Flows, TakeAForceWhereTheirFrameTurns) {

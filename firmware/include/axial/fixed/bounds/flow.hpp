@@ -82,9 +82,23 @@ constexpr auto doubled_moments(const Body& body) {
 
 namespace detail {
 
-// The constant of the largest size, whose products round most.
-constexpr const Number& worst(const Sym3<Number>& of) {
-  return worse(worse(of.xx, worse(of.yy, of.zz)), worse(of.xy, worse(of.xz, of.yz)));
+// The constant of the largest size, whose products round most; with what is added to it.
+constexpr Number worst(const ConstantVector& h) {
+  Number most = worse(h.x, worse(h.y, h.z));
+  most.bound = most.bound + h.loose;
+  return most;
+}
+constexpr Number worst(const ConstantInertia& j) {
+  const auto& of = j.of;
+  Number most = worse(worse(of.xx, worse(of.yy, of.zz)), worse(of.xy, worse(of.xz, of.yz)));
+  most.bound = most.bound + j.loose;
+  return most;
+}
+// Twice a word whose products count, even where the model's own share of it is zero.
+constexpr Number twice_counted(Number x) {
+  x = twice(x);
+  x.bound.error += 1e-300;
+  return x;
 }
 // A matrix of words that is known by its norm, times a vector: as many products a component as the vector has.
 constexpr VectorSum matrix_times(const Ball& norm, int exponent, const BoundedVector& v) {
@@ -111,17 +125,44 @@ constexpr BoundedVector line_of(const FlowMatrix& m) {
 
 }  // namespace detail
 
+/// Twice the moments of a link with its payload, in words. Nothing is known of what a payload adds but its norm, of
+/// which tr(J) 1 - 2 J is three times at most; so of its error.
+template <class Link>
+constexpr auto doubled_moments(const Link& link, const Body& body) {
+  using namespace quantity;
+  const auto constants = doubled_moments(body);
+  if (body.mass.is_literal) return constants;
+  const auto& h = body.first_moment;
+  const auto& j = body.inertia;
+  const auto about = [&](const Number& a, const Number& b, const Number& c, const Number& own) {
+    Number half_of{};
+    link.while_quiet([&] { half_of = link.sum(RotationalInertia{}, half(a), half(b), -half(c)); });
+    half_of.bound.size = 0.5 * own.bound.size;
+    return detail::twice_counted(half_of);
+  };
+  link.leave_room(RotationalInertia{}, 1.5 * (j.norm() + j.loose.size));
+  const Sym3<Number>& own = constants.second.of;
+  return DoubledMoments<Number, ConstantVector, ConstantInertia>{
+      twice(body.mass),
+      {detail::twice_counted(h.x), detail::twice_counted(h.y), detail::twice_counted(h.z), 2.0 * h.loose},
+      {{about(j.of.yy, j.of.zz, j.of.xx, own.xx), about(j.of.xx, j.of.zz, j.of.yy, own.yy),
+        about(j.of.xx, j.of.yy, j.of.zz, own.zz), detail::twice_counted(j.of.xy), detail::twice_counted(j.of.xz),
+        detail::twice_counted(j.of.yz)},
+       3.0 * j.loose}};
+}
+
 /// Mass flow of a link: |C| <= |v| |h| + |w| |S|, for (v . h) a - v (h . a) = h x (a x v) and w x (S a) are no longer
 /// than that. Nine entries, each rounded: of four products at most.
 template <class Link>
 constexpr BoundedFlow mass_flow(const Link& link, const DoubledMoments<Number, ConstantVector, ConstantInertia>& body,
                                 const BoundedVector& w, const BoundedVector& v) {
   const auto& h = body.first;
-  const auto& s = body.second.of;
-  const Ball length{detail::hypotenuse(h.side(), h.height()), 0.0}, norm{body.second.norm(), 0.0};
+  const auto& s = body.second;
+  const Ball length = Ball{detail::hypotenuse(h.side(), h.height()), 0.0} + h.unknown();
+  const Ball norm{s.norm() + s.loose.size, s.error()};
   Terms entry;
   for (int i = 0; i < 2; ++i) {
-    add_product(entry, worse(h.x, worse(h.y, h.z)), v.exponent, v.bound.whole.largest());
+    add_product(entry, detail::worst(h), v.exponent, v.bound.whole.largest());
     add_product(entry, detail::worst(s), w.exponent, w.bound.whole.largest());
   }
   const Ball bound = length * v.bound.whole + norm * w.bound.whole;

@@ -39,9 +39,6 @@ constexpr void check_fixed_form() {
                 "axial: forward dynamics, separation and derivatives in fixed point need a format per link, which the "
                 "looped form "
                 "has not; take Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)");
-  static_assert(!std::is_same_v<Recursion, recursion::Derivatives> || !Scene::template has<Payload>,
-                "axial: derivatives in fixed point have no payload; take Payload out of the scene, or compute them in "
-                "float");
   static_assert(!std::is_same_v<Recursion, recursion::Separation> || !Scene::template has<TipWrench>,
                 "axial: separate() in fixed point has no wrenches; take TipWrench out of the scene");
   static_assert(!std::is_same_v<Recursion, recursion::BaseForce>,
