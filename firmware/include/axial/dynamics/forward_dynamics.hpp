@@ -62,7 +62,9 @@ AXIAL_INLINE constexpr auto solve_model(const Links& links, const Input& in, con
 /// its acceleration is 0 and the rest moves as if it were locked. On a floating base the result holds the base's
 /// acceleration too, and joint -1 stands for the base. A robot with a joint that no mass, inertia or rotor resists does
 /// not compile.
-/// In fixed point any words may be given. Efforts beyond the declared ones: see fixed/dynamics/drive_scale.hpp. A
+/// In fixed point any words may be given. Efforts beyond the declared ones: see fixed/dynamics/drive_scale.hpp. Where
+/// efforts could drive a joint at over 1024 times what it declares an answer so far beyond that it may be off by more
+/// than a thousandth of the largest declared acceleration stands, named (acceleration_limit). A
 /// position or a speed beyond its limit is named (position_limit, speed_limit: the first joint from the base), inputs
 /// beyond what is declared likewise (payload_limit, input_limit); accelerations are then 0, for formats hold no more,
 /// unless nothing but the angles of turning joints is beyond: those have no end, and are solved all the same. Who wants

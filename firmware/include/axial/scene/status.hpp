@@ -16,7 +16,7 @@ struct Status {
     not_finite = 2,          ///< an input or a result is NaN or infinite
     position_limit = 3,      ///< outside the declared limits
     speed_limit = 4,         ///< outside the declared limits
-    acceleration_limit = 5,  ///< outside the declared limits
+    acceleration_limit = 5,  ///< outside the declared limits; of fixed-point answers: too far outside to be exact
     effort_limit = 6,        ///< the result was clamped to the declared effort
     payload_limit = 7,       ///< the run-time payload is beyond the declared maximum, or not a number; about no joint
     saturated = 9,           ///< fixed-point forward dynamics: efforts drive this joint beyond the range of its formats

@@ -25,6 +25,13 @@ struct LightTip {
   static constexpr auto chain = axial::chain(gravity(0.0, -9.81, 0.0), joint(4.0, 0.4), joint(2.0, 0.3).a(0.4),
                                              joint(1e-3, 0.01).a(0.3).alpha_deg(70));
 };
+// A pendulum whose efforts could drive it at two thousand times what it declares, and one at fifty times.
+struct Quick {
+  static constexpr auto chain = axial::chain(gravity(0.0, -9.81, 0.0), joint(0.1, 0.13));
+};
+struct Slow {
+  static constexpr auto chain = axial::chain(gravity(0.0, -9.81, 0.0), joint(1.0, 0.3));
+};
 using T = Fixed32;
 using State = exhaustive::FixedState<LightTip, T>;
 
@@ -42,13 +49,61 @@ State in_limits(exhaustive::Random& random) {
     state.tau[i].raw = static_cast<std::int32_t>(std::lrint(std::ldexp(tau[i], state.tau.exponent(i))));
   return state;
 }
-Joints<LightTip, double> exact(const State& state) {
-  return forward_dynamics<Scene<LightTip, Gravity, RotorInertia, ArticulatedBody>>(
-      exhaustive::in_double<LightTip, T>(state.q), exhaustive::in_double<LightTip>(state.qd),
-      exhaustive::in_double<LightTip>(state.tau));
+template <class R>
+Joints<R, double> exact(const exhaustive::FixedState<R, T>& state) {
+  return forward_dynamics<Scene<R, Gravity, RotorInertia, ArticulatedBody>>(
+      exhaustive::in_double<R, T>(state.q), exhaustive::in_double<R>(state.qd), exhaustive::in_double<R>(state.tau));
+}
+
+/// A state at rest at an angle of zero whose last joint accelerates at so many times what it declares, the others not.
+template <class R>
+exhaustive::FixedState<R, T> at_times(double times) {
+  using Given = exhaustive::FixedState<R, T>;
+  Given state{};
+  Joints<R, double> qdd{};
+  qdd[Given::size - 1] = times * 32.0;
+  const auto tau = inverse_dynamics<R>(exhaustive::in_double<R, T>(state.q), exhaustive::in_double<R>(state.qd), qdd);
+  for (int i = 0; i < Given::size; ++i)
+    state.tau[i].raw = static_cast<std::int32_t>(std::lrint(std::ldexp(tau[i], state.tau.exponent(i))));
+  return state;
+}
+/// What forward dynamics says of it, its answer being right to a thousandth of what is declared.
+template <class R>
+Status status_at(double times) {
+  const auto state = at_times<R>(times);
+  const auto answer = forward_dynamics<R>(state.q, state.qd, state.tau);
+  const int last = decltype(state)::size - 1;
+  EXPECT_NEAR(answer[last].raw * std::ldexp(1.0, -answer.exponent(last)), exact(state)[last], 1e-3 * 32.0);
+  return answer.status;
 }
 
 }  // namespace
+
+TEST(ForwardDynamics, NamesWhatIsFartherBeyondTheDeclaredAccelerationThanItIsRight) {
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_TRUE(status_at<LightTip>(1.45 * sign).ok());
+    const Status beyond = status_at<LightTip>(1.55 * sign);
+    EXPECT_EQ(beyond.code, Status::Code::acceleration_limit);
+    EXPECT_EQ(beyond.joint, 2);
+    EXPECT_TRUE(status_at<Quick>(250.0 * sign).ok());
+    EXPECT_EQ(status_at<Quick>(262.0 * sign).code, Status::Code::acceleration_limit);
+    EXPECT_TRUE(status_at<Slow>(30.0 * sign).ok());
+  }
+}
+
+// The certificate of such an answer holds all the same.
+TEST(CertifiedForwardDynamics, KnowsABoundBeyondTheDeclaredAcceleration) {
+  const State state = at_times<LightTip>(1.6);
+  const auto wanted = exact(state);
+  const auto proved = certified_forward_dynamics<LightTip>(state.q, state.qd, state.tau);
+  EXPECT_EQ(proved.status.code, Status::Code::acceleration_limit);
+  EXPECT_EQ(proved.status.joint, 2);
+  for (int i = 0; i < State::size; ++i) {
+    const double unit = std::ldexp(1.0, -proved.exponent(i));
+    EXPECT_LE(std::fabs(proved[i].raw * unit - wanted[i]), proved.bound[i].raw * unit) << "joint " << i;
+    EXPECT_LE(proved.bound[i].raw * unit, 32.0 / 128.0) << "joint " << i;
+  }
+}
 
 TEST(CertifiedForwardDynamics, BoundsItsErrorByATenThousandthOfTheDeclaredAcceleration) {
   exhaustive::Random random(3);

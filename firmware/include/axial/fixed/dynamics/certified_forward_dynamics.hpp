@@ -146,14 +146,17 @@ AXIAL_INLINE constexpr bool publish(CertifiedDynamics<S, T>& answer, const Enclo
   return tight;
 }
 
+/// Whether the plain solve came to an answer, which may be beyond what is declared.
+AXIAL_INLINE constexpr bool is_answer(Status::Code plain) {
+  return (plain == Status::Code::ok) | (plain == Status::Code::rescaled) | (plain == Status::Code::acceleration_limit);
+}
 /// What status an answer has that the plain solve calls `plain`.
 AXIAL_INLINE constexpr Status certified_status(Status plain, bool inside, bool tight) {
   const int short_of =
       select(inside, static_cast<int>(Status::Code::inaccurate), static_cast<int>(Status::Code::acceleration_limit));
   const int found = select(tight, static_cast<int>(plain.code), short_of);
-  const bool passes = plain.ok() | (plain.code == Status::Code::rescaled);
-  return {static_cast<Status::Code>(select(passes, found, static_cast<int>(plain.code))),
-          select(passes, -1, plain.joint)};
+  return {static_cast<Status::Code>(select(is_answer(plain.code), found, static_cast<int>(plain.code))),
+          select(is_answer(plain.code) & (plain.code != Status::Code::acceleration_limit), -1, plain.joint)};
 }
 
 /// The system at a state: columns by the structure; what the mass matrix makes of them, and of x, by inverse dynamics,
@@ -221,8 +224,7 @@ template <class S, class T>
 
   detail::Enclosure<C::size> system;
   detail::fill<S, T>(system, q, qd, tau, x, in);
-  const Status::Code plain = answer.status.code;
-  const bool known = system.enclose() & ((plain == Status::Code::ok) | (plain == Status::Code::rescaled));
+  const bool known = system.enclose() & detail::is_answer(answer.status.code);
   const bool tight = detail::publish<S, T>(answer, system, x, known);
   answer.status = detail::certified_status(answer.status, inside, tight);
   return answer;

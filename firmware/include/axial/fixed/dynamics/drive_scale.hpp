@@ -126,9 +126,10 @@ class Headroom {
   }
   /// Whether every component has a bit to spare: what would not fit its format is seen by that.
   AXIAL_INLINE constexpr bool kept() const { return seen_ >> 30 == 0; }
-  /// Bits that every component has left, but for those that turns and the rounding of the first solve may take.
+  /// Bits that every component has left but for `spare`: the sign; a component from a norm; sums on the way; and the
+  /// rounding of the first solve. One fewer is enough where the next solve is looked at, too.
+  template <int spare = 4>
   AXIAL_INLINE constexpr int magnification() const {
-    constexpr int spare = 4;  // the sign; a component from a norm; sums on the way; rounding
     const int left = integer::detail::leading_zeros(seen_ | 1U) - spare;
     const int some = select(detail::is_less(0, left), left, 0);
     return select(detail::is_less(most, some), most, some);
