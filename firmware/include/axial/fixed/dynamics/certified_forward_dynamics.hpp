@@ -224,7 +224,7 @@ template <class S, class T>
 
   detail::Enclosure<C::size> system;
   detail::fill<S, T>(system, q, qd, tau, x, in);
-  const bool known = system.enclose() & detail::is_answer(answer.status.code);
+  const bool answered = detail::is_answer(answer.status.code), known = system.enclose() & answered;
   const bool tight = detail::publish<S, T>(answer, system, x, known);
   answer.status = detail::certified_status(answer.status, inside, tight);
   return answer;

@@ -52,7 +52,7 @@ AXIAL_INLINE constexpr bool is_beyond_trust(std::int32_t raw) {
 template <class Links>
 AXIAL_INLINE constexpr Status answered_status(int lost, bool scaled, int beyond) {
   const Status plain = status_of<Links>(lost, scaled);
-  const bool named = is_negative(lost) & !is_negative(beyond);
+  const bool kept = is_negative(lost), beyond_trust = !is_negative(beyond), named = kept & beyond_trust;
   return status_from(select(named, static_cast<int>(Status::Code::acceleration_limit), static_cast<int>(plain.code)),
                      select(named, beyond, plain.joint));
 }
