@@ -75,8 +75,11 @@ Model to_model(const Description& robot) {
   Model model;
   for (const Link& link : robot.links)
     if (!model.add(link.parameters))
-      throw Refused("link '" + link.name + "' does not fit: at most " + std::to_string(most_links) +
-                    " joints, a parent stands before its children, and here each has a drive of its own");
+      throw Refused(link.parameters.drives.count > 0 && robot.size() <= most_links
+                        ? "joints share drives ('" + link.name + "' follows others), which is not known here: " +
+                              "describe them without, and give each joint's own effort"
+                        : "link '" + link.name + "' does not fit: at most " + std::to_string(most_links) +
+                              " joints, and a parent stands before its children");
   if (!model.drives_are_sound())
     throw Refused("the drives of " + robot.name + " do not move its joints independently of each other");
   model.set_gravity(robot.gravity.x, robot.gravity.y, robot.gravity.z);

@@ -1,5 +1,6 @@
 """A robot as the library sees it, from programs: limits, standard parameters, the regressor."""
 
+import contextlib
 import json
 import subprocess
 import sys
@@ -20,15 +21,18 @@ class Service:
         self.command = command
         self.described = json.loads(self.tell("describe"))
         self.name, self.joints = self.described["name"], self.described["joints"]
-        self.service = subprocess.Popen([*self.command, "answer"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self.service = subprocess.Popen([*self.command, "answer"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE)  # little: what it refuses
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
-        self.service.stdin.close()
+        with contextlib.suppress(BrokenPipeError):
+            self.service.stdin.close()
         self.service.wait()
         self.service.stdout.close()
+        self.service.stderr.close()
 
     def __len__(self):
         return len(self.joints)
@@ -46,10 +50,14 @@ class Service:
         return np.concatenate([self._ask_some(states[i:i + CHUNK], columns) for i in range(0, len(states), CHUNK)])
 
     def _ask_some(self, states, columns):
-        self.service.stdin.write(np.int64(len(states)).tobytes() + np.ascontiguousarray(states, dtype=float).tobytes())
-        self.service.stdin.flush()
+        with contextlib.suppress(BrokenPipeError):  # it has ended, and says why
+            self.service.stdin.write(np.int64(len(states)).tobytes() + np.ascontiguousarray(states, dtype=float).tobytes())
+            self.service.stdin.flush()
         shape = (len(states), len(self), columns)
-        return np.frombuffer(self.service.stdout.read(8 * int(np.prod(shape)))).reshape(shape)
+        answer = self.service.stdout.read(8 * int(np.prod(shape)))
+        if len(answer) < 8 * int(np.prod(shape)):
+            raise RobotError(self.service.stderr.read().decode().strip().split(": ", 1)[-1])
+        return np.frombuffer(answer).reshape(shape)
 
     def unit(self, joint):
         return "N" if self.joints[joint]["prismatic"] else "N m"

@@ -166,6 +166,14 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(status, 1)
         self.assertIn("puma560", err)
 
+    def test_joints_that_share_drives_are_refused_in_one_line(self):
+        with tempfile.TemporaryDirectory() as folder:
+            status, _, err = run(excite.main, "--robot", ROOT / "tests/import/coupled_arm.urdf", "-o", f"{folder}/motion.csv", "--rounds", 0,
+                                 "--duration", 4, "--rate", 100)
+        self.assertEqual(status, 1)
+        self.assertIn("share drives", err)
+        self.assertEqual(err.count("\n"), 1, err)
+
 
 class Logs(unittest.TestCase):
     """Each log that cannot be used is refused with what is wrong, where, and what to do."""
