@@ -1,6 +1,7 @@
 // What derivatives carry, on bounds against the kernels' own operators on numbers: no input exceeds a size or an error,
 // and a search comes near both.
 #include <axial/fixed/bounds/flow.hpp>
+#include <axial/fixed/bounds/loads.hpp>
 
 #include "fine_link.hpp"
 
@@ -138,6 +139,15 @@ Sym3<double> mirror(double norm, Choice& c) {
   return {s - 2.0 * s * n.x * n.x, s - 2.0 * s * n.y * n.y, s - 2.0 * s * n.z * n.z,
           -2.0 * s * n.x * n.y,    -2.0 * s * n.x * n.z,    -2.0 * s * n.y * n.z};
 }
+// A component that the link has not is the payload's alone: a word, whose products round.
+TEST(Payloads, RoundProductsOfEveryComponent) {
+  const bounds::Load load{word_of({2.0, 0.0}, fine), 0.1, 0.05, fine, fine};
+  const bounds::ConstantVector h = bounds::payload_inertia(FineLink{}, load).first_moment;
+  const auto product = cross(h, bounded({{1.0, 0.0}, {1.0, 0.0}, {1.5, 0.0}}));
+  EXPECT_GT(product.across.rounding(fine, exact_rounding), 0.0);
+  EXPECT_GT(product.along.rounding(fine, exact_rounding), 0.0);
+}
+
 TEST(Flows, OfAPayloadByItsNorms) {
   expect_bounds(
       [](std::mt19937_64& random) {

@@ -74,7 +74,9 @@ constexpr Body payload_inertia(const Link& link, const Load& load) {
   const double of_entry = r.move(load.inertia_exponent, j);
   const double entry = 2.0 * (of_h * load.com_reach + of_square) + of_entry;
   const Ball inertia{3.0 * load.inertia + moment * load.com_reach, 3.0 * entry};
-  const Number first = word_of({}, h), entries = word_of({}, j);
+  // Words whose products round, also where the link's own share of them is zero.
+  const Ball some{0.0, 1e-300};
+  const Number first = word_of(some, h), entries = word_of(some, j);
   return {load.mass,
           {first, first, first, {moment, detail::root3 * of_h}},
           {{entries, entries, entries, entries, entries, entries}, inertia}};
