@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <hal/rp2040/pins.hpp>
 #include <hal/rp2350/clock.hpp>
 
 namespace axial::hal::rp2350 {
@@ -25,24 +26,19 @@ struct PortRegisters {
 };
 static_assert(offsetof(PortRegisters, output_clear) == 0x20 && offsetof(PortRegisters, drive_set) == 0x38);
 
-namespace function {
-constexpr std::uint32_t uart = 2, port = 5, mask = 31;
-}
+namespace function = rp2040::function;
 /// Words of a pad without `isolated` (bit 8), which it has out of reset: they let the pin follow.
 namespace pad {
-constexpr std::uint32_t hysteresis = 1u << 1, pull_down = 1u << 2, pull_up = 1u << 3, drive_4_mA = 1u << 4,
-                        input = 1u << 6;
-}
+using namespace rp2040::pad;
+constexpr std::uint32_t pull_down = 1u << 2;
+}  // namespace pad
 
 /// GPIO 2, the Pico 2's pin 4: high for enabled.
 namespace drive_pin {
-constexpr unsigned number = 2;
-constexpr std::uint32_t on = 1u << number;
-
-template <class Port>
-void set(Port& port, bool enabled) {
-  (enabled ? port.output_set : port.output_clear) = on;
-}
+using rp2040::drive_pin::level;
+using rp2040::drive_pin::number;
+using rp2040::drive_pin::on;
+using rp2040::drive_pin::set;
 
 /// Low first, then an output, then let through to the pad, then the pad to the pin. The registers are arguments so that
 /// a host test can play them.
@@ -53,12 +49,6 @@ void start(Resets& resets, Port& port, Bank& bank, Pads& pads) {
   release(resets, block::io_bank0 | block::pads_bank0);
   bank.pin[number].control = function::port;
   pads.pin[number] = pad::drive_4_mA | pad::pull_down | pad::hysteresis;
-}
-
-/// Whether the port drives the pin high.
-template <class Port, class Bank>
-bool level(Port& port, Bank& bank) {
-  return (port.drive & port.output & on) != 0 && (bank.pin[number].control & function::mask) == function::port;
 }
 }  // namespace drive_pin
 

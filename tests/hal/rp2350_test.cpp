@@ -2,45 +2,21 @@
 #include <hal/rp2350/boot_block.hpp>
 
 #include "boards/played_clock.hpp"
+#include "boards/played_rp.hpp"
 #include "boards/stores.hpp"
 
 namespace axial::hal {
 namespace {
 
-constexpr std::uint32_t everything = 0x1FFFFFFF, crystal_on = 0xFABAA0, top_bit = 1u << 31;
+constexpr std::uint32_t everything = 0x1FFFFFFF, crystal_on = rp_crystal_on;
 
-struct PlayedResets {
-  Noted reset{"reset", everything};
-  Noted done{"done", 0, [this](std::uint32_t) { return everything & ~reset.written; }};
-};
-struct PlayedGenerator {
-  Noted control;
-  Noted selected{"selected", 0, [this](std::uint32_t) { return 1u << control.written; }};
-};
 struct PlayedTick {
   Noted control, cycles;
 };
-
-/// A chip out of reset, in which all works.
-struct PlayedChip {
-  struct {
-    Noted control{"crystal"}, start_up{"start up"}, status{"status"};
-  } crystal;
-  struct {
-    Noted control{"pll"}, power{"power"}, feedback{"feedback"}, post_dividers{"post dividers"};
-  } pll;
-  struct {
-    PlayedGenerator reference{{"reference"}}, system{{"system"}}, peripheral{{"peripheral"}};
-  } clocks;
-  PlayedResets resets;
+struct PlayedChip : PlayedClocks<everything> {
   struct {
     PlayedTick watchdog{{"watch"}, {"watch cycles"}}, riscv{{"timer"}, {"timer cycles"}};
   } ticks;
-
-  PlayedChip() {
-    crystal.status.answer = [this](std::uint32_t) { return crystal.control.written == crystal_on ? top_bit : 0u; };
-    pll.control.answer = [](std::uint32_t value) { return value | top_bit; };
-  }
 };
 
 /// RP2350 Datasheet, 8.6.3 (the order of the PLL), 7.5 (PLL_SYS is block 14), 8.5 (length before start).
@@ -68,14 +44,6 @@ TEST(Rp2350Clock, StartsInTheOrderOfTheManual) {
   EXPECT_EQ(stores, expected);
 }
 
-struct PlayedPort {
-  Noted output_set{"set"}, output_clear{"clear"}, drive_set{"drive"};
-};
-struct PlayedBank {
-  struct {
-    Noted control;
-  } pin[3]{{{"pin 0"}}, {{"pin 1"}}, {{"pin 2"}}};
-};
 struct PlayedPads {
   Noted pin[3]{{"pad 0"}, {"pad 1"}, {"pad 2"}};
 };
@@ -83,7 +51,7 @@ constexpr std::uint32_t gpio_2 = 1u << 2;
 
 /// An isolated pad keeps its last level: it is let go last. Blocks 6 and 9 of 7.5; pad: 4 mA, hysteresis, pull-down.
 TEST(Rp2350DrivePin, IsLowBeforeItDrivesAndConnectedBeforeItsPadIsLetGo) {
-  PlayedResets resets;
+  PlayedResets<everything> resets;
   PlayedPort port;
   PlayedBank bank;
   PlayedPads pads;
@@ -103,7 +71,7 @@ TEST(Rp2350DrivePin, AFaultDisablesByOneStore) {
 }
 
 TEST(Rp2350Pins, TheSerialPortIsReleasedAndConnectedBeforeItsPadsAreLetGo) {
-  PlayedResets resets;
+  PlayedResets<everything> resets;
   PlayedBank bank;
   PlayedPads pads;
   const auto stores = stores_of([&] { rp2350::connect_uart0(resets, bank, pads); });
@@ -143,7 +111,7 @@ struct PlayedLines {
   static bool present() { return true; }
   static void set_enables(std::uint32_t window) { windows.push_back(window); }
   static void enable_all() {}
-  static std::uint32_t next() { return waiting.empty() ? top_bit : waiting.front() << 2; }
+  static std::uint32_t next() { return waiting.empty() ? rp_top_bit : waiting.front() << 2; }
 };
 void withdraw() { PlayedLines::waiting.erase(PlayedLines::waiting.begin()); }
 using Lines = riscv::Hazard3Interrupts<PlayedLines>;

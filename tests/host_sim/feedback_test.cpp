@@ -25,6 +25,18 @@ double inertia(int i) {
   return mass_matrix<Scara>(middle)(i, i);
 }
 
+/// One tick of a controller, in the loop's order.
+template <class Controller>
+link::Torque tick(Controller& controller, const link::Measurement& measured, const link::SetPoint& wanted) {
+  link::Torque torque{};
+  controller.measure(measured);
+  controller.load(wanted);
+  controller.compute();
+  controller.settle(wanted);
+  controller.store(torque);
+  return torque;
+}
+
 template <class T>
 class Feedback : public testing::Test {
  protected:
@@ -32,7 +44,6 @@ class Feedback : public testing::Test {
   link::Torque answer(std::array<float, 3> q, std::array<double, 3> seen, bool feeds_forward = false) {
     link::SetPoint wanted{};
     link::Measurement measured{};
-    link::Torque torque{};
     wanted.joints = measured.joints = 3;
     for (std::size_t i = 0; i < 3; ++i)
       wanted.q[i] = q[i];
@@ -41,12 +52,7 @@ class Feedback : public testing::Test {
           static_cast<std::int32_t>(std::llround(std::remainder(seen[i] / turn, 1.0) * 4294967296.0));
     measured.position[2] = static_cast<std::int32_t>(std::llround(seen[2] * slide_counts));
     measured.feeds_forward = feeds_forward ? 1 : 0;
-    controller_.measure(measured);
-    controller_.load(wanted);
-    controller_.compute();
-    controller_.settle(wanted);
-    controller_.store(torque);
-    return torque;
+    return tick(controller_, measured, wanted);
   }
   TrackingController<Scara, T> controller_;
 };
@@ -112,18 +118,12 @@ class ElasticFeedback : public testing::Test {
   link::Torque answer(double seen, link::FeedForward feed = link::FeedForward::full, bool derivatives = true) {
     link::SetPoint wanted{};
     link::Measurement measured{};
-    link::Torque torque{};
     wanted.joints = measured.joints = derivatives_.joints = 3;
     wanted.q[2] = 0.125F;
     measured.position[2] = static_cast<std::int32_t>(std::llround((0.125 + seen) * slide_counts));
     measured.feeds_forward = static_cast<std::uint8_t>(feed);
     if (derivatives) controller_.take(derivatives_);
-    controller_.measure(measured);
-    controller_.load(wanted);
-    controller_.compute();
-    controller_.settle(wanted);
-    controller_.store(torque);
-    return torque;
+    return tick(controller_, measured, wanted);
   }
   link::Derivatives derivatives_{};
   ElasticController<Elastic<Scara, 12>> controller_;

@@ -1,46 +1,16 @@
 #include <hal/boards/rp2040/board.hpp>
 
 #include "played_clock.hpp"
+#include "played_rp.hpp"
 #include "stores.hpp"
 
 namespace axial::hal {
 namespace {
 
-constexpr std::uint32_t everything = 0x1FFFFFF, crystal_on = 0xFABAA0, pll_locked = 1u << 31, crystal_stable = 1u << 31;
+constexpr std::uint32_t everything = 0x1FFFFFF, crystal_on = rp_crystal_on;
 
-struct PlayedResets {
-  bool works = true;
-  Noted reset{"reset", everything};
-  Noted done{"done", 0, [this](std::uint32_t) { return works ? everything & ~reset.written : 0u; }};
-};
-
-struct PlayedGenerator {
-  Noted control;
-  bool works = true;
-  Noted selected{"selected", 0, [this](std::uint32_t) { return works ? 1u << control.written : 0u; }};
-};
-
-/// A chip out of reset, whose parts may be broken.
-struct PlayedChip {
-  bool crystal_works = true, pll_works = true;
-  struct {
-    Noted control{"crystal"}, start_up{"start up"}, status{"status"};
-  } crystal;
-  struct {
-    Noted control{"pll"}, power{"power"}, feedback{"feedback"}, post_dividers{"post dividers"};
-  } pll;
-  struct {
-    PlayedGenerator reference{{"reference"}}, system{{"system"}}, peripheral{{"peripheral"}};
-  } clocks;
-  PlayedResets resets;
+struct PlayedChip : PlayedClocks<everything> {
   Noted tick{"tick"};
-
-  PlayedChip() {
-    crystal.status.answer = [this](std::uint32_t) {
-      return crystal_works && crystal.control.written == crystal_on ? crystal_stable : 0u;
-    };
-    pll.control.answer = [this](std::uint32_t value) { return value | (pll_works ? pll_locked : 0u); };
-  }
 };
 
 ClockReport start(PlayedChip& chip) { return rp2040::clock::start(chip); }
@@ -93,7 +63,7 @@ TEST(Rp2040Clock, WithoutTheCrystalTheRingRunsTheCore) {
 
 /// Every wait has an end: a block that stays in reset does not stop the start.
 TEST(Rp2040Resets, AreReleasedOneByOneAndNotWaitedForForever) {
-  PlayedResets resets;
+  PlayedResets<everything> resets;
   rp2040::release(resets, rp2040::block::uart0);
   EXPECT_EQ(resets.reset.written, everything & ~(1u << 22));
   rp2040::release(resets, rp2040::block::timer);
@@ -102,14 +72,6 @@ TEST(Rp2040Resets, AreReleasedOneByOneAndNotWaitedForForever) {
   rp2040::release(resets, rp2040::block::sysinfo);
 }
 
-struct PlayedPort {
-  Noted output_set{"set"}, output_clear{"clear"}, drive_set{"drive"};
-};
-struct PlayedBank {
-  struct {
-    Noted control;
-  } pin[3]{{{"pin 0"}}, {{"pin 1"}}, {{"pin 2"}}};
-};
 struct PlayedPads {
   Noted pin[2]{{"pad 0"}, {"pad 1"}};
 };
@@ -117,7 +79,7 @@ constexpr std::uint32_t gpio_2 = 1u << 2;
 
 /// The bank may be used when it is out of reset, not before.
 TEST(Rp2040DrivePin, IsLowBeforeItDrivesAndDrivesBeforeItIsConnected) {
-  PlayedResets resets;
+  PlayedResets<everything> resets;
   PlayedPort port;
   PlayedBank bank;
   const auto stores = stores_of([&] { rp2040::drive_pin::start(resets, port, bank); });
@@ -217,7 +179,7 @@ TEST(Rp2040SecondCore, MailboxesAreWhereTheManualHasThem) {
 
 /// Datasheet 2.19.6.3: input, 4 mA, pull-up, hysteresis; function 2 of pins 0 and 1.
 TEST(Rp2040Pins, TheSerialPortIsReleasedBeforeItIsConnected) {
-  PlayedResets resets;
+  PlayedResets<everything> resets;
   PlayedBank bank;
   PlayedPads pads;
   const auto stores = stores_of([&] { rp2040::connect_uart0(resets, bank, pads); });

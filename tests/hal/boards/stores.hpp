@@ -3,12 +3,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace axial::hal {
 
-using Store = std::pair<const char*, std::uint32_t>;
+using Store = std::pair<std::string_view, std::uint32_t>;
 
 /// What was stored since `stores_of` began.
 inline std::vector<Store> noted;
