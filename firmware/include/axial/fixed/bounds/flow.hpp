@@ -94,12 +94,6 @@ constexpr Number worst(const ConstantInertia& j) {
   most.bound = most.bound + j.loose;
   return most;
 }
-// Twice a word whose products count, even where the model's own share of it is zero.
-constexpr Number twice_counted(Number x) {
-  x = twice(x);
-  x.bound.error += 1e-300;
-  return x;
-}
 // A matrix of words that is known by its norm, times a vector: as many products a component as the vector has.
 constexpr VectorSum matrix_times(const Ball& norm, int exponent, const BoundedVector& v) {
   const Ball n = norm * v.bound.whole;
@@ -138,16 +132,15 @@ constexpr auto doubled_moments(const Link& link, const Body& body) {
     Number half_of{};
     link.while_quiet([&] { half_of = link.sum(RotationalInertia{}, half(a), half(b), -half(c)); });
     half_of.bound.size = 0.5 * own.bound.size;
-    return detail::twice_counted(half_of);
+    return twice(half_of);
   };
   link.leave_room(RotationalInertia{}, 1.5 * (j.norm() + j.loose.size));
   const Sym3<Number>& own = constants.second.of;
   return DoubledMoments<Number, ConstantVector, ConstantInertia>{
       twice(body.mass),
-      {detail::twice_counted(h.x), detail::twice_counted(h.y), detail::twice_counted(h.z), 2.0 * h.loose},
+      {twice(h.x), twice(h.y), twice(h.z), 2.0 * h.loose},
       {{about(j.of.yy, j.of.zz, j.of.xx, own.xx), about(j.of.xx, j.of.zz, j.of.yy, own.yy),
-        about(j.of.xx, j.of.yy, j.of.zz, own.zz), detail::twice_counted(j.of.xy), detail::twice_counted(j.of.xz),
-        detail::twice_counted(j.of.yz)},
+        about(j.of.xx, j.of.yy, j.of.zz, own.zz), twice(j.of.xy), twice(j.of.xz), twice(j.of.yz)},
        3.0 * j.loose}};
 }
 
