@@ -114,10 +114,24 @@ AXIAL_INLINE constexpr auto element(const L& lanes, int lane) {
     return lane < L::size / 2 ? element(lanes.low, lane) : element(lanes.high, lane - L::size / 2);
 }
 
+/// Makes the function that it is inlined into align its stack to vectors. Clang decides that by variables, before it
+/// knows which registers do not suffice: what these hold would lie across lines of the cache, in some runs more than in
+/// others. No instruction of its own.
+template <class Vector>
+AXIAL_INLINE inline void align_stack() {
+#if defined(__clang__) && defined(__x86_64__)
+  if constexpr (sizeof(Vector) > 16) {
+    Vector slot;
+    asm volatile("" : "=m"(slot));
+  }
+#endif
+}
+
 /// Sines and cosines, in vectors.
 template <class L>
 AXIAL_INLINE constexpr SinCos<L> sincos_of_lanes(const L& x) {
   if constexpr (L::is_vector) {
+    if (!__builtin_is_constant_evaluated()) align_stack<typename L::Values>();
     auto pair = sincos_of(x.values);
     return {L{pair.sin}, L{pair.cos}};
   } else {
