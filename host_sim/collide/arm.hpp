@@ -1,8 +1,8 @@
 // A robot that follows a motion, and what its controller sees of it: quantised encoders, noisy torques.
 #pragma once
 
-#include <axial/dynamics/forward_dynamics.hpp>
 #include <host_sim/collide/motion.hpp>
+#include <host_sim/collide/plant.hpp>
 
 namespace host_sim::collide {
 
@@ -24,10 +24,14 @@ class Arm {
  public:
   static constexpr int joints = Known::chain.size;
   using Values = axial::Joints<Known, double>;
+  using Moved = axial::Joints<Moving, double>;
+  using Inputs = axial::Inputs<MovingScene, double>;
 
   explicit Arm(unsigned seed, double share = 0.6) : noise_(seed), motion_(noise_, share) {
-    Values qdd{};
-    motion_.at(0.0, q_, qd_, qdd);
+    Values q{}, qd{}, qdd{};
+    motion_.at(0.0, q, qd, qdd);
+    for (int i = 0; i < joints; ++i)
+      q_[i] = q[i], qd_[i] = qd[i];
     for (int k = window; k > 0; --k)
       remember(quantised(-k * period));
   }
@@ -40,21 +44,22 @@ class Arm {
     return seen_;
   }
   /// A tick on, with external efforts; `in` loads the plant.
-  void move(const Values& external, const axial::Inputs<MovingScene, double>& in = {}) {
-    Values tau = command();
-    for (int i = 0; i < joints; ++i) {
-      const double limit = Known::chain.links[i].effort_limit;
-      tau[i] = std::fmin(std::fmax(tau[i], -limit), limit);
-      seen_.tau[i] = std::fmin(std::fmax(tau[i] + torque_noise * limit * noise_.gaussian(), -limit), limit);
-      tau[i] += external[i];
-    }
-    step(tau, in);
-    ++ticks_;
+  void move(const Values& external, const Inputs& in = {}) {
+    const Moved tau = efforts(external);
+    advance<MovingScene>(q_, qd_, tau, in, period);
   }
+  /// A tick on of two arms, whose plants are lanes of a batch: what move() does to each.
+  static void move_both(Arm (&arms)[2], const Values (&external)[2], const Inputs (&in)[2] = {}) {
+    const Moved tau[] = {arms[0].efforts(external[0]), arms[1].efforts(external[1])};
+    Moved q[] = {arms[0].q_, arms[1].q_}, qd[] = {arms[0].qd_, arms[1].qd_};
+    advance_both<MovingScene>(q, qd, tau, in, period);
+    for (int k = 0; k < 2; ++k)
+      arms[k].q_ = q[k], arms[k].qd_ = qd[k];
+  }
+  /// Where the plant is: rad.
+  const Moved& positions() const { return q_; }
 
  private:
-  using Moved = axial::Joints<Moving, double>;
-
   // At a time (s) from now, at the present speed.
   Values quantised(double time) const {
     Values q{};
@@ -77,38 +82,24 @@ class Arm {
     }
     return tau;
   }
-  Moved acceleration(const Moved& q, const Moved& qd, const Moved& tau,
-                     const axial::Inputs<MovingScene, double>& in) const {
-    const auto answer = axial::forward_dynamics<MovingScene>(q, qd, tau, in);
-    Moved qdd{};
-    for (int i = 0; i < joints; ++i)
-      qdd[i] = answer[i];
-    return qdd;
-  }
-  static Moved moved(const Moved& x, const Moved& rate, double time) {
-    Moved y{};
-    for (int i = 0; i < joints; ++i)
-      y[i] = x[i] + time * rate[i];
-    return y;
-  }
-  void step(const Values& effort, const axial::Inputs<MovingScene, double>& in) {
-    Moved q{}, v{}, tau{};
-    for (int i = 0; i < joints; ++i)
-      q[i] = q_[i], v[i] = qd_[i], tau[i] = effort[i];
-    const double h = period;
-    const Moved a1 = acceleration(q, v, tau, in), v2 = moved(v, a1, 0.5 * h);
-    const Moved a2 = acceleration(moved(q, v, 0.5 * h), v2, tau, in), v3 = moved(v, a2, 0.5 * h);
-    const Moved a3 = acceleration(moved(q, v2, 0.5 * h), v3, tau, in), v4 = moved(v, a3, h);
-    const Moved a4 = acceleration(moved(q, v3, h), v4, tau, in);
+  // What acts on the plant for a tick: the command within its limits, and what is outside.
+  Moved efforts(const Values& external) {
+    const Values wanted = command();
+    Moved tau{};
     for (int i = 0; i < joints; ++i) {
-      q_[i] += h / 6.0 * (v[i] + 2.0 * v2[i] + 2.0 * v3[i] + v4[i]);
-      qd_[i] += h / 6.0 * (a1[i] + 2.0 * a2[i] + 2.0 * a3[i] + a4[i]);
+      const double limit = Known::chain.links[i].effort_limit;
+      const double given = std::fmin(std::fmax(wanted[i], -limit), limit);
+      seen_.tau[i] = std::fmin(std::fmax(given + torque_noise * limit * noise_.gaussian(), -limit), limit);
+      tau[i] = given + external[i];
     }
+    ++ticks_;
+    return tau;
   }
 
   Noise noise_;
   Motion<Known> motion_;
-  Values q_{}, qd_{}, past_[window]{};
+  Moved q_{}, qd_{};
+  Values past_[window]{};
   Measured<Known> seen_;
   long ticks_ = 0;
 };

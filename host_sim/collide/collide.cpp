@@ -74,18 +74,12 @@ struct Contact {
 };
 
 template <class T>
-void quiet(Row& row, long ticks, unsigned seed) {
-  Panda arm(seed);
-  Sensor<T> sensor;
-  bool before = false;
-  for (long k = 0; k < ticks; ++k) {
-    row.refused += sensor.sample(arm.measure()).ok() ? 0 : 1;
-    const bool now = sensor.collision();
-    row.false_alarms += now && !before ? 1 : 0, before = now;
-    for (int i = 0; i < joints; ++i)
-      row.headroom = std::max(row.headroom, std::fabs(sensor.residual(i)) / Sensor<T>::threshold(i));
-    arm.move({});
-  }
+void see_quiet(Row& row, Sensor<T>& sensor, const Measured<Known>& measured, bool& before) {
+  row.refused += sensor.sample(measured).ok() ? 0 : 1;
+  const bool now = sensor.collision();
+  row.false_alarms += now && !before ? 1 : 0, before = now;
+  for (int i = 0; i < joints; ++i)
+    row.headroom = std::max(row.headroom, std::fabs(sensor.residual(i)) / Sensor<T>::threshold(i));
 }
 
 template <class T>
@@ -98,31 +92,38 @@ Instant instant(const Sensor<T>& sensor, const Values& external, long tick, bool
 }
 
 template <class T>
-void touched(Row& row, long ticks, unsigned seed, const Watch& watch) {
-  Panda arm(seed);
-  Sensor<T> sensor;
-  bool before = false, found = false;
-  for (long k = 0; k < ticks; ++k) {
-    const Contact contact(k);
-    row.refused += sensor.sample(arm.measure()).ok() ? 0 : 1;
-    const bool now = sensor.collision();
+struct Touched {
+  Sensor<T> sensor{};
+  bool before = false, found = false, now = false;
+
+  void see(Row& row, const Measured<Known>& measured, const Contact& contact) {
+    row.refused += sensor.sample(measured).ok() ? 0 : 1;
+    now = sensor.collision();
     if (contact.number >= 0 && contact.age == 0) ++row.contacts, found = false;
     row.false_alarms += now && !before && (!contact.echoes() || contact.age == 0) ? 1 : 0, before = now;
     if (contact.on() && contact.age > 0 && now && !found)
       found = true, row.delays.push_back(static_cast<double>(contact.age) * period);
     if (contact.number >= 0 && contact.age == lasts && !found) ++row.missed;
-    if (watch) watch(instant(sensor, contact.external(), k, now));
-    arm.move(contact.external());
   }
-}
+};
 
+// Two arms at once, one of which nothing touches.
 template <class T>
 Row both(const std::string& scalar, double seconds, unsigned seed, const Watch& watch) {
   Row row;
   row.scalar = scalar, row.seconds = seconds;
-  const long ticks = std::lround(seconds / period);
-  quiet<T>(row, ticks, seed);
-  touched<T>(row, ticks, seed + 1, watch);
+  Panda arms[] = {Panda(seed), Panda(seed + 1)};
+  Sensor<T> quiet;
+  Touched<T> touched;
+  bool before = false;
+  for (long k = 0, ticks = std::lround(seconds / period); k < ticks; ++k) {
+    const Contact contact(k);
+    see_quiet(row, quiet, arms[0].measure(), before);
+    touched.see(row, arms[1].measure(), contact);
+    const Values external[] = {{}, contact.external()};
+    if (watch) watch(instant(touched.sensor, external[1], k, touched.now));
+    Panda::move_both(arms, external);
+  }
   return row;
 }
 
