@@ -135,6 +135,7 @@ words_of() {
   case $1 in
     BOARD) printf '%s\n' "${BOARDS[@]}" ;;
     ROBOT) robots_with_trajectories ;;
+    DRIVEN) robots_with_trajectories shared_drives/ ;;
     MODEL) sed -n 's/.*const char\* name = "\([a-z0-9_]*\)";.*/\1/p' "$AXIAL_ROOT"/robots/*.hpp "$AXIAL_ROOT"/robots/models/*.hpp ;;
     ANY_BOARD) (cd "$AXIAL_ROOT/hal/boards" && grep -lE '"(qemu|runner)"' -- */board.json | sed 's,/.*,,') ;;
     WORD) sed '/^#/d; s/[, ]\+/\n/g' "$AXIAL_ROOT/firmware/apps/size/matrix.txt" | sort -u | sed '/^\**$/d' ;;
@@ -142,9 +143,10 @@ words_of() {
   esac
 }
 
+# robots_with_trajectories [FOLDER/]
 robots_with_trajectories() {
   local file
-  for file in "$AXIAL_ROOT"/host_sim/trajectories/*.json; do basename "$file" .json; done
+  for file in "$AXIAL_ROOT/host_sim/trajectories/${1:-}"*.json; do basename "$file" .json; done
 }
 
 # refuse_value OPTION NAME VALUE WORD...

@@ -5,8 +5,7 @@
 #include <host_sim/link/firmware.hpp>
 
 #include <firmware/apps/tracking/controller.hpp>
-#include <robots/puma560.hpp>
-#include <robots/scara.hpp>
+#include <robots/robots.hpp>
 
 #include <cmath>
 #include <cstring>
@@ -52,29 +51,50 @@ std::unique_ptr<Controller> emulated(const std::string& board, const std::string
 
 namespace {
 
+using Factory = std::unique_ptr<Controller> (*)(bool fixed);
+struct Entry {
+  const char* robot;
+  Factory make;
+};
+
 template <class Robot>
 std::unique_ptr<Controller> host(bool fixed) {
   if (fixed) return std::make_unique<OnHost<axial::apps::TrackingController<Robot, axial::Fixed32>>>();
   return std::make_unique<OnHost<axial::apps::TrackingController<Robot, float>>>();
 }
 
-[[noreturn]] void refuse(const std::string& robot) {
-  throw std::runtime_error("no loop is closed around '" + robot + "'; there are: scara, puma560");
+template <class... Robots>
+std::vector<Entry> entries(::robots::List<Robots...>) {
+  return {{Robots::name, host<Robots>}...};
+}
+
+using Tracked = ::robots::List<::robots::Scara, ::robots::Puma560, ::robots::ScaraQuill, ::robots::Palletiser,
+                               ::robots::WristArm, ::robots::Gripper>;
+
+Factory find(const std::string& robot) {
+  std::string names;
+  for (const Entry& entry : entries(Tracked{})) {
+    if (entry.robot == robot) return entry.make;
+    names += (names.empty() ? "" : ", ") + std::string(entry.robot);
+  }
+  throw std::runtime_error("no loop is closed around '" + robot + "'; there are: " + names);
 }
 
 }  // namespace
 
-std::vector<std::string> robots() { return {"scara", "puma560"}; }
+std::vector<std::string> robots() {
+  std::vector<std::string> names;
+  for (const Entry& entry : entries(Tracked{}))
+    names.emplace_back(entry.robot);
+  return names;
+}
 
 std::unique_ptr<Controller> on_host(const std::string& robot, const std::string& number) {
-  const bool fixed = is_fixed(number);
-  if (robot == "scara") return host<::robots::Scara>(fixed);
-  if (robot == "puma560") return host<::robots::Puma560>(fixed);
-  refuse(robot);
+  return find(robot)(is_fixed(number));
 }
 
 std::unique_ptr<Controller> in_firmware(const std::string& board, const std::string& robot, const std::string& number) {
-  if (robot != "scara" && robot != "puma560") refuse(robot);
+  (void)find(robot);
   return emulated(board, is_fixed(number) ? "tracking-fixed" : "tracking", robot);
 }
 

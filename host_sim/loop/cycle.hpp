@@ -11,7 +11,8 @@ namespace host_sim::loop {
 constexpr double control_tick = 1e-3;
 
 /// The robot's cycle in host_sim/trajectories, planned within its limits; if asked for smoothly, with four derivatives
-/// and at half the accelerations. Throws std::runtime_error that says what is wrong.
+/// and at half the accelerations. Where joints share drives it is of the drives, within limits of both. Throws
+/// std::runtime_error that says what is wrong.
 Trajectory cycle_of(const std::string& robot, bool smooth = false);
 
 }  // namespace host_sim::loop

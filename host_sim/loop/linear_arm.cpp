@@ -75,6 +75,9 @@ void add_limits(LinearArm& arm, const std::vector<axial::LinkParameters>& links)
 }  // namespace
 
 LinearArm linear_arm(const std::string& robot, double time, double tick) {
+  if (simulation::shares_drives(robot))
+    throw std::runtime_error("joints of '" + robot +
+                             "' share drives, of which there are no derivatives to linearise by");
   auto links = simulation::robot_links(robot);
   for (auto& link : links)
     link.viscous = link.coulomb_forward = link.coulomb_backward = link.static_friction = 0.0;

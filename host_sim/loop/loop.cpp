@@ -10,13 +10,15 @@
 #include <cmath>
 #include <deque>
 #include <random>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
 
 namespace host_sim::loop {
 
 namespace {
 
 namespace simulation = host_sim::simulation;
-using Values = simulation::Values<double>;
 
 constexpr double tick = control_tick;
 constexpr int least_steps = 4;  // a tick
@@ -61,30 +63,54 @@ std::vector<double> damping_of(const Case& situation, const std::vector<axial::L
   return damping;
 }
 
+template <class Values>
 Values values_of(const std::vector<double>& from) {
   Values to{};
   std::copy(from.begin(), from.end(), to.values);
   return to;
 }
 
-/// The robot in double, its encoders, and torques on their way.
-class Plant {
+/// An arm whose joints share drives, asked as an ElasticArm is: all of its values are those of the drives.
+class DrivenArm {
  public:
-  Plant(const Case& situation, const SetPoint& start)
-      : links_(plant_links(situation)),
-        rigid_(simulation::model_of(situation.robot, links_)),
-        arm_(situation.robot, situation.resonance > 0 ? links_ : rigid(links_), damping_of(situation, links_)),
+  using Values = axial::Joints<simulation::DrivenModel, double>;
+
+  explicit DrivenArm(simulation::DrivenModel model) : model_(std::move(model)) {}
+  const simulation::DrivenModel& model() const { return model_; }
+  static simulation::DrivenMotion state(const Values& u, const Values& ud, const Values&) { return {u, ud, 0}; }
+  static Values positions(const simulation::DrivenMotion& x) { return x.q; }
+  static Values velocities(const simulation::DrivenMotion& x) { return x.qd; }
+  static Values motors(const Values& states) { return states; }
+  static Values efforts(const Values& tau) { return tau; }
+
+ private:
+  simulation::DrivenModel model_;
+};
+
+/// The robot in double, its encoders, and torques on their way. Arm: simulation::ElasticArm or DrivenArm.
+template <class Arm>
+class Plant {
+  using Model = std::decay_t<decltype(std::declval<const Arm&>().model())>;
+
+ public:
+  using Values = axial::Joints<Model, double>;
+
+  /// `slides`: which encoders count lengths, or numbers.
+  Plant(const Case& situation, const SetPoint& start, const Model& rigid, Arm arm, std::vector<bool> slides)
+      : slides_(std::move(slides)),
+        rigid_(rigid),
+        arm_(std::move(arm)),
         bits_(situation.encoder_bits),
         noisy_(situation.encoder_noise > 0.0),
         noise_(0.0, noisy_ ? situation.encoder_noise : 1.0),
         draws_(situation.seed),
         waiting_(static_cast<std::size_t>(situation.delay)) {
-    Values q = values_of(start.q);
+    Values q = values_of<Values>(start.q);
     for (std::size_t i = 0; i < situation.push.size(); ++i)
       q[static_cast<int>(i)] += situation.push[i];
     // Until the first torque arrives the robot is held against gravity.
     const auto weight = axial::gravity_torque(rigid_, q);
-    x_ = arm_.state(q, values_of(start.qd), weight);
+    x_ = arm_.state(q, values_of<Values>(start.qd), weight);
     const double limit = simulation::step_limit(simulation::Method::rk4, arm_.model(), x_.q);
     steps_ = std::max(least_steps, static_cast<int>(std::ceil(tick / (0.25 * limit))));
     for (Values& tau : waiting_)
@@ -93,7 +119,7 @@ class Plant {
 
   link::Measurement read() {
     link::Measurement m{};
-    m.joints = links_.size();
+    m.joints = slides_.size();
     const auto seen = arm_.motors(x_.q);
     for (int i = 0; i < joints(); ++i)
       m.position[static_cast<std::size_t>(i)] = slides(i) ? slide(seen[i]) : angle(seen[i]);
@@ -107,7 +133,7 @@ class Plant {
     waiting_.push_back(tau);
     const Values now = arm_.efforts(waiting_.front());
     waiting_.pop_front();
-    const simulation::Drive<double> hold = [&](const auto&, Values& effort, auto&, auto&) { effort = now; };
+    const simulation::DriveOf<Motion> hold = [&](const auto&, Values& effort, auto&, auto&) { effort = now; };
     for (int k = 0; k < steps_; ++k)
       simulation::step(simulation::Method::rk4, arm_.model(), x_, tick / steps_, hold);
   }
@@ -122,12 +148,9 @@ class Plant {
   int joints() const { return rigid_.size(); }
 
  private:
-  static std::vector<axial::LinkParameters> rigid(std::vector<axial::LinkParameters> links) {
-    for (auto& link : links)
-      link.stiffness = axial::LinkParameters::unlimited;
-    return links;
-  }
-  bool slides(int i) const { return links_[static_cast<std::size_t>(i)].type == axial::JointType::prismatic; }
+  using Motion = axial::Motion<Model, double>;
+
+  bool slides(int i) const { return slides_[static_cast<std::size_t>(i)]; }
   double noise() { return noisy_ ? noise_(draws_) : 0.0; }
   // Whole counts of the encoder, as binary angles.
   std::int32_t angle(double q) {
@@ -140,10 +163,10 @@ class Plant {
     return static_cast<std::int32_t>(std::llround(std::round(q / slide_count / step + noise()) * step));
   }
 
-  std::vector<axial::LinkParameters> links_;
-  simulation::Model rigid_;     // for poses and weight
-  simulation::ElasticArm arm_;  // what moves
-  simulation::Motion<double> x_;
+  std::vector<bool> slides_;
+  Model rigid_;  // for poses and weight
+  Arm arm_;      // what moves
+  Motion x_;
   int steps_ = least_steps;
   int bits_;
   bool noisy_;
@@ -157,6 +180,7 @@ class Statistics {
  public:
   explicit Statistics(int joints) : squares_(static_cast<std::size_t>(joints)), largest_(squares_.size()) {}
 
+  template <class Values>
   void add(const std::vector<double>& wanted, const Values& q, const axial::Vec3<double>& off) {
     for (std::size_t i = 0; i < squares_.size(); ++i) {
       const double e = wanted[i] - q[static_cast<int>(i)];
@@ -181,18 +205,38 @@ class Statistics {
   long ticks_ = 0;
 };
 
-}  // namespace
+std::vector<axial::LinkParameters> rigid(std::vector<axial::LinkParameters> links) {
+  for (auto& link : links)
+    link.stiffness = axial::LinkParameters::unlimited;
+  return links;
+}
 
-Tracking follow(const Case& situation, Controller& controller, const Watch& watch) {
-  const Trajectory cycle = cycle_of(situation.robot, situation.resonance > 0);
-  const auto first = static_cast<std::size_t>(std::lround(situation.start / tick));
-  Plant plant(situation, cycle[first % cycle.size()]);
+Plant<simulation::ElasticArm> plant_of_joints(const Case& situation, const SetPoint& start) {
+  const auto links = plant_links(situation);
+  std::vector<bool> slides;
+  for (const auto& link : links)
+    slides.push_back(link.type == axial::JointType::prismatic);
+  return {situation, start, simulation::model_of(situation.robot, links),
+          simulation::ElasticArm(situation.robot, situation.resonance > 0 ? links : rigid(links),
+                                 damping_of(situation, links)),
+          slides};
+}
+
+Plant<DrivenArm> plant_of_drives(const Case& situation, const SetPoint& start) {
+  const auto model = simulation::driven_model_of(situation.robot, plant_links(situation));
+  return {situation, start, model, DrivenArm(model), std::vector<bool>(start.q.size(), true)};
+}
+
+template <class Arm>
+Tracking follow(const Case& situation, const Trajectory& cycle, std::size_t first, Plant<Arm> plant,
+                Controller& controller, const Watch& watch) {
+  using Values = typename Plant<Arm>::Values;
   Statistics statistics(plant.joints());
   long refused = 0;
   const auto ticks = static_cast<std::size_t>(std::lround(situation.seconds / tick));
   for (std::size_t k = 0; k < ticks; ++k) {
     const SetPoint& wanted = cycle[(first + k) % cycle.size()];
-    statistics.add(wanted.q, plant.position(), plant.tool(values_of(wanted.q)) - plant.tool(plant.position()));
+    statistics.add(wanted.q, plant.position(), plant.tool(values_of<Values>(wanted.q)) - plant.tool(plant.position()));
     auto measurement = plant.read();
     measurement.feeds_forward = static_cast<std::uint8_t>(feed_of(situation));
     if (!wanted.q3.empty()) controller.take(derivatives_of(wanted));
@@ -203,6 +247,17 @@ Tracking follow(const Case& situation, Controller& controller, const Watch& watc
     plant.run(answer);
   }
   return statistics.result(refused);
+}
+
+}  // namespace
+
+Tracking follow(const Case& situation, Controller& controller, const Watch& watch) {
+  const Trajectory cycle = cycle_of(situation.robot, situation.resonance > 0);
+  const auto first = static_cast<std::size_t>(std::lround(situation.start / tick));
+  const SetPoint& start = cycle[first % cycle.size()];
+  if (simulation::shares_drives(situation.robot))
+    return follow(situation, cycle, first, plant_of_drives(situation, start), controller, watch);
+  return follow(situation, cycle, first, plant_of_joints(situation, start), controller, watch);
 }
 
 bool declares_friction(const std::string& robot) {

@@ -19,9 +19,10 @@ struct Case {
   double parameter_error = 0.0;  ///< every mass, centre of mass, inertia and rotor times 1 +- this
   unsigned seed = 0;             ///< of the signs
   bool friction = false;         ///< the plant has the robot's declared friction, of which the model knows nothing
-  int encoder_bits = 32;         ///< a turn; on slides the nearest step of 0.1 um to a metre over 2^bits
-  double encoder_noise = 0.0;    ///< counts of that encoder, standard deviation, before it counts
-  int delay = 0;                 ///< ticks between a measurement and the torque that answers it
+  int encoder_bits = 32;       ///< a turn; on slides the nearest step of 0.1 um to a metre over 2^bits, of drives that
+                               ///< joints share likewise, whatever their unit is
+  double encoder_noise = 0.0;  ///< counts of that encoder, standard deviation, before it counts
+  int delay = 0;               ///< ticks between a measurement and the torque that answers it
   double seconds = 10.0;
   double start = 0.0;            ///< s into the cycle, in motion as it is wanted
   bool as_rigid = false;         ///< feed-forward of rigid joints, by a controller that knows elastic ones
@@ -33,13 +34,13 @@ struct Case {
 
 /// Tracking errors over a motion.
 struct Tracking {
-  std::vector<double> rms, largest;           ///< of each joint, rad or m
+  std::vector<double> rms, largest;           ///< of each joint, rad or m, or of each drive that joints share
   double tool_rms = 0.0, tool_largest = 0.0;  ///< of the tool point, m
   long ticks = 0;
   long refused = 0;  ///< answers without a fresh torque
 };
 
-/// The plant's joints as they are: rad or m, and per second.
+/// The plant's joints, or the drives that they share, as they are: rad or m, and per second.
 struct JointState {
   std::vector<double> q, qd;
 };

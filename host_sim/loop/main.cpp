@@ -1,4 +1,5 @@
 // loop: the closed loop with the firmware in it, and sweeps of the same sources on the host.
+#include <host_sim/loop/cycle.hpp>
 #include <host_sim/loop/loop.hpp>
 #include <host_sim/on_board/provenance.hpp>
 #include <host_sim/output/command_line.hpp>
@@ -150,10 +151,10 @@ int measure(const Options& options) {
   std::vector<Row> rows;
   {
     std::vector<std::string> header{"loop", "time"};
-    const auto joints = options.robot == "scara" ? 3 : 6;
-    for (int i = 1; i <= joints; ++i)
+    const std::size_t joints = cycle_of(options.robot).front().q.size();
+    for (std::size_t i = 1; i <= joints; ++i)
       header.push_back("q" + std::to_string(i)), header.push_back("error" + std::to_string(i));
-    for (int i = 1; i <= joints; ++i)
+    for (std::size_t i = 1; i <= joints; ++i)
       header.push_back("torque" + std::to_string(i));
     host_sim::CsvFile file(stem + ".csv", header);
     rows.push_back(in_loop(options, true, file));
@@ -185,7 +186,9 @@ int check(const Options& options) {
 int main(int count, char** arguments) {
   Options options;
   host_sim::CommandLine line("a closed loop with the firmware in it", "loop");
-  line.option("--robot", options.robot, "scara or puma560").show_default();
+  line.option("--robot", options.robot,
+              "scara, puma560, or whose joints share drives: scara_quill, palletiser, wrist_arm, gripper")
+      .show_default();
   line.option("--board", options.board, "folder of hal/boards").show_default();
   line.option("--number", options.number, "float or fixed32").show_default();
   line.option("--seconds", options.seconds, "of motion").show_default().range(0.001, 3600.0);

@@ -29,14 +29,17 @@ int evaluations(Method method) {
 }
 
 template <class X>
-axial::Status step(Method method, const Model& model, X& x, typename X::Scalar h,
-                   const Drive<typename X::Scalar>& drive) {
+axial::Status step(Method method, const typename X::Subject& model, X& x, typename X::Scalar h,
+                   const DriveOf<X>& drive) {
   return with(method, [&](auto m) { return axial::advance<decltype(m)>(model, x, h, drive); });
 }
 template axial::Status step(Method, const Model&, Motion<double>&, double, const Drive<double>&);
-template axial::Status step(Method, const Model&, CompensatedMotion<double>&, double, const Drive<double>&);
+template axial::Status step(Method, const Model&, CompensatedMotion<double>&, double,
+                            const DriveOf<CompensatedMotion<double>>&);
 template axial::Status step(Method, const Model&, Motion<float>&, float, const Drive<float>&);
-template axial::Status step(Method, const Model&, CompensatedMotion<float>&, float, const Drive<float>&);
+template axial::Status step(Method, const Model&, CompensatedMotion<float>&, float,
+                            const DriveOf<CompensatedMotion<float>>&);
+template axial::Status step(Method, const DrivenModel&, DrivenMotion&, double, const DriveOf<DrivenMotion>&);
 
 template <class T>
 Motion<double> exact_state(const Motion<T>& x) {
@@ -60,6 +63,11 @@ template Motion<double> exact_state(const CompensatedMotion<float>&);
 
 double step_limit(Method method, const Model& model, const Values<double>& q, const Stiffness<double>& drive) {
   return with(method, [&](auto m) { return axial::step_limit<decltype(m)>(model, q, {}, drive); });
+}
+
+double step_limit(Method method, const DrivenModel& model, const axial::Joints<DrivenModel, double>& u,
+                  const axial::DriveStiffness<DrivenModel, double>& drive) {
+  return with(method, [&](auto m) { return axial::step_limit<decltype(m)>(model, u, {}, drive); });
 }
 
 }  // namespace host_sim::simulation

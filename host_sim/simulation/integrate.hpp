@@ -16,6 +16,7 @@ int evaluations(Method method);
 
 template <class T>
 using Motion = axial::Motion<Model, T>;
+using DrivenMotion = axial::Motion<DrivenModel, double>;  ///< of drives that joints share
 template <class T>
 using CompensatedMotion = axial::CompensatedMotion<Model, T>;
 
@@ -28,19 +29,22 @@ Values<T> narrowed(const Values<double>& from) {
   return to;
 }
 
-/// What acts on a motion in T: as axial::advance asks it, with the stiffness.
+/// What acts on a motion X: as axial::advance asks it, with the stiffness.
+template <class X, class M = typename X::Subject, class T = typename X::Scalar>
+using DriveOf = std::function<void(const axial::Instant<M, T>&, axial::Joints<M, T>&, axial::Inputs<M, T>&,
+                                   axial::DriveStiffness<M, T>&)>;
 template <class T>
-using Drive = std::function<void(const Instant<T>&, Values<T>&, axial::Inputs<Model, T>&, Stiffness<T>&)>;
+using Drive = DriveOf<Motion<T>>;
 
-/// One step; X is Motion or CompensatedMotion of float or double.
+/// One step; X is Motion or CompensatedMotion of float or double, or DrivenMotion.
 template <class X>
-axial::Status step(Method method, const Model& model, X& x, typename X::Scalar h,
-                   const Drive<typename X::Scalar>& drive);
+axial::Status step(Method method, const typename X::Subject& model, X& x, typename X::Scalar h,
+                   const DriveOf<X>& drive);
 
 /// `steps` steps; `watch` sees every state.
 template <class X, class Watch>
-void run(Method method, const Model& model, X& x, typename X::Scalar h, long steps,
-         const Drive<typename X::Scalar>& drive, const Watch& watch) {
+void run(Method method, const typename X::Subject& model, X& x, typename X::Scalar h, long steps,
+         const DriveOf<X>& drive, const Watch& watch) {
   for (long k = 0; k < steps; ++k) {
     step(method, model, x, h, drive);
     watch(x);
@@ -54,6 +58,10 @@ template <class T>
 Motion<double> exact_state(const CompensatedMotion<T>& x);
 
 /// The step limit for the springs and dampers of a model and, where given, of what drives it: axial::step_limit.
+///@{
 double step_limit(Method method, const Model& model, const Values<double>& q, const Stiffness<double>& drive = {});
+double step_limit(Method method, const DrivenModel& model, const axial::Joints<DrivenModel, double>& u,
+                  const axial::DriveStiffness<DrivenModel, double>& drive = {});
+///@}
 
 }  // namespace host_sim::simulation

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 namespace host_sim::simulation {
 
@@ -12,6 +13,7 @@ namespace {
 struct Description {
   std::string name;
   std::vector<axial::LinkParameters> links;
+  bool shares_drives;
   axial::GravityVector gravity;
   axial::FixedPose base, tool;
 };
@@ -19,7 +21,7 @@ struct Description {
 template <class Robot>
 Description described() {
   const auto& chain = Robot::chain;
-  Description d{Robot::name, {}, chain.gravity, chain.base.pose, chain.tool.pose};
+  Description d{Robot::name, {}, chain.shares_drives(), chain.gravity, chain.base.pose, chain.tool.pose};
   for (int i = 0; i < chain.size; ++i) {
     d.links.push_back(chain.links[i]);
     d.links.back().parent = chain.parent(i) < 0 ? axial::LinkParameters::base : chain.parent(i);
@@ -33,6 +35,7 @@ const std::vector<Description>& descriptions() {
     const auto describe = [&](auto robot) { list.push_back(described<typename decltype(robot)::Robot>()); };
     robots::All::for_each(describe);
     robots::Trees::for_each(describe);
+    robots::SharedDrives::for_each(describe);
     return list;
   }();
   return all;
@@ -47,10 +50,33 @@ const Description& find(const std::string& robot) {
   throw std::runtime_error("unknown robot '" + robot + "'; there are: " + names);
 }
 
-void add(Model& model, const axial::LinkParameters& link) {
+template <class M>
+void add(M& model, const axial::LinkParameters& link) {
   if (!model.add(link)) throw std::runtime_error("a plant has twelve joints at most");
 }
 void add(Model& model, const axial::Link& link) { add(model, link.parameters()); }
+
+/// A model of links that stands as a description does.
+template <class M>
+M placed(const Description& d, const std::vector<axial::LinkParameters>& links) {
+  if (d.shares_drives != std::is_same_v<M, DrivenModel>)
+    throw std::runtime_error("joints of '" + d.name + "' " + (d.shares_drives ? "" : "do not ") +
+                             "share drives: its model is robot_model() or, of those that do, driven_model()");
+  M model;
+  for (const auto& link : links)
+    add(model, link);
+  model.set_gravity(d.gravity.x, d.gravity.y, d.gravity.z);
+  model.set_base(d.base);
+  model.set_tool(d.tool);
+  return model;
+}
+
+std::vector<std::string> names_where(bool shares_drives) {
+  std::vector<std::string> names;
+  for (const Description& d : descriptions())
+    if (d.shares_drives == shares_drives) names.push_back(d.name);
+  return names;
+}
 
 // Stored on the way: GCC 12 forgets the rounding where it vectorises two such casts beside each other (-O2).
 double as_float(double x) {
@@ -65,22 +91,20 @@ Model robot_model(const std::string& robot) { return model_of(robot, find(robot)
 std::vector<axial::LinkParameters> robot_links(const std::string& robot) { return find(robot).links; }
 
 Model model_of(const std::string& robot, const std::vector<axial::LinkParameters>& links) {
-  const Description& d = find(robot);
-  Model model;
-  for (const auto& link : links)
-    add(model, link);
-  model.set_gravity(d.gravity.x, d.gravity.y, d.gravity.z);
-  model.set_base(d.base);
-  model.set_tool(d.tool);
-  return model;
+  return placed<Model>(find(robot), links);
 }
 
-std::vector<std::string> robot_names() {
-  std::vector<std::string> names;
-  for (const Description& d : descriptions())
-    names.push_back(d.name);
-  return names;
+std::vector<std::string> robot_names() { return names_where(false); }
+
+DrivenModel driven_model(const std::string& robot) { return driven_model_of(robot, find(robot).links); }
+
+DrivenModel driven_model_of(const std::string& robot, const std::vector<axial::LinkParameters>& links) {
+  return placed<DrivenModel>(find(robot), links);
 }
+
+std::vector<std::string> driven_robot_names() { return names_where(true); }
+
+bool shares_drives(const std::string& robot) { return find(robot).shares_drives; }
 
 Model pendulum() {
   Model model;
@@ -148,7 +172,8 @@ Model leg() {
 
 namespace {
 
-double kinetic_energy(const Model& model, const Values<double>& q, const Values<double>& qd) {
+template <class M, class Values>
+double kinetic_energy(const M& model, const Values& q, const Values& qd) {
   const auto mass = axial::mass_matrix(model, q);
   double sum = 0.0;
   for (int i = 0; i < model.size(); ++i)
@@ -157,13 +182,14 @@ double kinetic_energy(const Model& model, const Values<double>& q, const Values<
   return sum;
 }
 
-double height_energy(const Model& model, const Values<double>& q) {
+/// `joints`: the links of the tree.
+template <class M, class Joints, class Values>
+double height_energy(const M& model, const Joints& joints, const Values& q) {
   const auto poses = axial::forward_kinematics(model, q);
-  const auto base = model.links<double>();
-  const auto up = base.base_acceleration();  // minus gravity, in frame 0
-  const auto frame_0 = base.base_pose();
+  const auto up = joints.base_acceleration();  // minus gravity, in frame 0
+  const auto frame_0 = joints.base_pose();
   double sum = 0.0;
-  for (int i = 0; i < model.size(); ++i) {
+  for (int i = 0; i < model.link_count(); ++i) {
     const auto& c = model.constants(i);
     const auto moment = poses.frames[i].rotation * axial::Vec3<double>{c.hx, c.hy, c.hz};
     sum += axial::dot(frame_0.rotation * up, moment + c.mass * poses.frames[i].position);
@@ -171,12 +197,13 @@ double height_energy(const Model& model, const Values<double>& q) {
   return sum;
 }
 
-double spring_energy(const Model& model, const Values<double>& q) {
-  const auto links = model.links<double>();
+/// `q`: of the joints.
+template <class Joints, class Values>
+double spring_energy(const Joints& joints, const Values& q) {
   double sum = 0.0;
-  for (int i = 0; i < model.size(); ++i) {
-    const double stretch = q[i] - links.link(i).spring_rest();
-    sum += 0.5 * links.link(i).spring_stiffness() * stretch * stretch;
+  for (int i = 0; i < joints.size(); ++i) {
+    const double stretch = q[i] - joints.link(i).spring_rest();
+    sum += 0.5 * joints.link(i).spring_stiffness() * stretch * stretch;
   }
   return sum;
 }
@@ -184,7 +211,15 @@ double spring_energy(const Model& model, const Values<double>& q) {
 }  // namespace
 
 double energy(const Model& model, const Values<double>& q, const Values<double>& qd) {
-  return kinetic_energy(model, q, qd) + height_energy(model, q) + spring_energy(model, q);
+  const auto links = model.links<double>();
+  return kinetic_energy(model, q, qd) + height_energy(model, links, q) + spring_energy(links, q);
+}
+
+double energy(const DrivenModel& model, const axial::Joints<DrivenModel, double>& u,
+              const axial::Joints<DrivenModel, double>& ud) {
+  const auto links = model.links<double>();
+  return kinetic_energy(model, u, ud) + height_energy(model, links.joints(), u) +
+         spring_energy(links.joints(), links.positions(u));
 }
 
 }  // namespace host_sim::simulation

@@ -14,14 +14,27 @@ using Model =
     axial::Model<12, axial::Gravity, axial::RotorInertia, axial::Friction, axial::JointSprings, axial::TipWrench>;
 template <class T>
 using Values = axial::Joints<Model, T>;
+/// The same of robots whose joints share drives: values, efforts and motions are those of the drives.
+using DrivenModel = axial::Model<12, axial::Gravity, axial::RotorInertia, axial::Friction, axial::JointSprings,
+                                 axial::TipWrench, axial::SharedDrives>;
 
-/// A robot of robots/ as it is declared. Throws std::runtime_error that names the robots there are.
+/// A robot of robots/ as it is declared. Throws std::runtime_error that names the robots there are, also where joints
+/// share drives.
 Model robot_model(const std::string& robot);
-/// Its links, for plants that are not quite what the firmware believes.
+/// Its links, for plants that are not quite what the firmware believes; also where joints share drives.
 std::vector<axial::LinkParameters> robot_links(const std::string& robot);
 /// A model of such links, standing as the robot does.
 Model model_of(const std::string& robot, const std::vector<axial::LinkParameters>& links);
 std::vector<std::string> robot_names();
+
+/// Robots whose joints share drives.
+///@{
+DrivenModel driven_model(const std::string& robot);
+DrivenModel driven_model_of(const std::string& robot, const std::vector<axial::LinkParameters>& links);
+std::vector<std::string> driven_robot_names();
+/// Whether a robot is one of them.
+bool shares_drives(const std::string& robot);
+///@}
 
 /// IFToMM benchmark A01: a point mass of 1 kg on a rod of 1 m, horizontal at q = 0, g = 9.81 m/s^2.
 Model pendulum();
@@ -41,6 +54,10 @@ Model leg();
 Values<double> nominal_pose();
 
 /// Kinetic and potential energy, J: of links, rotors and springs.
+///@{
 double energy(const Model& model, const Values<double>& q, const Values<double>& qd);
+double energy(const DrivenModel& model, const axial::Joints<DrivenModel, double>& u,
+              const axial::Joints<DrivenModel, double>& ud);
+///@}
 
 }  // namespace host_sim::simulation

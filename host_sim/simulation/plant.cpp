@@ -2,23 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace host_sim::simulation {
 
 namespace {
 
-/// The tool point, and how joints move it, in the world.
+/// The tool point, and how joints, or the drives that they share, move it, in the world.
+template <class M>
 struct Tip {
+  using Joints = axial::Joints<M, double>;
   axial::Vec3<double> position, velocity;
   axial::Mat3<axial::Vec3<double>> link_axes;
-  axial::Jacobian<Model, double> jacobian;
+  axial::Jacobian<M, double> jacobian;
 
-  Tip(const Model& model, const Values<double>& q, const Values<double>& qd) : jacobian(axial::jacobian(model, q)) {
+  Tip(const M& model, const Joints& q, const Joints& qd) : jacobian(axial::jacobian(model, q)) {
     const auto poses = axial::forward_kinematics(model, q);
     position = poses.tool.position;
-    link_axes = poses.frames[model.size() - 1].rotation;
+    link_axes = poses.frames[model.link_count() - 1].rotation;
     for (int i = 0; i < model.size(); ++i)
       velocity = velocity + qd[i] * jacobian[i].linear;
   }
@@ -29,7 +30,8 @@ struct GroundForce {
   axial::Vec3<double> force{};
   double per_depth = 0.0, per_approach = 0.0, per_slip = 0.0;
 
-  GroundForce(const Ground& ground, const Tip& tip) {
+  template <class M>
+  GroundForce(const Ground& ground, const Tip<M>& tip) {
     const double depth = ground.height - tip.position.z;
     if (depth <= 0.0) return;
     const double grip = 1.0 - 1.5 * ground.dissipation * tip.velocity.z;
@@ -45,8 +47,8 @@ struct GroundForce {
 
 // w g g^T of one direction g of the tip is at most the diagonal matrix of w |g_i| sum_j |g_j|, by its quadratic forms.
 // An implicit step that takes more stiffness than there is stays stable.
-template <class Direction>
-void add_bound(Values<double>& diagonal, const Tip& tip, int joints, double weight, Direction direction) {
+template <class M, class Direction>
+void add_bound(axial::Joints<M, double>& diagonal, const Tip<M>& tip, int joints, double weight, Direction direction) {
   double sum = 0.0;
   for (int i = 0; i < joints; ++i)
     sum += std::fabs(direction(tip.jacobian[i].linear));
@@ -54,57 +56,83 @@ void add_bound(Values<double>& diagonal, const Tip& tip, int joints, double weig
     diagonal[i] += weight * sum * std::fabs(direction(tip.jacobian[i].linear));
 }
 
+constexpr int most_links = 12;
+
+/// The tool point in the last link's frame.
+axial::Vec3<double> tool_point(const Model& model) { return model.links<double>().tool_pose().position; }
+axial::Vec3<double> tool_point(const DrivenModel& model) { return model.links<double>().joints().tool_pose().position; }
+
 }  // namespace
 
-Plant::Plant(const Model& model, const std::vector<axial::LinkParameters>& links, const Surroundings& surroundings,
-             Control<double> control)
-    : Plant(model, surroundings, std::move(control)) {
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    low_[static_cast<int>(i)] = links[i].position_min;
-    high_[static_cast<int>(i)] = links[i].position_max;
+template <class M>
+PlantOf<M>::PlantOf(const M& model, const std::vector<axial::LinkParameters>& links, const Surroundings& surroundings,
+                    ControlOf<M> control)
+    : PlantOf(model, surroundings, std::move(control)) {
+  axial::LinkParameters all[most_links] = {};
+  std::copy(links.begin(), links.end(), all);
+  const auto g = axial::drive_matrix_of(all);
+  for (int i = 0; i < model_.link_count(); ++i) {
+    const auto& link = all[i];
+    Stop of_joint{link.position_min, link.position_max, g.offset[i], {}};
+    for (int k = 0; k < model_.size(); ++k)
+      of_joint.ratio[k] = g.ratio[i][k];
+    stops_.push_back(of_joint);
+    if (g.drive_of(i) < 0) continue;
+    Stop of_drive{link.drive_min, link.drive_max, 0.0, {}};
+    of_drive.ratio[g.drive_of(i)] = 1.0;
+    if (g.is_alone(i))
+      stops_.back().low = std::max(of_joint.low, of_drive.low),
+      stops_.back().high = std::min(of_joint.high, of_drive.high);
+    else
+      stops_.push_back(of_drive);
   }
 }
 
-Plant::Plant(const Model& model, const Surroundings& surroundings, Control<double> control)
-    : model_(model), surroundings_(surroundings), control_(std::move(control)) {
-  for (int i = 0; i < Values<double>::size; ++i) {
-    low_[i] = -std::numeric_limits<double>::infinity();
-    high_[i] = std::numeric_limits<double>::infinity();
-  }
-}
+template <class M>
+PlantOf<M>::PlantOf(const M& model, const Surroundings& surroundings, ControlOf<M> control)
+    : model_(model), surroundings_(surroundings), control_(std::move(control)) {}
 
-void Plant::operator()(const Instant<double>& at, Values<double>& tau, axial::Inputs<Model, double>& in,
-                       Stiffness<double>& stiffness) const {
+template <class M>
+void PlantOf<M>::operator()(const axial::Instant<M, double>& at, Joints& tau, axial::Inputs<M, double>& in,
+                            Stiffness& stiffness) const {
   if (control_) control_(at, tau, stiffness);
   if (surroundings_.stops.stiffness > 0.0) add_stops(at, tau, stiffness);
   if (surroundings_.ground) add_ground(at, in, stiffness);
 }
 
-axial::Vec3<double> Plant::ground_force(const Values<double>& q, const Values<double>& qd) const {
+template <class M>
+axial::Vec3<double> PlantOf<M>::ground_force(const Joints& q, const Joints& qd) const {
   if (!surroundings_.ground) return {};
-  return GroundForce(*surroundings_.ground, Tip(model_, q, qd)).force;
+  return GroundForce(*surroundings_.ground, Tip<M>(model_, q, qd)).force;
 }
 
-void Plant::add_stops(const Instant<double>& at, Values<double>& tau, Stiffness<double>& stiffness) const {
-  const EndStops& stop = surroundings_.stops;
-  for (int i = 0; i < model_.size(); ++i) {
-    const double beyond = at.q[i] > high_[i] ? at.q[i] - high_[i] : at.q[i] < low_[i] ? at.q[i] - low_[i] : 0.0;
+template <class M>
+void PlantOf<M>::add_stops(const axial::Instant<M, double>& at, Joints& tau, Stiffness& stiffness) const {
+  const EndStops& spring = surroundings_.stops;
+  for (const Stop& stop : stops_) {
+    double q = stop.offset, qd = 0.0, sum = 0.0;
+    for (int k = 0; k < model_.size(); ++k)
+      q += stop.ratio[k] * at.q[k], qd += stop.ratio[k] * at.qd[k], sum += std::fabs(stop.ratio[k]);
+    const double beyond = q > stop.high ? q - stop.high : q < stop.low ? q - stop.low : 0.0;
     if (!(std::fabs(beyond) > 0.0)) continue;
-    const double push = stop.stiffness * beyond + stop.damping * at.qd[i];
+    const double push = spring.stiffness * beyond + spring.damping * qd;
     if (push * beyond <= 0.0) continue;
-    tau[i] -= push;
-    stiffness.stiffness[i] += stop.stiffness;
-    stiffness.damping[i] += stop.damping;
+    for (int k = 0; k < model_.size(); ++k) {
+      tau[k] -= stop.ratio[k] * push;
+      stiffness.stiffness[k] += spring.stiffness * sum * std::fabs(stop.ratio[k]);  // a bound, as add_bound()
+      stiffness.damping[k] += spring.damping * sum * std::fabs(stop.ratio[k]);
+    }
   }
 }
 
-void Plant::add_ground(const Instant<double>& at, axial::Inputs<Model, double>& in,
-                       Stiffness<double>& stiffness) const {
-  const Tip tip(model_, at.q, at.qd);
+template <class M>
+void PlantOf<M>::add_ground(const axial::Instant<M, double>& at, axial::Inputs<M, double>& in,
+                            Stiffness& stiffness) const {
+  const Tip<M> tip(model_, at.q, at.qd);
   const GroundForce ground(*surroundings_.ground, tip);
   if (!(ground.force.z > 0.0)) return;
   const auto force = axial::transpose_times(tip.link_axes, ground.force);
-  in.tip_wrench = {axial::cross(model_.links<double>().tool_pose().position, force), force};
+  in.tip_wrench = {axial::cross(tool_point(model_), force), force};
   const int n = model_.size();
   const auto x = [](const auto& v) { return v.x; };
   const auto y = [](const auto& v) { return v.y; };
@@ -114,5 +142,8 @@ void Plant::add_ground(const Instant<double>& at, axial::Inputs<Model, double>& 
   add_bound(stiffness.damping, tip, n, ground.per_slip, x);
   add_bound(stiffness.damping, tip, n, ground.per_slip, y);
 }
+
+template class PlantOf<Model>;
+template class PlantOf<DrivenModel>;
 
 }  // namespace host_sim::simulation

@@ -13,12 +13,14 @@ using Instant = axial::Instant<Model, T>;
 template <class T>
 using Stiffness = axial::DriveStiffness<Model, T>;
 
-/// Efforts of a controller at an instant; one that is stiff says how stiff, for implicit steps.
-template <class T>
-using Control = std::function<void(const Instant<T>&, Values<T>& tau, Stiffness<T>&)>;
+/// Efforts of a controller at an instant, of the joints or of the drives that they share; one that is stiff says how
+/// stiff, for implicit steps.
+template <class M>
+using ControlOf = std::function<void(const axial::Instant<M, double>&, axial::Joints<M, double>& tau,
+                                     axial::DriveStiffness<M, double>&)>;
 
-/// A spring and a damper beyond each declared position limit: N m/rad and N m s/rad (N/m, N s/m). The damper acts in
-/// the stop alone and never pulls.
+/// A spring and a damper beyond each declared position limit, of joints and of drives that they share: N m/rad and N m
+/// s/rad (N/m, N s/m). The damper acts in the stop alone and never pulls.
 struct EndStops {
   double stiffness = 0.0, damping = 0.0;
 };
@@ -35,28 +37,42 @@ struct Surroundings {
   std::optional<Ground> ground;
 };
 
-/// A robot in its surroundings under a controller: a drive for axial::advance, and for the references.
-class Plant {
+/// A robot in its surroundings under a controller: a drive for axial::advance, and for the references. M is Model or
+/// DrivenModel.
+template <class M>
+class PlantOf {
  public:
-  Plant(const Model& model, const std::vector<axial::LinkParameters>& links, const Surroundings& surroundings,
-        Control<double> control);
-  /// Without end stops.
-  Plant(const Model& model, const Surroundings& surroundings, Control<double> control);
+  using Joints = axial::Joints<M, double>;             ///< of the model's values
+  using Stiffness = axial::DriveStiffness<M, double>;  ///< likewise
 
-  const Model& model() const { return model_; }
-  void operator()(const Instant<double>& at, Values<double>& tau, axial::Inputs<Model, double>& in,
-                  Stiffness<double>& stiffness) const;
+  PlantOf(const M& model, const std::vector<axial::LinkParameters>& links, const Surroundings& surroundings,
+          ControlOf<M> control);
+  /// Without end stops.
+  PlantOf(const M& model, const Surroundings& surroundings, ControlOf<M> control);
+
+  const M& model() const { return model_; }
+  void operator()(const axial::Instant<M, double>& at, Joints& tau, axial::Inputs<M, double>& in,
+                  Stiffness& stiffness) const;
   /// Force on the tool point in world axes, N.
-  axial::Vec3<double> ground_force(const Values<double>& q, const Values<double>& qd) const;
+  axial::Vec3<double> ground_force(const Joints& q, const Joints& qd) const;
 
  private:
-  void add_stops(const Instant<double>& at, Values<double>& tau, Stiffness<double>& stiffness) const;
-  void add_ground(const Instant<double>& at, axial::Inputs<Model, double>& in, Stiffness<double>& stiffness) const;
+  /// Between two positions of q = ratio u + offset.
+  struct Stop {
+    double low, high, offset;
+    Joints ratio;
+  };
+  void add_stops(const axial::Instant<M, double>& at, Joints& tau, Stiffness& stiffness) const;
+  void add_ground(const axial::Instant<M, double>& at, axial::Inputs<M, double>& in, Stiffness& stiffness) const;
 
-  Model model_;
-  Values<double> low_{}, high_{};
+  M model_;
+  std::vector<Stop> stops_;
   Surroundings surroundings_;
-  Control<double> control_;
+  ControlOf<M> control_;
 };
+extern template class PlantOf<Model>;
+extern template class PlantOf<DrivenModel>;
+using Plant = PlantOf<Model>;
+using DrivenPlant = PlantOf<DrivenModel>;
 
 }  // namespace host_sim::simulation

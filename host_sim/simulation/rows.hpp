@@ -28,12 +28,15 @@ struct MotionScenario {
   bool slow = false;  ///< takes more than a few seconds
 };
 
-/// ST18 to ST23: A01, double pendulum, ten rods, babyboot, joint springs, contact leg, float at rest, float's clock,
-/// elastic joints.
+/// ST18 to ST24: A01, double pendulum, ten rods, babyboot, joint springs, contact leg, float at rest, float's clock,
+/// elastic joints, shared drives.
 std::vector<MotionScenario> motion_scenarios();
 
 /// ST23: a Puma 560 whose joints are elastic tends to the rigid one as their stiffness grows over 40 binary orders.
 std::vector<Row> elastic_limit();
+
+/// ST24: what Runge-Kutta steps make of the energy of robots whose joints share drives.
+std::vector<Row> shared_drives();
 
 /// With the fields that every machine-readable `stability` has; what is not finite is null.
 nlohmann::json to_json(const std::vector<Row>& rows);

@@ -367,7 +367,8 @@ std::vector<MotionScenario> motion_scenarios() {
           {"ST21_leg", contact_leg},
           {"ST21_leg_finely", contact_leg_finely, true},
           {"ST22_clock", float_clock},
-          {"ST23_elastic", elastic_limit}};
+          {"ST23_elastic", elastic_limit},
+          {"ST24_shared_drives", shared_drives}};
 }
 
 }  // namespace host_sim::simulation

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <robots/scara.hpp>
+#include <robots/scara_quill.hpp>
 
 namespace axial::apps {
 namespace {
@@ -68,6 +69,29 @@ TYPED_TEST(Feedback, IsAStiffnessOfTheErrorAtFirst) {
   const auto torque = this->answer(here, {0.25 - error[0], -0.5 - error[1], 0.125 - error[2]});
   for (int i = 0; i < 3; ++i)
     EXPECT_NEAR(torque.tau[static_cast<std::size_t>(i)], w * w * inertia(i) * error[i], 2e-4) << i;
+}
+
+// The nut's drive is told apart from one that stands whole turns away; gains are by M of the drives.
+TYPED_TEST(Feedback, OfADriveThatJointsShareCountsItsTurns) {
+  using robots::ScaraQuill;
+  const auto M = mass_matrix<ScaraQuill>(Joints<ScaraQuill, double>{});
+  const double u[] = {0.0, 0.0, 40.0, 0.5};
+  const auto torque = [&](std::size_t drive, double error) {
+    TrackingController<ScaraQuill, TypeParam> controller;
+    link::SetPoint wanted{};
+    link::Measurement measured{};
+    wanted.joints = measured.joints = 4;
+    for (std::size_t k = 0; k < 4; ++k) {
+      wanted.q[k] = static_cast<float>(u[k]);
+      measured.position[k] =
+          static_cast<std::int32_t>(std::llround((u[k] - (k == drive ? error : 0.0)) * slide_counts));
+    }
+    return tick(controller, measured, wanted).tau[drive];
+  };
+  for (const double error : {0.001, -0.002, 0.1, turn})
+    EXPECT_NEAR(torque(2, error), std::fmin(w * w * M(2, 2) * error, 1.1), 1e-5) << error;
+  for (const double error : {0.001, -0.002, 0.1})
+    EXPECT_NEAR(torque(3, error), std::fmin(w * w * M(3, 3) * error, 2.0), 1e-5) << error;
 }
 
 TYPED_TEST(Feedback, ThenAlsoADampingOfItsChange) {

@@ -150,6 +150,10 @@ void expect_regulated(double deviation) {
 
 }  // namespace
 
+TEST(LinearArm, IsRefusedWhereJointsShareDrives) {
+  EXPECT_THROW(linear_arm("scara_quill", 0.0, 0.01), std::runtime_error);
+}
+
 TEST(LinearArm, PredictsTheNonlinearArm) {
   for (const double tick : {0.001, 0.01, 0.02}) {  // at rest: exact but for the differences
     EXPECT_LT(prediction_error<robots::Puma560>(0.0, tick), 1e-7);

@@ -121,6 +121,63 @@ TEST(StepLimit, OfTwoJointsIsThatOfTheirStiffestMode) {
   }
 }
 
+namespace {
+
+constexpr double pulled_by = 2.0, damped_by = 6.0;
+
+/// Two carriages on springs, which a differential moves: its drives turn as one for the first, against each other for
+/// the second.
+struct Carriages {
+  static constexpr auto carriage = prismatic().mass(m);
+  static constexpr auto chain =
+      axial::chain(carriage.spring(k1).viscous(damped_by),
+                   carriage.parent(LinkParameters::base).spring(k2).viscous(damped_by), axial::differential());
+};
+
+/// A carriage that pulls another, twice as far.
+struct Pulled {
+  static constexpr auto chain = axial::chain(
+      prismatic().mass(m).spring(k1), prismatic().parent(LinkParameters::base).mass(m).spring(k2).mimic(0, pulled_by));
+};
+
+template <class S, class Model>
+Model modelled() {
+  Model model;
+  for (const auto& link : robot_of<S>::chain.links)
+    EXPECT_TRUE(model.add(link));
+  return model;
+}
+
+}  // namespace
+
+// Springs are the joints', k of a mass m; dampers the drives', of which each has half of m.
+TEST(StepLimit, OfSharedDrivesIsThatOfWhatTheyMove) {
+  using Undamped = Scene<Carriages, JointSprings>;
+  using Damped = Scene<Carriages, JointSprings, Friction>;
+  const Joints<Carriages, double> u{};
+  const double w2 = k1 / m, d = damped_by / (0.5 * m), share = std::pow(2.0, -1.0 / 32.0);
+  const double undamped = step_limit<SemiImplicitEuler, Undamped>(u);
+  EXPECT_LE(undamped, 2.0 / std::sqrt(w2) * (1.0 + 1e-12));
+  EXPECT_GE(undamped, 2.0 / std::sqrt(w2) * share);
+  const double h = step_limit<SemiImplicitEuler, Damped>(u);
+  EXPECT_LE(h * h * w2 + 2.0 * h * d, 4.0 * (1.0 + 1e-12));
+  EXPECT_GE(h * h * w2 + 2.0 * h * d, 4.0 * share * share);
+  using Shared = Model<2, JointSprings, Friction, SharedDrives>;
+  EXPECT_NEAR(step_limit<SemiImplicitEuler>(modelled<Damped, Shared>(), Joints<Shared, double>{}), h, 1e-14);
+  // A stiff drive adds to what springs do: to both drives, on half of m each.
+  const DriveStiffness<Undamped, double> drive{{500.0, 500.0}, {0.0, 0.0}};
+  const double stiff = step_limit<SemiImplicitEuler, Undamped>(u, {}, drive);
+  EXPECT_LE(stiff, 2.0 / std::sqrt(w2 + 500.0 / (0.5 * m)) * (1.0 + 1e-12));
+  EXPECT_GE(stiff, 2.0 / std::sqrt(w2 + 500.0 / (0.5 * m)) * share);
+  // One drive, two joints: the springs of both on the masses of both, as the drive feels them.
+  const double both = (k1 + pulled_by * pulled_by * k2) / (m + pulled_by * pulled_by * m);
+  EXPECT_NEAR((step_limit<SemiImplicitEuler, Scene<Pulled, JointSprings>>(Joints<Pulled, double>{})),
+              2.0 / std::sqrt(both), 1e-14);
+  EXPECT_TRUE((std::isinf(step_limit<RungeKutta4, Scene<Carriages>>(u))));
+  EXPECT_EQ((step_limit<RungeKutta4, Undamped>(Joints<Carriages, double>{NAN, 0.0}).status.code),
+            Status::Code::not_finite);
+}
+
 TEST(StepLimit, IsInfiniteWithoutSpringsAndForTheImplicitMethod) {
   EXPECT_TRUE((std::isinf(step_limit<RungeKutta4, Scene<Wheel>>(Joints<Wheel, double>{}))));
   EXPECT_TRUE((std::isinf(step_limit<LinearlyImplicitEuler, Scene<Wheel, JointSprings>>(Joints<Wheel, double>{}))));

@@ -8,7 +8,8 @@ usage: ./axial loop [options]
 Installs and builds what is missing, starts the tracking firmware of a board in its emulator and lets it drive a plant in double, in lock-step
 at 1 kHz over the serial line: feed-forward and a proportional-derivative torque, then the feedback alone (at most 10 s of it). Prints
 tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a picture (doc/measurements/simulation.md).
-  --robot ROBOT       scara (default) or puma560; puma560 is the default of --controller lqr, elastic and --export
+  --robot ROBOT|DRIVEN  scara (default) or puma560; whose joints share drives, by pd alone: scara_quill, palletiser, wrist_arm, gripper;
+                      puma560 is the default of --controller lqr, elastic and --export
   --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt, rp2040, rp2040_ram
   --number float|fixed32  what the firmware computes in; default float
   --controller pd|lqr|ekf|elastic  default pd. lqr: a linear-quadratic regulator whose gains the board computes from the arm's derivatives, on the stm32f405 in
@@ -82,10 +83,14 @@ build_regulators() {
 loop_program() { "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/loop" "$@"; }
 
 build_board_of_loop() {
-  local board
+  local board robot
   board=$(named_board "$@")
   ensure_runner "$board"
+  robot=$(option_of --robot scara "$@")
   build "$board" tracking-scara tracking-fixed-scara tracking-puma560 tracking-fixed-puma560
+  case $robot in # built only when asked for
+    scara_quill | palletiser | wrist_arm | gripper) build "$board" "tracking-$robot" "tracking-fixed-$robot" ;;
+  esac
 }
 
 write_loop_documents() {

@@ -17,17 +17,17 @@ struct Gains {
   double stiffness[N], damping[N];  ///< N m/rad and N m s/rad, N/m and N s/m
 };
 
-/// w^2 M_ii and 2 w M_ii in the middle of the joints' travel.
+/// w^2 M_ii and 2 w M_ii in the middle of the travel of the joints, or of the drives that they share.
 template <class Scene>
 constexpr auto tracking_gains() {
-  using Robot = robot_of<Scene>;
+  using Values = typename scene_of<Scene>::Robot;
   constexpr double w = 2.0 * 3.14159265358979323846 * bandwidth_Hz;
-  Joints<Robot, double> middle{};
-  for (int i = 0; i < Robot::chain.size; ++i)
-    middle[i] = 0.5 * (Robot::chain.links[i].position_min + Robot::chain.links[i].position_max);
+  Joints<robot_of<Scene>, double> middle{};
+  for (int i = 0; i < Values::chain.size; ++i)
+    middle[i] = 0.5 * (Values::chain.links[i].position_min + Values::chain.links[i].position_max);
   const auto mass = mass_matrix<Scene>(middle);
-  Gains<Robot::chain.size> gains{};
-  for (int i = 0; i < Robot::chain.size; ++i)
+  Gains<Values::chain.size> gains{};
+  for (int i = 0; i < Values::chain.size; ++i)
     gains.stiffness[i] = w * w * mass(i, i), gains.damping[i] = 2.0 * w * mass(i, i);
   return gains;
 }
@@ -43,9 +43,9 @@ class TrackingController : public Controller<Scene, Number> {
   using typename Base::Real;
   using typename Base::Robot;
   using typename Base::Tau;
-  static constexpr int n = Robot::chain.size;
+  static constexpr int n = joint_count<Scene>;
   static constexpr Gains<n> gains = tracking_gains<Scene>();
-  static constexpr bool slides(int i) { return Robot::chain.links[i].type == JointType::prismatic; }
+  static constexpr bool slides(int i) { return Encoders<Scene, Number>::slides(i); }
   static constexpr float turn = 6.28318530717958647692F;
   using Error = std::conditional_t<is_stored_v<Number>, std::int32_t, float>;
 

@@ -1,5 +1,6 @@
 #pragma once
-/// What encoders say, as joint positions: rad or m within the joint's turn, or words of the position's format.
+/// What encoders say, as joint positions: rad or m within the joint's turn, or words of the position's format. Where
+/// joints share drives, encoders are the drives', and each counts a number over all of its turns.
 
 #include <array>
 #include <cstdint>
@@ -12,18 +13,32 @@
 
 namespace axial::apps {
 
-/// What a slide's encoder counts a metre; a turning joint's counts 2^32 a turn.
+/// What a slide's encoder counts a metre, and one of a drive that joints share per unit of the drive; a turning
+/// joint's counts 2^32 a turn.
 constexpr std::uint32_t slide_counts = 10'000'000;
 
 template <class Scene, class Number>
 struct Encoders {
   using Robot = robot_of<Scene>;
+  using Values = typename scene_of<Scene>::Robot;  ///< what has values: joints, or drives that they share
   using Q = Positions<Robot, Number>;
   using Counts = std::array<std::int32_t, hal::link::max_joints>;
-  static constexpr bool slides(int i) { return Robot::chain.links[i].type == JointType::prismatic; }
+  static constexpr const LinkParameters& value(int i) { return Values::chain.links[i]; }
+  static constexpr bool slides(int i) { return value(i).type == JointType::prismatic; }
+  static_assert(
+      [] {
+        bool fit = true;
+        for (int i = 0; i < Values::chain.size; ++i) {
+          const double most =
+              value(i).position_max > -value(i).position_min ? value(i).position_max : -value(i).position_min;
+          fit = fit && (!slides(i) || !(most < LinkParameters::unlimited) || most * slide_counts < 2147483648.0);
+        }
+        return fit;
+      }(),
+      "axial: a position limit is beyond what 32 bits of slide_counts hold; declare narrower limits");
 
   static Q positions(const Counts& counts) {
-    return positions(counts, std::make_integer_sequence<int, Robot::chain.size>{});
+    return positions(counts, std::make_integer_sequence<int, Values::chain.size>{});
   }
 
  private:
@@ -44,8 +59,8 @@ struct Encoders {
       return static_cast<float>(counts) * (1.0F / slide_counts);
     } else {
       const float q = static_cast<float>(counts) * (turn / 4294967296.0F);
-      if (q < static_cast<float>(Robot::chain.links[I].position_min)) return q + turn;
-      return q > static_cast<float>(Robot::chain.links[I].position_max) ? q - turn : q;
+      if (q < static_cast<float>(value(I).position_min)) return q + turn;
+      return q > static_cast<float>(value(I).position_max) ? q - turn : q;
     }
   }
 };

@@ -1,8 +1,7 @@
 // How large a step may be for what is stiff in a robot.
 #pragma once
 
-#include <axial/scalar/finite.hpp>
-#include <axial/scalar/math.hpp>
+#include <axial/simulation/driven_stiffness.hpp>
 #include <axial/simulation/integrators.hpp>
 
 #include <axial/options/begin.hpp>
@@ -20,74 +19,6 @@ struct StepLimit {
 };
 
 namespace detail {
-
-/// N x N numbers of which size x size count.
-template <class T, int N>
-struct Square {
-  T values[N][N] = {};
-};
-
-template <class T, int N>
-constexpr T largest_magnitude(const Square<T, N>& a, int size) {
-  T most = T(0);
-  for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j)
-      most = magnitude(a.values[i][j]) > most ? magnitude(a.values[i][j]) : most;
-  return most;
-}
-// Sum of the squares of all elements, rooted: the Frobenius norm. Computed of shares of the largest element, whose
-// squares neither overflow nor vanish.
-template <class T, int N>
-constexpr T frobenius(const Square<T, N>& a, int size) {
-  const T most = largest_magnitude(a, size);
-  if (!(most > T(0)) || !is_finite(most)) return most;
-  T sum = T(0);
-  for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j) {
-      const T share = a.values[i][j] / most;
-      sum += share * share;
-    }
-  return most * square_root(sum);
-}
-template <class T, int N>
-constexpr bool is_finite_square(const Square<T, N>& a, int size) {
-  bool finite = true;
-  for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j)
-      finite = finite && is_finite(a.values[i][j]);
-  return finite;
-}
-template <class T, int N>
-constexpr Square<T, N> squared(const Square<T, N>& a, int size) {
-  Square<T, N> product{};
-  for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j)
-      for (int k = 0; k < size; ++k)
-        product.values[i][j] += a.values[i][k] * a.values[k][j];
-  return product;
-}
-
-/// An upper bound of the largest eigenvalue of a symmetric matrix without negative ones: the 2p-th root of
-/// trace(a^2p), p = 16, at most n^(1/32) times the eigenvalue (1.06 for n = 6). Infinite for a matrix that is not
-/// finite.
-template <class T, int N>
-constexpr T largest_eigenvalue_bound(Square<T, N> a, int size) {
-  if (!is_finite_square(a, size)) return std::numeric_limits<T>::infinity();
-  constexpr int squarings = 4;
-  T norms[squarings + 1] = {};
-  for (int level = 0;; ++level) {
-    const T norm = norms[level] = frobenius(a, size);
-    if (!(norm > T(0)) || level == squarings) break;
-    for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j)
-        a.values[i][j] /= norm;
-    a = squared(a, size);
-  }
-  T root = norms[squarings];
-  for (int level = squarings; level-- > 0;)
-    root = norms[level] * square_root(root);
-  return root;
-}
 
 /// w^1/2 M(q)^-1 w^1/2 of the diagonal w, column by column: accelerations of the structure at rest under unit efforts.
 template <class Links, class Input, class Q, class T, int N>
@@ -109,12 +40,6 @@ constexpr Square<T, N> weighted_mobility(const Links& links, const Input& in, co
   }
   return a;
 }
-
-/// Bounds of the largest eigenvalues of M^-1 K (1/s^2) and M^-1 D (1/s).
-template <class T>
-struct StiffBounds {
-  T stiffness{}, damping{};
-};
 
 template <class T, class System, class Q, class S, class Stiffness>
 constexpr StiffBounds<T> stiff_bounds(const System& system, const Q& q, const Inputs<S, T>& in,
@@ -155,16 +80,28 @@ constexpr T limit_of(LinearlyImplicitEuler, const StiffBounds<T>&) {
   return std::numeric_limits<T>::infinity();
 }
 
-template <class Method, class T, class System, class Q, class S, class Stiffness>
-constexpr StepLimit<T> step_limit_in(const System& system, const Q& q, const Inputs<S, T>& in, const Stiffness& drive) {
-  const auto bounds = stiff_bounds<T>(system, q, in, drive);
-  const auto links = system.template links<T>();
-  Soundness<T> all;
-  all.number(bounds.stiffness), all.number(bounds.damping);
+template <class Links, class Q, class All>
+constexpr void sound_positions(const Links& links, const Q& q, All& all) {
   for_each_link(links, [&](auto i) AXIAL_INLINE {
     links.link(i).on_joint([&](auto kind) AXIAL_INLINE { all.position(kind, q[i]); });
-    all.number(T(drive.stiffness[i])), all.number(T(drive.damping[i]));
   });
+}
+
+template <class Method, class T, class System, class Q, class S, class Stiffness>
+constexpr StepLimit<T> step_limit_in(const System& system, const Q& q, const Inputs<S, T>& in, const Stiffness& drive) {
+  const auto links = system.template links<T>();
+  Soundness<T> all;
+  StiffBounds<T> bounds;
+  if constexpr (is_driven<std::decay_t<decltype(links)>>) {
+    bounds = driven_stiff_bounds<T, S>(links, q, in, drive);
+    sound_positions(links.joints(), links.positions(q), all);
+  } else {
+    bounds = stiff_bounds<T>(system, q, in, drive);
+    sound_positions(links, q, all);
+  }
+  all.number(bounds.stiffness), all.number(bounds.damping);
+  for (int i = 0; i < system.size(); ++i)
+    all.number(T(drive.stiffness[i])), all.number(T(drive.damping[i]));
   const Status status = all.status();
   return {status.ok() ? limit_of(Method{}, bounds) : T(0), status};
 }
@@ -178,8 +115,9 @@ constexpr StepLimit<T> step_limit_in(const System& system, const Q& q, const Inp
 /// linearised there, M x'' + D x' + K x = 0: a mode with |x^T M x| = 1 has k = x^T K x at most the largest eigenvalue
 /// of M^-1 K, d likewise, and the limit holds for every such pair. Bounds of both eigenvalues come from traces of
 /// powers (largest_eigenvalue_bound), so the limit is below the true one of springs alone by at most n^(1/64), 3 % of
-/// six joints. M changes with q, so ask again, or keep a margin; stiffness of gravity, of centrifugal efforts and of
-/// contacts is not in it. Costs n structures at rest and O(n^3): for a set-up, not for a tick.
+/// six joints; where joints that share drives have springs and drives a stiffness too, by sqrt(2) at most. M changes
+/// with q, so ask again, or keep a margin; stiffness of gravity, of centrifugal efforts and of contacts is not in it.
+/// Costs n structures at rest and O(n^3): for a set-up, not for a tick.
 template <class Method, class S, class T, class Stiffness = NoStiffness>
 [[nodiscard]] constexpr StepLimit<T> step_limit(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {},
                                                 const Stiffness& drive = {}) {
