@@ -53,7 +53,8 @@ class Inspector {
   void drive() {
     if (!usable(p_.rotor_inertia) || p_.rotor_inertia < 0.0)
       refuse(joint() + "rotor inertia is " + number(p_.rotor_inertia) + " kg m^2", "give kg m^2 >= 0, motor side");
-    if (!usable(p_.gear)) refuse(joint() + "gear ratio is " + number(p_.gear), "give motor turns a joint turn");
+    if (!usable(p_.gear) || (p_.rotor_inertia != 0.0 && p_.gear == 0.0))
+      refuse(joint() + "gear ratio is " + number(p_.gear), "give motor turns a joint turn");
     if (!usable(p_.spring_stiffness) || !usable(p_.spring_rest))
       refuse(joint() + "spring is " + number(p_.spring_stiffness) + ", " + number(p_.spring_rest),
              "give its stiffness and its position of rest");

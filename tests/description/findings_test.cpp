@@ -69,6 +69,9 @@ TEST(Findings, DrivesHaveRotorsGearsAndSprings) {
   expect_refused_beyond(&LinkParameters::rotor_inertia, 0.0, -1e-300, "rotor inertia");
   expect_refused_beyond(&LinkParameters::rotor_inertia, huge, above(huge), "rotor inertia");
   expect_refused_beyond(&LinkParameters::gear, -huge, below(-huge), "gear");
+  const auto geared = [](double gear) { return found([&](auto& p) { p.rotor_inertia = 1e-4, p.gear = gear; }); };
+  EXPECT_EQ(geared(-0.01), "");
+  EXPECT_NE(geared(0.0).find("gear ratio is 0"), std::string::npos);
   expect_refused_beyond(&LinkParameters::spring_stiffness, 1.0, nan, "spring");
   expect_refused_beyond(&LinkParameters::spring_rest, -1.0, -inf, "spring");
 }

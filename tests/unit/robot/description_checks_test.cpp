@@ -93,7 +93,10 @@ TEST(DescriptionChecks, ACarrierOfARotorPrecedes) {
 
 TEST(DescriptionChecks, DrivesAndFrictionTakeEnergyOut) {
   expect_between(&LinkParameters::rotor_inertia, 0.0, -1e-300, Problem::rotor_inertia_is_negative);
-  expect_between(&LinkParameters::gear, -1e300, inf, Problem::rotor_inertia_is_not_finite);
+  expect_between(&LinkParameters::gear, -1e300, inf, Problem::rotor_inertia_or_gear_is_no_value);
+  const auto geared = [](double gear) { return after([&](auto& p) { p.rotor_inertia = 1.0, p.gear = gear; }); };
+  EXPECT_EQ(geared(1e-300), Problem::none);
+  EXPECT_EQ(geared(0.0), Problem::rotor_inertia_or_gear_is_no_value);
   expect_between(&LinkParameters::viscous, 0.0, -1e-300, Problem::viscous_is_negative);
   expect_between(&LinkParameters::coulomb_forward, 0.0, -1e-300, Problem::coulomb_feeds_energy_in);
   expect_between(&LinkParameters::coulomb_backward, 0.0, 1e-300, Problem::coulomb_feeds_energy_in);

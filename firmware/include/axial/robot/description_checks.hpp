@@ -76,7 +76,8 @@ constexpr Problem body_problem(const LinkParameters& p, const Given& given) {
     return Problem::mass_com_or_inertia_is_not_finite;
   if (p.mass < 0.0) return Problem::mass_is_negative;
   if (given.body_after_inertia) return Problem::inertia_origin_precedes_mass_or_com;
-  if (!finite(p.rotor_inertia) || !finite(p.gear)) return Problem::rotor_inertia_is_not_finite;
+  if (!finite(p.rotor_inertia) || !finite(p.gear) || (p.rotor_inertia != 0.0 && p.gear == 0.0))
+    return Problem::rotor_inertia_or_gear_is_no_value;
   if (p.rotor_inertia < 0.0) return Problem::rotor_inertia_is_negative;
   return Problem::none;
 }

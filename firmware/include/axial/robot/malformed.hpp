@@ -28,7 +28,7 @@ template <class Of> void parent_does_not_precede_list_links_from_the_base_outwar
 template <class Of> void mass_com_or_inertia_is_not_finite_give_kg_m_kg_m2() {}  ///< axial: mass, com or inertia of a link is not finite; give kg, m and kg m^2
 template <class Of> void mass_is_negative_give_kg_of_0_or_more() {}  ///< axial: the mass of a link is negative; give kg >= 0, a massless link has mass(0.0)
 template <class Of> void inertia_origin_precedes_mass_or_com_give_it_after_them() {}  ///< axial: inertia_origin() of a link stands before its mass or com; give it after them
-template <class Of> void rotor_inertia_is_not_finite_give_kg_m2_and_gear_ratio() {}  ///< axial: rotor_inertia of a link is not finite; give kg m^2 on the motor side and the gear ratio
+template <class Of> void rotor_inertia_or_gear_is_no_value_give_kg_m2_and_gear_ratio() {}  ///< axial: rotor_inertia of a link is not finite, or its gear ratio not finite or 0 (1 / 100 of whole numbers is 0); give kg m^2 on the motor side and motor turns per joint turn
 template <class Of> void rotor_inertia_is_negative_give_kg_m2_of_0_or_more() {}  ///< axial: rotor_inertia of a link is negative; give kg m^2 >= 0 on the motor side
 template <class Of> void rotor_axis_is_no_direction_give_three_numbers_not_all_0() {}  ///< axial: rotor_axis of a link is no direction; give three finite numbers, not all 0
 template <class Of> void rotor_carrier_does_not_precede_name_a_link_inboard() {}  ///< axial: the carrier of rotor_axis() must be an earlier link or LinkParameters::base; name a link inboard of the joint
