@@ -6,6 +6,7 @@
 #include <axial/dynamics/joint_screws.hpp>
 #include <axial/dynamics/loads.hpp>
 #include <axial/dynamics/reflection.hpp>
+#include <axial/dynamics/stages.hpp>
 #include <axial/dynamics/water.hpp>
 #include <axial/spatial/congruence.hpp>
 
@@ -56,9 +57,9 @@ struct AtRest {
 template <class K, class D, class R, class B, class L, class W>
 AtRest(K, D, R, B, L, W) -> AtRest<K, D, R, detail::Decided<B>, L, W>;
 
-/// The structure at the joint screws, from the tips to the base.
+/// The subtrees at the joint screws, from the tips to the base.
 template <class Links, class Input, class Screws>
-AXIAL_INLINE constexpr auto structure_at_rest(const Links& links, const Input& in, const Screws& screws) {
+AXIAL_INLINE constexpr auto subtrees_at_rest(const Links& links, const Input& in, const Screws& screws) {
   const TipLoads<typename Links::Scene, Input> loads(in);
   auto own = [&](auto i) AXIAL_INLINE {
     auto link = links.link(i);
@@ -66,7 +67,7 @@ AXIAL_INLINE constexpr auto structure_at_rest(const Links& links, const Input& i
     return link.shape(
         submerged(water_about(links, i), SubtreeInertia{link.formatted(articulated(body)), scale_of(link, body)}));
   };
-  return inward(links, own, [&](auto i, const auto& tree) AXIAL_INLINE {
+  return detail::inward_by_steps(links, own, [&](auto i, const auto& tree) AXIAL_INLINE {
     auto link = links.link(i);
     return link.on_joint([&](auto joint) AXIAL_INLINE {
       auto x = link.x();
@@ -77,6 +78,22 @@ AXIAL_INLINE constexpr auto structure_at_rest(const Links& links, const Input& i
                     link.shape(sent)};
     });
   });
+}
+
+/// The structure at the joint screws.
+template <class Links, class Input, class Screws>
+AXIAL_INLINE constexpr auto structure_at_rest(const Links& links, const Input& in, const Screws& screws) {
+  if constexpr (detail::stages_apart<Links>) {
+    return detail::called([&] {  // a frame of its own holds what parents bear
+      auto all = subtrees_at_rest(links, in, screws);
+      return map_links(links, [&](auto i) AXIAL_INLINE {
+        const auto& own = all[i];
+        return AtRest{own.gain, own.resistance, own.inverse, own.singular, own.left, detail::NoLoad{}};
+      });
+    });
+  } else {
+    return subtrees_at_rest(links, in, screws);
+  }
 }
 
 /// What the outward pass needs of a joint's drive, and what the parent gets.

@@ -39,7 +39,8 @@ AXIAL_INLINE constexpr auto run_split_by_joints(const Links& links, const BiasLi
   auto at = links.read(q);
   auto screws = joint_screws(links, in, at);
   auto bias = bias_links.no_efforts();
-  rnea::efforts(bias_links, in, at, screws, links.read(qd), NoMotion{}, bias);
+  detail::stage<detail::stages_apart<Links>>(
+      [&]() AXIAL_INLINE { rnea::efforts(bias_links, in, at, screws, links.read(qd), NoMotion{}, bias); });
   auto structure = structure_at_rest(links, in, screws);
   auto given = links.read(tau);
   auto left = links.read(bias);

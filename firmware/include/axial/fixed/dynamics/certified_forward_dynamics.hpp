@@ -5,6 +5,7 @@
 #include <axial/fixed/dynamics/enclosure.hpp>
 #include <axial/fixed/dynamics/forward_dynamics.hpp>
 #include <axial/fixed/dynamics/inverse_dynamics.hpp>
+#include <axial/fixed/dynamics/stages.hpp>
 #include <axial/fixed/error_bound.hpp>
 
 #include <axial/options/begin.hpp>
@@ -75,12 +76,14 @@ AXIAL_INLINE constexpr int unit_response(const Links& links, const Screws& screw
   int magnified = 0;
   for (int k = 0; k < solves; ++k) {
     Headroom room(magnified);
-    const auto drive = map_links(links, [&](auto i) AXIAL_INLINE {
-      constexpr int to = decltype(links.link(i))::format.joint_effort;
-      return Fx<to, typename Links::Scalar>{select(static_cast<int>(i) == j, 1 << (start + magnified), 0)};
+    stage<has_few_registers>([&]() AXIAL_INLINE {
+      const auto drive = map_links(links, [&](auto i) AXIAL_INLINE {
+        constexpr int to = decltype(links.link(i))::format.joint_effort;
+        return Fx<to, typename Links::Scalar>{select(static_cast<int>(i) == j, 1 << (start + magnified), 0)};
+      });
+      static_cast<void>(aba::respond(links, screws, structure, drive, room,
+                                     [&](auto i, const auto& own) AXIAL_INLINE { answer[i] = own.raw; }));
     });
-    static_cast<void>(aba::respond(links, screws, structure, drive, room,
-                                   [&](auto i, const auto& own) AXIAL_INLINE { answer[i] = own.raw; }));
     if (k + 1 < solves) magnified = aba::least_of(magnified + room.magnification(), most - start);
   }
   return start + magnified;
@@ -183,7 +186,9 @@ AXIAL_INLINE constexpr void fill(Enclosure<joint_count<S>>& system, const Positi
       for (int i = 0; i < C::size; ++i)
         moving.values[i] = {system.inverse[i][k]};
     }
-    rnea::efforts(needs_links, in, at, screws, needs_links.read(qd), needs_links.read(moving), needs);
+    stage<has_few_registers>([&]() AXIAL_INLINE {
+      rnea::efforts(needs_links, in, at, screws, needs_links.read(qd), needs_links.read(moving), needs);
+    });
     if (k < 0) bias = needs;
     if (k >= 0 && k < C::size) {
       std::int64_t made[C::size] = {};

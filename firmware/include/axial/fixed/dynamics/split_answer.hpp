@@ -4,6 +4,7 @@
 
 #include <axial/dynamics/split_form.hpp>
 #include <axial/fixed/dynamics/drive_scale.hpp>
+#include <axial/fixed/dynamics/stages.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -21,12 +22,14 @@ struct Solved {
 template <class Links, class Screws, class Structure, class Tau, class Bias>
 AXIAL_INLINE constexpr Solved<Links> solved(const Links& links, const Screws& screws, const Structure& structure,
                                             const Tau& tau, const Bias& bias, int halvings, Headroom& room) {
-  Solved<Links> result;
-  const auto drive = drive_over(links, tau, bias, halvings);
-  if constexpr (Links::halvings() > 0) for_each_link(links, [&](auto i) AXIAL_INLINE { room(drive[i]); });
-  result.lost = respond(links, screws, structure, drive, room,
-                        [&](auto i, const auto& own) AXIAL_INLINE { result.raw[i] = own.raw; });
-  return result;
+  return detail::stage<detail::stages_apart<Links>>([&]() AXIAL_INLINE {
+    Solved<Links> result;
+    const auto drive = drive_over(links, tau, bias, halvings);
+    if constexpr (Links::halvings() > 0) for_each_link(links, [&](auto i) AXIAL_INLINE { room(drive[i]); });
+    result.lost = respond(links, screws, structure, drive, room,
+                          [&](auto i, const auto& own) AXIAL_INLINE { result.raw[i] = own.raw; });
+    return result;
+  });
 }
 
 /// How many times its declared acceleration a joint's answer may be and still be right to a thousandth of the largest
