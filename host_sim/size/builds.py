@@ -50,7 +50,7 @@ class Kernel(NamedTuple):
 
 
 KERNELS = (Kernel("stm32f405", "feedforward", "float"), Kernel("stm32f405", "forward_dynamics", "float"),
-           Kernel("nrf51", "inverse_dynamics", "fixed32"))
+           Kernel("nrf51", "inverse_dynamics", "fixed32"), Kernel("nrf51", "forward_dynamics", "fixed32"))
 BUILDS = (Build("gcc", OURS), *(Build("gcc", level) for level in LEVELS), *(Build("gcc", level, True) for level in ("-O0", "-Og", "-Os", "-O2")),
           *(Build("clang", level) for level in ("-O0", "-O1", "-Os", "-O2")))
 # Of the toolchain file's flags, those that any firmware has: the target, sections, no exceptions.
