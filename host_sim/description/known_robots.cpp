@@ -10,6 +10,7 @@ void for_each(Visit&& visit) {
   robots::All::for_each(visit);
   robots::Trees::for_each(visit);
   robots::Published::for_each(visit);
+  robots::SharedDrives::for_each(visit);
 }
 
 }  // namespace

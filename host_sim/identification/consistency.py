@@ -84,8 +84,8 @@ class _Problem:
     """The function to minimise, over the free standard parameters: half the data's squares, and a divergence a link and a drive."""
 
     def __init__(self, robot, free, base, fit, drive_scale):
-        kind = np.arange(len(robot.names)) % (len(robot.names) // len(robot))
-        self.inertial = np.flatnonzero(kind[free] < INERTIAL).reshape(len(robot), INERTIAL)
+        kind = np.arange(len(robot.names)) % (len(robot.names) // len(robot.links))
+        self.inertial = np.flatnonzero(kind[free] < INERTIAL).reshape(len(robot.links), INERTIAL)
         self.drives = np.flatnonzero(kind[free] >= INERTIAL)
         self.matrix, self.target = fit.information @ base.combinations, fit.information @ fit.values
         self.pseudo, self.changed = consistent_prior(robot.prior[free][self.inertial])

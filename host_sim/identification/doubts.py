@@ -9,7 +9,8 @@ import smoothing
 import suspects
 
 ROWS = 300  # instants that a suspect is judged on
-FINALISTS = 4  # suspects that get a whole fit, beside negated torques: negative masses fit those as well
+FINALISTS = 4  # suspects that get a whole fit, beside negated torques, and other signs of the same score: negative masses fit those as well
+SIGNS = ("axis turned", "position negated")
 MENDS = 0.4  # of the residual as recorded: what a remedy must at least come to
 ALIKE, EXACT = 1.05, 1e-4  # residuals by which this log does not tell two suspects apart: times the smaller, and beyond it
 SCALES_ALIKE = 0.02  # a torque scaled by this much of -1 is negated
@@ -101,8 +102,8 @@ class Remedy:
     residual: float  # of the whole fit without the mistake
     others: tuple = ()  # suspects without which as little is left: the log does not tell which it is
 
-    def sentence(self, units):
-        return ", or ".join(each.sentence(units) for each in (self.suspect, *self.others)) + (" (this log does not tell which)" if self.others else "")
+    def sentence(self, units, noun="joint"):
+        return ", or ".join(each.sentence(units, noun) for each in (self.suspect, *self.others)) + (" (this log does not tell which)" if self.others else "")
 
 
 def mended(log, suspect):
@@ -115,7 +116,9 @@ def mended(log, suspect):
 def best_remedy(doubts, log, residual_of):
     """The best of the finalists; residual_of(log): the residual of a whole fit."""
     ranked = doubts.ranked()
-    finalists = ranked[:FINALISTS] + [each for each in ranked[FINALISTS:] if each.kind == "torque negated"]
+    least = doubts.score(ranked[0])
+    finalists = ranked[:FINALISTS] + [each for each in ranked[FINALISTS:] if each.kind == "torque negated" or
+                                      each.kind in SIGNS and doubts.score(each) <= ALIKE * least + EXACT]
     best, *others = sorted((Remedy(each, residual_of(mended(log, each))) for each in finalists), key=lambda remedy: remedy.residual)
     alike = tuple(each.suspect for each in others if each.residual <= ALIKE * best.residual + EXACT)
     return dataclasses.replace(best, others=alike)
@@ -130,6 +133,6 @@ def sentence(robot, before, remedy, limit):
     units = [robot.unit(joint) for joint in range(len(robot))]
     if mends(before, remedy, limit):
         change = f"falls from {100 * before:.3g} % to" if np.isfinite(before) else "is then"
-        return f"{remedy.sentence(units)}: the residual {change} {100 * remedy.residual:.2g} %"
-    return ("no single exchange of columns, sign, zero, scale or unit of a joint mends it (the best one leaves "
+        return f"{remedy.sentence(units, robot.noun)}: the residual {change} {100 * remedy.residual:.2g} %"
+    return (f"no single exchange of columns, sign, zero, scale or unit of a {robot.noun} mends it (the best one leaves "
             f"{100 * remedy.residual:.3g} %); is it this robot, its gravity, its payload? is something flexible or in contact?")

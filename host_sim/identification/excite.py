@@ -47,7 +47,7 @@ class Excitation:
     def __init__(self, robot, duration, harmonics):
         self.robot = robot
         self.limits, self.missing = fourier.limits_of(robot)
-        self.series = fourier.Series(self.limits, duration, harmonics)
+        self.series = fourier.series_of(robot, self.limits, duration, harmonics)
         self.columns = base_parameters.base_of(robot, np.arange(len(robot.names))).columns
         self.basis = self.series.basis(np.linspace(0.0, duration, CHECKED, endpoint=False))
         self.some = np.arange(0, CHECKED, max(1, CHECKED // INSTANTS))
@@ -107,8 +107,10 @@ def checked(excitation, motion):
     effort = np.abs(torque).max(axis=0) / lim.effort
     peaks = {name: (np.abs(values).max(axis=0) / limit) for name, values, limit in zip(names, (qd, qdd), (lim.speed, lim.acceleration))}
     peaks["effort"] = effort
-    if np.any(q < lim.low) or np.any(q > lim.high) or any(np.any(each > 1.0) for each in peaks.values()):
-        where = [f"{name} of joint {i + 1} at {each[i]:.3g} of its limit" for name, each in peaks.items() for i in np.flatnonzero(each > 1.0)]
+    joints = fourier.beyond_joints(excitation.robot, motion)
+    if np.any(q < lim.low) or np.any(q > lim.high) or any(np.any(each > 1.0) for each in peaks.values()) or joints:
+        noun = excitation.robot.noun
+        where = [f"{name} of {noun} {i + 1} at {each[i]:.3g} of its limit" for name, each in peaks.items() for i in np.flatnonzero(each > 1.0)] + joints
         raise ValueError("no trajectory inside the limits was found: " + (", ".join(where) or "positions") +
                          "; a longer --duration, fewer --harmonics or another --seed may do (a torque of gravity alone may be too large)")
     return peaks
@@ -159,7 +161,7 @@ def motion_at(excitation, shape, time_s):
 def say(result, excitation, options):
     print(f"{result[0]['robot']}: {options.duration:g} s, {options.harmonics} harmonics; condition of the regressor of {result[0]['parameters']} "
           f"base parameters {result[0]['condition']:.3g} (best random one {result[0]['condition_random']:.3g}), rows over the torque limits")
-    print(f"{'joint':<6} {'speed':>7} {'acceleration':>13} {'effort':>7}   greatest, of the limit")
+    print(f"{excitation.robot.noun:<6} {'speed':>7} {'acceleration':>13} {'effort':>7}   greatest, of the limit")
     for row in result:
         print(f"{row['joint']:<6} {row['speed_over_limit']:>7.2f} {row['acceleration_over_limit']:>13.2f} {row['effort_over_limit']:>7.2f}")
     if excitation.missing:

@@ -8,6 +8,7 @@ the period where sum a_k = 0 and sum k b_k = 0, which settle the last harmonic's
 import dataclasses
 
 import numpy as np
+import scipy.optimize
 
 MARGIN = 0.9  # of every limit that is used
 LEAST = 0.2  # of the largest amplitude that fits: what a joint moves at least
@@ -26,12 +27,36 @@ class Limits:
 
 def limits_of(robot):
     """Those of the description; a full turn or 0.5 m, 2 and 5 where it has none, and which those are, in words."""
-    missing = [f"{name} of joint {i + 1}" for i, joint in enumerate(robot.joints)
+    missing = [f"{name} of {robot.noun} {i + 1}" for i, joint in enumerate(robot.joints)
                for name in ("position_min", "position_max", "speed", "acceleration") if joint[name] is None]
     half = np.array([0.25 if joint["prismatic"] else np.pi for joint in robot.joints])
     values = {"low": ("position_min", -half), "high": ("position_max", half), "speed": ("speed", 2.0), "acceleration": ("acceleration", 5.0),
               "effort": ("effort", np.inf)}
     return Limits(**{name: robot.limits(*each) for name, each in values.items()}), missing
+
+
+def series_of(robot, limits, duration, harmonics):
+    """Of joints, or of the drives that they share."""
+    if robot.noun == "joint":
+        return Series(limits, duration, harmonics)
+    return SharedSeries(limits, duration, harmonics, robot)
+
+
+def joint_limits(robot):
+    """Of the joints that drives share: a value per link, infinite where a link declares none."""
+    names = {"low": ("position_min", -np.inf), "high": ("position_max", np.inf), "speed": ("speed", np.inf), "acceleration": ("acceleration", np.inf)}
+    return {name: np.array([missing if link[key] is None else link[key] for link in robot.links]) for name, (key, missing) in names.items()}
+
+
+def beyond_joints(robot, motion):
+    """What a motion of drives does to the joints that share them beyond their own limits, in words."""
+    if robot.noun == "joint":
+        return []
+    lim = joint_limits(robot)
+    q, qd, qdd = motion[0] @ robot.ratios.T + robot.offsets, motion[1] @ robot.ratios.T, motion[2] @ robot.ratios.T
+    left = {"positions": np.any((q < lim["low"]) | (q > lim["high"]), axis=0), "speed": np.any(np.abs(qd) > lim["speed"], axis=0),
+            "acceleration": np.any(np.abs(qdd) > lim["acceleration"], axis=0)}
+    return [f"{name} of joint {i + 1} beyond its limit" for name, each in left.items() for i in np.flatnonzero(each)]
 
 
 class Series:
@@ -67,9 +92,69 @@ class Series:
         middle, width = 0.5 * (lim.low + lim.high), MARGIN * (lim.high - lim.low)
         most = np.min([width / (high - low), MARGIN * lim.speed / np.abs(qd).max(axis=0), MARGIN * lim.acceleration / np.abs(qdd).max(axis=0)], axis=0)
         scale = most * (LEAST + (1.0 - LEAST) * _share(shape[:, -2]))
-        room = width - scale * (high - low)
-        place = middle - 0.5 * width + room * _share(shape[:, -1])
+        scale, room = self._within_joints(scale, q, qd, qdd, width)
+        place = self._placed(middle - 0.5 * width + room * _share(shape[:, -1]), scale * (high - low))
         return scale * (q - low) + place, scale * qd, scale * qdd
+
+    def _within_joints(self, scale, q, _qd, _qdd, width):
+        """Amplitudes, and what room they leave."""
+        return scale, width - scale * np.ptp(q, axis=0)
+
+    def _placed(self, place, _range):
+        """The lowest positions."""
+        return place
+
+
+class SharedSeries(Series):
+    """Motions of drives that keep the limits of the joints too, q = G u + q0. Amplitudes shrink until what all drives of a joint add up to is
+    within its limits wherever it swings about the middle; places lead away from the middle as far as every joint allows."""
+
+    def __init__(self, limits, duration, harmonics, robot):
+        super().__init__(limits, duration, harmonics)
+        joints = joint_limits(robot)
+        bounded = np.any(robot.ratios != 0.0, axis=1)
+        self.ratios, self.offsets = robot.ratios[bounded], robot.offsets[bounded]
+        self.joint = {name: each[bounded] for name, each in joints.items()}
+        self.centre = self._middle()
+        at = self.ratios @ self.centre + self.offsets
+        self.slack = MARGIN * np.minimum(at - self.joint["low"], self.joint["high"] - at)
+
+    def _middle(self):
+        """Positions of the drives farthest from all limits, in shares of each limit's width."""
+        lim, drives = self.limits, self.joints
+        above, right = [], []
+        for matrix, offset, low, high in ((np.eye(drives), np.zeros(drives), lim.low, lim.high), (self.ratios, self.offsets, self.joint["low"], self.joint["high"])):
+            for row, own, least, most in zip(matrix, offset, low, high):
+                width = most - least if np.isfinite(most - least) else 1.0
+                if np.isfinite(most):
+                    above.append([*row, width])
+                    right.append(most - own)
+                if np.isfinite(least):
+                    above.append([*-row, width])
+                    right.append(own - least)
+        found = scipy.optimize.linprog([*np.zeros(drives), -1.0], A_ub=above, b_ub=right, bounds=[(None, None)] * drives + [(0.0, 0.5)])
+        if found.x is None or found.x[-1] <= 0.0:
+            raise ValueError("limits of drives and joints leave no position between them; see position_limits and drive_limits of the description")
+        return found.x[:-1]
+
+    def _within_joints(self, scale, q, qd, qdd, width):
+        lim, size = self.limits, np.abs(self.ratios)
+        room = 2.0 * MARGIN * np.minimum(self.centre - lim.low, lim.high - self.centre)  # about the middle
+        scale = np.minimum(scale, room / np.ptp(q, axis=0))
+        used = np.max([0.5 * size @ (scale * np.ptp(q, axis=0)) / self.slack, size @ (scale * np.abs(qd).max(axis=0)) / (MARGIN * self.joint["speed"]),
+                       size @ (scale * np.abs(qdd).max(axis=0)) / (MARGIN * self.joint["acceleration"])], axis=0)
+        over = np.maximum(used, 1.0)
+        scale = scale / np.where(size > 0.0, over[:, None], 1.0).max(axis=0)
+        return scale, width - scale * np.ptp(q, axis=0)
+
+    def _placed(self, place, span):
+        """From the middle towards where they were to be, until the first joint is at its limit."""
+        way = place + 0.5 * span - self.centre
+        moves, half = self.ratios @ way, 0.5 * np.abs(self.ratios) @ span
+        at = self.ratios @ self.centre + self.offsets
+        left = np.where(moves > 0.0, self.joint["high"] - at - half, at - half - self.joint["low"])
+        share = min(1.0, *(MARGIN * left / np.maximum(np.abs(moves), 1e-12)))
+        return self.centre + share * way - 0.5 * span
 
 
 def _share(x):

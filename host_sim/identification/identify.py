@@ -51,8 +51,10 @@ def parsed(arguments):
 
 
 def free_parameters(robot, keep):
+    """Links without a drive of their own have neither rotor nor friction."""
     kept = {kind for name in keep for kind in FIXED[name]}
-    return np.array([i for i, kind in enumerate(robot.kinds) if kind not in kept])
+    drives = {kind for kinds in FIXED.values() for kind in kinds}
+    return np.array([i for i, kind in enumerate(robot.kinds) if kind not in kept and (robot.drives[i] is not None or kind not in drives)])
 
 
 def drive_scales(robot, log):
@@ -62,8 +64,8 @@ def drive_scales(robot, log):
     sizes = {"rotor": effort / acceleration, "viscous": effort / speed, "forward": effort, "backward": effort}
     scale = np.ones(len(robot.names))
     for i, kind in enumerate(robot.kinds):
-        if kind in sizes:
-            scale[i] = max(abs(robot.prior[i]), sizes[kind][i * len(robot) // len(robot.names)])
+        if kind in sizes and robot.drives[i] is not None:
+            scale[i] = max(abs(robot.prior[i]), sizes[kind][robot.drives[i]])
     return scale
 
 
@@ -188,7 +190,7 @@ def write_header(found, path, judged):
 def identify(options):
     with robots.Robot(options.program, options.robot, options.tip) as robot:
         log = read(options.log, robot, options.torque_scale)
-        print(f"{len(log.time)} rows of {len(robot)} joints; fitting", file=sys.stderr, flush=True)
+        print(f"{len(log.time)} rows of {len(robot)} {robot.noun}s; fitting", file=sys.stderr, flush=True)
         found = identified(robot, log, options)
         judged = {options.log: found.equations}
         if options.validate:

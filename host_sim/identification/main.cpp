@@ -19,21 +19,53 @@ using namespace host_sim::identification;
 
 nlohmann::json limit(double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); }
 
-nlohmann::json joint(const axial::LinkParameters& link) {
-  return {{"prismatic", link.type == axial::JointType::prismatic},
-          {"position_min", limit(link.position_min)},
-          {"position_max", limit(link.position_max)},
-          {"speed", limit(link.speed_limit)},
-          {"acceleration", limit(link.acceleration_limit)},
-          {"effort", limit(link.effort_limit)},
-          {"parameters", to_parameters(link)}};
+nlohmann::json limits(const axial::LinkParameters& of) {
+  return {{"position_min", limit(of.position_min)},
+          {"position_max", limit(of.position_max)},
+          {"speed", limit(of.speed_limit)},
+          {"acceleration", limit(of.acceleration_limit)},
+          {"effort", limit(of.effort_limit)}};
 }
 
+// Of what a log has a column: a joint, or a drive that joints share. Its unit is m where a slide follows it one to one,
+// else rad; `periodic`: a turn of it leaves all joints where they were.
+nlohmann::json value(const description::Description& robot, const axial::DriveMatrix<description::most_links>& g,
+                     int k) {
+  const auto& owner = robot.links[static_cast<std::size_t>(g.owner[k])].parameters;
+  const bool slides = owner.type == axial::JointType::prismatic;
+  bool periodic = true;
+  for (int i = 0; i < robot.size(); ++i)
+    if (g.is_moved(i, k))
+      periodic = periodic && robot.links[static_cast<std::size_t>(i)].parameters.type == axial::JointType::revolute &&
+                 g.ratio[i][k] == std::round(g.ratio[i][k]);
+  auto all =
+      limits(description::shares_drives(robot) ? axial::detail::drive_by_itself(owner, g.is_alone(g.owner[k])) : owner);
+  all["prismatic"] = slides && std::abs(g.ratio[g.owner[k]][k]) == 1.0;
+  all["periodic"] = periodic;
+  return all;
+}
+
+// "joints": of what a log has columns. "links": all of the tree, with the index of the drive that each owns (null:
+// none), how drives move its joint (q = ratios u + offset) and the joint's own limits.
 void describe(const description::Description& robot) {
-  nlohmann::json joints = nlohmann::json::array();
-  for (const description::Link& link : robot.links)
-    joints.push_back(joint(link.parameters));
-  const nlohmann::json all = {{"name", robot.name}, {"parameters", parameter_names}, {"joints", joints}};
+  const auto g = description::drive_matrix(robot);
+  nlohmann::json joints = nlohmann::json::array(), links = nlohmann::json::array();
+  for (int k = 0; k < g.drives; ++k)
+    joints.push_back(value(robot, g, k));
+  for (int i = 0; i < robot.size(); ++i) {
+    const auto& parameters = robot.links[static_cast<std::size_t>(i)].parameters;
+    auto link = limits(parameters);
+    link["parameters"] = to_parameters(parameters);
+    link["drive"] = g.drive_of(i) < 0 ? nlohmann::json() : nlohmann::json(g.drive_of(i));
+    link["ratios"] = std::vector<double>(g.ratio[i], g.ratio[i] + g.drives);
+    link["offset"] = g.offset[i];
+    links.push_back(link);
+  }
+  const nlohmann::json all = {{"name", robot.name},
+                              {"parameters", parameter_names},
+                              {"shares_drives", description::shares_drives(robot)},
+                              {"joints", joints},
+                              {"links", links}};
   std::printf("%s\n", all.dump().c_str());
 }
 
@@ -45,7 +77,7 @@ bool read(T* values, std::size_t count) {
 // A request: a count, then so many states q, qd, qdd. The answer: [Y, known] of each.
 void answer(const description::Description& robot) {
   const Regressor regressor(robot);
-  const auto n = static_cast<std::size_t>(regressor.joints());
+  const auto n = static_cast<std::size_t>(regressor.drives());
   const std::size_t width = n * (static_cast<std::size_t>(regressor.columns()) + 1);
   for (std::int64_t count = 0; read(&count, 1);) {
     std::vector<double> states(static_cast<std::size_t>(count) * 3 * n), rows(static_cast<std::size_t>(count) * width);

@@ -1,7 +1,8 @@
 """A log of recorded motion: read, checked, made even in time.
 
 A header line, then comma separated numbers: time (s), q1... (rad or m), tau1... (N m or N, what the drives exert), and, where they were
-measured, qd1... (rad/s or m/s). Columns are found by name, in any order; others are ignored. Joints count from 1.
+measured, qd1... (rad/s or m/s). Columns are found by name, in any order; others are ignored. Joints count from 1. Where joints share drives
+all columns are the drives', in the order of the links that own them.
 """
 
 import csv
@@ -39,7 +40,7 @@ def read(path, robot, torque_scale=1.0):
     try:
         with open(path, encoding="utf-8", newline="") as file:
             header = [name.strip() for name in next(csv.reader(file), [])]
-            columns = _columns(header, len(robot))
+            columns = _columns(header, robot)
             values = _numbers(file, header)
     except OSError as error:
         raise RecordingError(f"cannot be read: {error.strerror}") from error
@@ -52,15 +53,16 @@ def read(path, robot, torque_scale=1.0):
     return _even(groups, notes)
 
 
-def _columns(header, joints):
+def _columns(header, robot):
     """Where time, q, qd (perhaps) and tau stand."""
+    joints = len(robot)
     check_separator(header)
     wanted = {"time": ["time"], **{name: [f"{name}{i + 1}" for i in range(joints)] for name in ("q", "qd", "tau")}}
     if header and all(is_number(name) for name in header):
         raise RecordingError("line 1: no header line; name the columns: time,q1,...,tau1,...")
     for name in ("q", "tau"):
         if f"{name}{joints + 1}" in header:
-            raise RecordingError(f"has a column {name}{joints + 1}, but the robot has {joints} joints; give the robot that was recorded")
+            raise RecordingError(f"has a column {name}{joints + 1}, but the robot has {joints} {robot.noun}s; give the robot that was recorded")
     if not any(name in header for name in wanted["qd"]):
         del wanted["qd"]
     missing = [name for names in wanted.values() for name in names if name not in header]
@@ -130,18 +132,18 @@ def _doubts(groups, robot):
     for joint in range(len(robot)):
         q, tau = groups["q"][:, joint], groups["tau"][:, joint]
         if np.ptp(q) == 0.0:
-            raise RecordingError(f"joint {joint + 1} never moves; every joint must, see ./axial excite")
+            raise RecordingError(f"{robot.noun} {joint + 1} never moves; every {robot.noun} must, see ./axial excite")
         low, high = (robot.joints[joint][name] for name in ("position_min", "position_max"))
         wide = 0.1 * (high - low) if low is not None and high is not None else np.inf
         if q.max() > (high if high is not None else 7.0) + wide or q.min() < (low if low is not None else -7.0) - wide:
             hint = "millimetres" if robot.joints[joint]["prismatic"] else "degrees"
-            text = f"joint {joint + 1} goes from {q.min():.4g} to {q.max():.4g}, outside the robot's limits; are these {hint}?"
+            text = f"{robot.noun} {joint + 1} goes from {q.min():.4g} to {q.max():.4g}, outside the robot's limits; are these {hint}?"
             if np.abs(q).max() > FAR * max(abs(3.5 if each is None else each) for each in (low, high)):
                 raise RecordingError(text + " Positions are in rad or m")
             notes.append(text)
         effort = robot.joints[joint]["effort"]
         if effort is not None and np.abs(tau).max() > 2 * effort:
-            notes.append(f"tau{joint + 1} reaches {np.abs(tau).max():.4g} {robot.unit(joint)}, twice the robot's limit and more; on the joint's side?")
+            notes.append(f"tau{joint + 1} reaches {np.abs(tau).max():.4g} {robot.unit(joint)}, twice the robot's limit and more; on the {robot.noun}'s side?")
     return notes
 
 

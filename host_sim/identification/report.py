@@ -96,7 +96,7 @@ def _torques(found, judged):
         lines.append(f"{str(log)[-40:]:<40} {'RMS':>12} {'prior':>9} {'base':>9} {'identified':>11}")
         for joint in range(len(found.robot)):
             cells = [f"{100 * errors[name][joint]:.3g}" for name in ("prior", "base", "identified")]
-            lines.append(f"  joint {joint + 1:<32} {size[joint]:>8.3g} {found.robot.unit(joint):<3} {cells[0]:>9} {cells[1]:>9} {cells[2]:>11}")
+            lines.append(f"  {found.robot.noun} {joint + 1:<32} {size[joint]:>8.3g} {found.robot.unit(joint):<3} {cells[0]:>9} {cells[1]:>9} {cells[2]:>11}")
     return lines
 
 
@@ -111,7 +111,7 @@ def _notes(found, suspicions):
         notes.append("no torque depends on " + ", ".join(without) + ": as the prior has them, made consistent")
     for joint, (count, first) in enumerate(found.fit.outliers):
         if count:
-            notes.append(f"joint {joint + 1}: {count} rows are beyond {least_squares.OUTLIER:g} standard deviations, the first at {first:.3f} s "
+            notes.append(f"{found.robot.noun} {joint + 1}: {count} rows are beyond {least_squares.OUTLIER:g} standard deviations, the first at {first:.3f} s "
                          "(contact, saturation, stiction?); they were not left out")
     for link in found.consistent.changed_prior:
         notes.append(f"link {link + 1} of the prior is massless or not physically consistent; the nearest body stands for it")
@@ -143,4 +143,4 @@ def _fitted(found, log, equations):
 
 def _predicted(found, log, equations):
     each = ", ".join(f"{100 * error:.2g}" for error in found.residuals(equations))
-    return f"RMS of predicted less measured torque of {pathlib.Path(log).name}, % of the measured torque's RMS, joint by joint: {each}"
+    return f"RMS of predicted less measured torque of {pathlib.Path(log).name}, % of the measured torque's RMS, {found.robot.noun} by {found.robot.noun}: {each}"

@@ -15,12 +15,14 @@ class RobotError(ValueError):
 
 
 class Service:
-    """A program that describes a robot in JSON and answers requests about its states. joints: dictionaries of limits (None where there is none)."""
+    """A program that describes a robot in JSON and answers requests about its states. joints: dictionaries of limits (None where there is none),
+    of what has values: joints, or the drives that they share, as `noun` says."""
 
     def __init__(self, command):
         self.command = command
         self.described = json.loads(self.tell("describe"))
         self.name, self.joints = self.described["name"], self.described["joints"]
+        self.noun = "drive" if self.described.get("shares_drives") else "joint"
         self.service = subprocess.Popen([*self.command, "answer"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.PIPE)  # little: what it refuses
 
@@ -69,13 +71,18 @@ class Service:
 
 
 class Robot(Service):
-    """prior: standard parameters; names: "m1", "mx1", ..."""
+    """prior: standard parameters of every link and its drive; names: "m1", "mx1", ... by links. links: dictionaries with the drive that a link
+    owns (None: it has neither rotor nor friction), ratios and offset of q = ratios u + offset, limits."""
 
     def __init__(self, program, robot, tip=""):
         super().__init__([str(program), "--robot", str(robot), *(["--tip", tip] if tip else [])])
-        self.kinds = self.described["parameters"] * len(self.joints)
-        self.names = [f"{kind}{joint + 1}" for joint in range(len(self.joints)) for kind in self.described["parameters"]]
-        self.prior = np.array([value for joint in self.joints for value in joint["parameters"]], dtype=float)
+        self.links, kinds = self.described["links"], self.described["parameters"]
+        self.kinds = kinds * len(self.links)
+        self.names = [f"{kind}{link + 1}" for link in range(len(self.links)) for kind in kinds]
+        self.prior = np.array([value for link in self.links for value in link["parameters"]], dtype=float)
+        self.drives = [link["drive"] for link in self.links for _ in kinds]  # of each parameter's link
+        self.ratios = np.array([link["ratios"] for link in self.links], dtype=float)
+        self.offsets = np.array([link["offset"] for link in self.links], dtype=float)
 
     def write_header(self, path, values):
         """values: a JSON file of name, source, parameters, notes, rotors_fitted, fitted, figures."""

@@ -1,4 +1,5 @@
-"""What identification finds in logs of altered arms, made by Orocos KDL: the rows of doc/guides/identification.md.
+"""What identification finds in logs of altered arms, made by Orocos KDL (by the oracle where joints share drives): the rows of
+doc/guides/identification.md.
 
 usage: study.py --program robot_regressor --simulator simulated_log --output FOLDER [--documents DOC] [robot...]
 
@@ -22,7 +23,7 @@ import identify
 import recording
 import robot as robots
 
-ROBOTS = ("planar2r", "scara", "scara_rrpr", "puma560", "panda")
+ROBOTS = ("planar2r", "scara", "scara_rrpr", "puma560", "scara_quill", "palletiser", "panda")
 COUNTS, NOISE, SPREAD = 65536, 0.02, 0.3
 EXACT_RATE, RATE = 50.0, 1000.0  # Hz
 DURATION, HARMONICS = 10.0, 8
@@ -83,7 +84,7 @@ def parameter_errors(found, truth):
 
 def least_eigenvalue(found):
     """Of all links' pseudo-inertias, over its trace: positive where every link is physically consistent."""
-    per_link = found.consistent.standard.reshape(len(found.robot), -1)[:, :consistency.INERTIAL]
+    per_link = found.consistent.standard.reshape(len(found.robot.links), -1)[:, :consistency.INERTIAL]
     pseudo = [consistency.pseudo_inertia(link) for link in per_link]
     return min(np.linalg.eigvalsh(each).min() / np.trace(each) for each in pseudo)
 

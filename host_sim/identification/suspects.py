@@ -42,8 +42,8 @@ class Suspect:
             factor = {"degrees": np.pi / 180.0, "torque scaled": 1.0 / self.value if self.value else 1.0}
             values[:, joints] *= factor.get(self.kind, -1.0)
 
-    def sentence(self, units):
-        """units: of each joint's torque, "N m" or "N"."""
+    def sentence(self, units, noun="joint"):
+        """units: of each joint's torque, "N m" or "N"; noun: what has values, joints or the drives that they share."""
         first, last = self.joints[0] + 1, self.joints[-1] + 1
         every = len(self.joints) > 1
         return {"torques exchanged": f"columns tau{first} and tau{last} look exchanged",
@@ -51,10 +51,10 @@ class Suspect:
                 "drives exchanged": f"drives {first} and {last} look exchanged, positions and torques",
                 "torque negated": "every tau looks negated" if every else f"tau{first} looks negated",
                 "position negated": f"q{first} looks negated",
-                "axis turned": f"the axis of joint {first} looks turned around: q{first} and tau{first} are both negated",
+                "axis turned": f"the {'axis of joint' if noun == 'joint' else noun} {first} looks turned around: q{first} and tau{first} are both negated",
                 "degrees": "every angle looks given in degrees" if every else f"q{first} looks given in degrees",
                 "torque scaled": f"tau{first} looks scaled by {self.value:.4g}",
-                "zero off": f"the zero of joint {first} looks off: q{first} is {_offset(self.value, units[first - 1])} too large"}[self.kind]
+                "zero off": f"the zero of {noun} {first} looks off: q{first} is {_offset(self.value, units[first - 1])} too large"}[self.kind]
 
 
 def _offset(value, unit):
@@ -78,12 +78,17 @@ def degrees(prismatic):
     return [Suspect("degrees", turning)] if turning else []
 
 
+def periodic(joint):
+    """Whether a turn of a joint, or of a drive, leaves the robot as it was."""
+    return joint.get("periodic", not joint["prismatic"])
+
+
 def zeros(robot, score):
     """The best zero of each of the likeliest joints. score(suspect): smaller is better."""
     coarse = []
     for joint in range(len(robot)):
         limits = [robot.joints[joint][name] for name in ("position_min", "position_max")]
-        span = TURN if not robot.joints[joint]["prismatic"] else SLIDE if None in limits else limits[1] - limits[0]
+        span = TURN if periodic(robot.joints[joint]) else (SLIDE if robot.joints[joint]["prismatic"] else TURN) if None in limits else limits[1] - limits[0]
         step = span / ZEROS
         tried = [Suspect("zero off", (joint,), step * k) for k in range(-ZEROS // 2, ZEROS // 2 + 1)]
         scores = [score(each) for each in tried]

@@ -1,18 +1,22 @@
 // simulated_log: the log that an altered arm would leave, by Orocos KDL and the oracle's friction, and its parameters.
-// Nothing of the library's dynamics is used. The truth is written as the standard parameters of each link: m, m c,
-// inertia about the origin (xx yy zz xy xz yz), gear^2 J, viscous, Coulomb forward and backward.
+// Where joints share drives: by the oracle's recursion over the tree and a matrix G written here by hand, in values of
+// the drives. Nothing of the library's dynamics is used. The truth is written as the standard parameters of each link:
+// m, m c, inertia about the origin (xx yy zz xy xz yz), gear^2 J, viscous, Coulomb forward and backward.
 #include <host_sim/identification/robot_file.hpp>
 #include <host_sim/output/command_line.hpp>
 #include <host_sim/trajectory/files.hpp>
 #include <oracle/from_axial.hpp>
 #include <oracle/kdl_chain.hpp>
+#include <oracle/recursive.hpp>
 
 #include <Eigen/Dense>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <memory>
 #include <random>
 #include <stdexcept>
 
@@ -84,32 +88,114 @@ nlohmann::json parameters(const Link& link) {
           link.coulomb_backward};
 }
 
-struct Arm {
-  Chain chain;
-  int joints() const { return chain.size(); }
+/// What moves the joints of a tree: q = g u, and the links at which rotor and friction of each drive stand.
+struct Drives {
+  std::vector<std::vector<double>> g;
+  std::vector<int> owner;
+  std::vector<double> turn;  ///< a turn of its encoder, in units of the drive
 };
+
+const double pi = std::acos(-1.0);
+
+/// By hand, from how these robots are built.
+Drives drives_of(const std::string& robot, int joints) {
+  const double screw = 0.020 / (2.0 * pi), turn = 2.0 * pi;
+  if (robot == "scara_quill")
+    return {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, screw, -screw}, {0, 0, 0, 1}}, {0, 1, 2, 3}, {turn, turn, turn, turn}};
+  if (robot == "palletiser")  // upper arm u2, forearm u3, both from the horizontal; the flange stays level
+    return {{{1, 0, 0, 0},
+             {0, 1, 0, 0},
+             {0, 0, 1, 0},
+             {0, 1, -1, 0},
+             {0, -1, 1, 0},
+             {0, 1, 0, 0},
+             {0, -1, 0, 0},
+             {0, 0, 1, 0},
+             {0, 0, -1, 0},
+             {0, 0, 0, 1}},
+            {0, 1, 2, 9},
+            {turn, turn, turn, turn}};
+  if (robot == "wrist_arm")
+    return {{{1, 0, 0, 0, 0}, {0, 1, 0, 0, 0}, {0, -1, 1, 0, 0}, {0, 0, 0, 0.5, 0.5}, {0, 0, 0, 0.5, -0.5}},
+            {0, 1, 2, 3, 4},
+            {turn, turn, turn, turn, turn}};
+  Drives own;
+  for (int i = 0; i < joints; ++i) {
+    own.g.emplace_back(static_cast<std::size_t>(joints), 0.0);
+    own.g.back()[static_cast<std::size_t>(i)] = 1.0;
+    own.owner.push_back(i);
+  }
+  return own;
+}
+
+struct Arm {
+  Chain chain;   ///< without rotors and friction where drives are shared
+  Chain motors;  ///< links with rotor and friction of each drive, in the order of drives
+  Drives drives;
+  std::vector<Link> links;  ///< with everything, as the truth has them
+  bool shared() const { return !drives.turn.empty(); }
+  int values() const { return motors.size(); }
+};
+
+oracle::Vector<double> times(const std::vector<std::vector<double>>& g, const oracle::Vector<double>& u) {
+  oracle::Vector<double> q;
+  for (const auto& row : g) {
+    q.push_back(0.0);
+    for (std::size_t k = 0; k < u.size(); ++k)
+      q.back() += row[k] * u[k];
+  }
+  return q;
+}
+
+void remove_drive(Link& link) {
+  link.rotor_inertia = link.viscous = link.coulomb_forward = link.coulomb_backward = 0.0;
+}
 
 Arm altered_arm(const Options& options) {
   Arm arm;
   Random random(options.seed);
   const auto robot = host_sim::identification::find_robot(options.robot, "");
+  arm.drives = drives_of(options.robot, robot.size());
   for (int i = 0; i < robot.size(); ++i) {
     const axial::LinkParameters& link = robot.links[static_cast<std::size_t>(i)].parameters;
     arm.chain.links.push_back(oracle::link_from_axial<double>(link, robot.parent(i)));
     alter(arm.chain.links.back(), link.effort_limit, link.speed_limit, options.spread, random);
+    if (std::count(arm.drives.owner.begin(), arm.drives.owner.end(), i) == 0) remove_drive(arm.chain.links.back());
   }
+  arm.links = arm.chain.links;
+  for (const int i : arm.drives.owner)
+    arm.motors.links.push_back(arm.chain[i]);
+  if (arm.shared())
+    for (Link& link : arm.chain.links)
+      remove_drive(link);
   arm.chain.base = oracle::pose_from_axial<double>(robot.base);
   arm.chain.tool = oracle::pose_from_axial<double>(robot.tool);
   arm.chain.gravity = {robot.gravity.x, robot.gravity.y, robot.gravity.z};
   return arm;
 }
 
+/// G^T tau of the joints, and the rotors.
+oracle::Vector<double> driven_torque(const Arm& arm, const host_sim::SetPoint& point) {
+  const auto& g = arm.drives.g;
+  const auto tau =
+      oracle::recursive_inverse_dynamics(arm.chain, times(g, point.q), times(g, point.qd), times(g, point.qdd));
+  oracle::Vector<double> result;
+  for (std::size_t k = 0; k < point.q.size(); ++k) {
+    const Link& motor = arm.motors[static_cast<int>(k)];
+    result.push_back(motor.gear * motor.gear * motor.rotor_inertia * point.qdd[k]);
+    for (std::size_t i = 0; i < g.size(); ++i)
+      result.back() += g[i][k] * tau[i];
+  }
+  return result;
+}
+
 std::vector<oracle::Vector<double>> torques(const Arm& arm, const host_sim::Trajectory& motion) {
-  const oracle::KdlChain kdl(arm.chain);
+  std::unique_ptr<oracle::KdlChain> kdl;
+  if (!arm.shared()) kdl = std::make_unique<oracle::KdlChain>(arm.chain);
   std::vector<oracle::Vector<double>> result;
   for (const host_sim::SetPoint& point : motion) {
-    result.push_back(kdl.inverse_dynamics(point.q, point.qd, point.qdd));
-    const auto friction = oracle::friction_torque(arm.chain, point.qd);
+    result.push_back(kdl ? kdl->inverse_dynamics(point.q, point.qd, point.qdd) : driven_torque(arm, point));
+    const auto friction = oracle::friction_torque(arm.motors, point.qd);
     for (std::size_t i = 0; i < friction.size(); ++i)
       result.back()[i] += friction[i];
   }
@@ -127,9 +213,12 @@ void add_noise(std::vector<oracle::Vector<double>>& torque, double share, Random
   }
 }
 
-double encoder(const Link& link, double q, double counts) {
+double encoder(const Arm& arm, int k, double q, double counts) {
   if (!(counts > 0.0)) return q;
-  const double step = (link.type == oracle::Joint::revolute ? 2.0 * std::acos(-1.0) : 1.0) / counts;
+  const double turn = arm.shared()                                   ? arm.drives.turn[static_cast<std::size_t>(k)]
+                      : arm.chain[k].type == oracle::Joint::revolute ? 2.0 * pi
+                                                                     : 1.0;
+  const double step = turn / counts;
   return step * std::round(q / step);
 }
 
@@ -141,13 +230,13 @@ void write_log(const Options& options, const Arm& arm, const host_sim::Trajector
   file.precision(17);
   file << "time";
   for (const char* name : {"q", "tau"})
-    for (int i = 1; i <= arm.joints(); ++i)
+    for (int i = 1; i <= arm.values(); ++i)
       file << ',' << name << i;
   file << '\n';
   for (std::size_t k = 0; k < motion.size(); ++k) {
     file << motion[k].time;
-    for (int i = 0; i < arm.joints(); ++i)
-      file << ',' << encoder(arm.chain[i], motion[k].q[static_cast<std::size_t>(i)], options.counts);
+    for (int i = 0; i < arm.values(); ++i)
+      file << ',' << encoder(arm, i, motion[k].q[static_cast<std::size_t>(i)], options.counts);
     for (const double value : torque[k])
       file << ',' << value;
     file << '\n';
@@ -156,9 +245,9 @@ void write_log(const Options& options, const Arm& arm, const host_sim::Trajector
 
 void run(const Options& options) {
   const Arm arm = altered_arm(options);
-  write_log(options, arm, host_sim::read_set_points(options.motion, arm.joints()));
+  write_log(options, arm, host_sim::read_set_points(options.motion, arm.values()));
   nlohmann::json truth;
-  for (const Link& link : arm.chain.links)
+  for (const Link& link : arm.links)
     for (const auto& value : parameters(link))
       truth.push_back(value);
   std::ofstream(options.truth) << truth.dump() << '\n';

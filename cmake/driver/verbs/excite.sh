@@ -9,7 +9,8 @@ usage() {
 usage: ./axial excite --robot NAME [options]
 Installs and builds what is missing (python3-scipy, the first time). Optimises Fourier series for the condition number of the regressor,
 inside the limits of position, speed, acceleration and, by the robot's own parameters, torque; at rest at both ends. Writes set-points
-(time, q, qd, qdd), which ./axial demo --trajectory takes too, and a picture. The same options give the same motion (doc/guides/identification.md).
+(time, q, qd, qdd), which ./axial demo --trajectory takes too, and a picture. Where joints share drives, they are
+the drives'. The same options give the same motion (doc/guides/identification.md).
   --robot NAME        a name of robots/README.md, a Denavit-Hartenberg table (.json,
                       host_sim/description) or a URDF
   --tip LINK          where the chain of a URDF ends; default: every branch

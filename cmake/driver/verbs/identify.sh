@@ -10,7 +10,8 @@ usage: ./axial identify LOG.csv --robot NAME [options]
 Installs and builds what is missing (python3-scipy, the first time). Fits base parameters to a log by weighted least squares, finds
 physically consistent parameters of every link that have them, and says how sure each is (doc/guides/identification.md).
   LOG.csv             a header line, then time (s), q1... (rad or m), tau1... (N m or N, of the drives, on the joint's side) and, if they
-                      were measured, qd1...; other columns are ignored. Even steps, 100 Hz or more; ./axial excite makes motions
+                      were measured, qd1...; other columns are ignored. Even steps, 100 Hz or more; ./axial excite makes motions.
+                      Where joints share drives, columns are the drives'
   --robot NAME        what it starts from: a name of robots/README.md, a Denavit-Hartenberg table (.json,
                       host_sim/description) or a URDF
   --tip LINK          where the chain of a URDF ends; default: every branch
