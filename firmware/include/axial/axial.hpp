@@ -48,3 +48,5 @@
 
 #include <axial/control/plain_arrays.hpp>
 #include <axial/control/role_checks.hpp>
+
+#include <axial/dynamics/derivatives_on_arrays.hpp>

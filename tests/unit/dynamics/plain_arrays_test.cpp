@@ -17,6 +17,11 @@ constexpr std::array<float, 3> qd{1.1F, -0.3F, 0.2F};
 constexpr float far[5] = {9.0F, 2.0F, -1.0F, 9.0F, 9.0F};
 const auto u = axial::pointed<3>(&far[1]);
 
+struct Elastic {
+  static constexpr auto chain =
+      axial::chain(axial::gravity(0.0, -9.81, 0.0), axial::revolute().mass(1).com(0.5, 0, 0).stiffness(4000.0));
+};
+
 template <class Left, class Right>
 void expect_same(const Left& left, const Right& right) {
   for (int i = 0; i < 3; ++i)
@@ -34,6 +39,38 @@ TEST(PlainArrays, EveryKernelTakesThem) {
   EXPECT_EQ(axial::forward_kinematics<R>(q).tool.position.x, axial::forward_kinematics<R>(joints).tool.position.x);
   EXPECT_EQ(axial::jacobian<R>(q)[1].linear.x, axial::jacobian<R>(joints)[1].linear.x);
   EXPECT_EQ(axial::separate<R>(q).A[0][1], axial::separate<R>(joints).A[0][1]);
+}
+
+TEST(PlainArrays, DerivativesTakeThem) {
+  const auto momenta = axial::momentum_terms<R>(q, qd);
+  expect_same(momenta.momentum, axial::momentum_terms<R>(joints, rates).momentum);
+  const auto inverse = axial::inverse_dynamics_derivatives<R>(q, qd, u);
+  EXPECT_EQ(inverse.dtau_dq(0, 1), axial::inverse_dynamics_derivatives<R>(joints, rates, loads).dtau_dq(0, 1));
+  const auto forward = axial::forward_dynamics_derivatives<R>(q, qd, u);
+  EXPECT_EQ(forward.dqdd_dq(0, 1), axial::forward_dynamics_derivatives<R>(joints, rates, loads).dqdd_dq(0, 1));
+  const auto y = axial::torque_regressor<R>(q, qd, u), same = axial::torque_regressor<R>(joints, rates, loads);
+  EXPECT_EQ(y(0, 1, axial::InertialParameter::mass), same(0, 1, axial::InertialParameter::mass));
+  expect_same(axial::torque_rates<R>(q, qd, u, u).taud, axial::torque_rates<R>(joints, rates, loads, loads).taud);
+  expect_same(axial::torque_rates<R>(q, qd, u, u, qd).taudd,
+              axial::torque_rates<R>(joints, rates, loads, loads, rates).taudd);
+}
+
+TEST(PlainArrays, ElasticFeedforwardTakesThem) {
+  const float x[1] = {0.3F};
+  const axial::Joints<Elastic, float> same{0.3F};
+  using S = axial::Scene<Elastic, axial::Gravity, axial::RotorInertia, axial::ElasticJoints>;
+  EXPECT_EQ(axial::elastic_feedforward<S>(x, x, x, x, x).tau_m[0],
+            axial::elastic_feedforward<S>(same, same, same, same, same).tau_m[0]);
+}
+
+TEST(PlainArrays, ChecksTakeThem) {
+  const float beyond[3] = {0.4F, -0.7F, 1e9F};
+  EXPECT_EQ(axial::check_position<R>(beyond).joint, 2);
+  EXPECT_TRUE(axial::check_position<R>(q).ok());
+  EXPECT_EQ(axial::check_request<R>(q, qd, beyond).joint,
+            axial::check_request<R>(joints, rates, Q{0.4F, -0.7F, 1e9F}).joint);
+  expect_same(axial::clamped_request<R>(beyond, qd, u).q,
+              axial::clamped_request<R>(Q{0.4F, -0.7F, 1e9F}, rates, loads).q);
 }
 
 TEST(PlainArrays, MixWithJointValuesAndInputs) {
@@ -68,10 +105,15 @@ static_assert(axial::detail::plain_length<std::array<float, 4>> == 4);
 static_assert(axial::detail::plain_length<axial::Pointed<4, float>> == 4);
 static_assert(axial::detail::plain_length<const float*> == 0);
 static_assert(axial::detail::plain_length<Q> == -1);
-static_assert(axial::detail::takes_arrays<R, float[3], Q, axial::Inputs<R, float>>);
-static_assert(!axial::detail::takes_arrays<R, float[3], float[4]>);
-static_assert(!axial::detail::takes_arrays<R, float[3], double[3]>);
-static_assert(!axial::detail::takes_arrays<R, int[3]>);
-static_assert(!axial::detail::takes_arrays<R, const float*>);
+static_assert(axial::detail::takes_arrays<R, 2, float[3], Q, axial::Inputs<R, float>>);
+static_assert(!axial::detail::takes_arrays<R, 2, float[3], float[4]>);
+static_assert(!axial::detail::takes_arrays<R, 2, float[3], double[3]>);
+static_assert(!axial::detail::takes_arrays<R, 2, float[3]>);
+static_assert(!axial::detail::takes_arrays<R, 1, float[3], float[3]>);
+static_assert(!axial::detail::takes_arrays<R, 1, float[3], axial::Inputs<R, float>, axial::Inputs<R, float>>);
+static_assert(!axial::detail::takes_arrays<R, 1, int[3]>);
+static_assert(!axial::detail::takes_arrays<R, 1, const float*>);
+static_assert(axial::detail::takes_arrays_of<double, R, 1, double[3]>);
+static_assert(!axial::detail::takes_arrays_of<float, R, 1, double[3]>);
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <axial/dynamics/joint_torque.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
+#include <axial/dynamics/momentum.hpp>
 #include <axial/dynamics/separation.hpp>
 
 #include <axial/options/begin.hpp>
@@ -14,7 +15,7 @@
 /// What each kernel on arrays says where they do not fit (a macro: static_assert takes a literal only).
 #define AXIAL_ARRAYS_FIT                                                                                     \
   "axial: joint values are axial::Joints, or arrays with one number for each joint, all of float or all of " \
-  "double; the length of a pointer is given by axial::pointed<N>(pointer)"
+  "double, as many as the kernel names; the length of a pointer is given by axial::pointed<N>(pointer)"
 
 namespace axial {
 
@@ -94,10 +95,16 @@ inline constexpr bool fits_number = std::is_void_v<number_of<A>> || std::is_same
 template <class A, int N>
 inline constexpr bool fits_length = plain_length<A> == -1 || plain_length<A> == N;
 
-/// Whether every array has a number for each joint of S, all of float or all of double; where not, each kernel asserts
-/// it itself: from a function of its own the sentence would stand behind a line more of the compiler's.
-template <class S, class... A>
-inline constexpr bool takes_arrays = (true && ... &&
+/// How many of the arguments are joint values.
+template <class... A>
+inline constexpr int joint_values_among = (0 + ... + static_cast<int>(!std::is_void_v<number_of<A>>));
+
+/// Whether there are `count` joint values, and at most one other input with them, and every array has a number for each
+/// joint of S, all of float or all of double; where not, each kernel asserts it itself: from a function of its own the
+/// sentence would stand behind a line more of the compiler's.
+template <class S, int count, class... A>
+inline constexpr bool takes_arrays = joint_values_among<A...> == count && sizeof...(A) <= count + 1 &&
+                                     (true && ... &&
                                       fits_length<A, joint_count<S>>)&&((true && ... && fits_number<A, float>) ||
                                                                         (true && ... && fits_number<A, double>));
 
@@ -117,9 +124,9 @@ AXIAL_INLINE constexpr auto as_joint_values(const A& given) {
 
 /// What `run` makes of joint values, of which some are arrays; nothing where these do not fit, so that the kernel's one
 /// sentence about that is all that a compiler prints.
-template <class S, class Empty, class Run, class... A>
+template <class S, int count, class Empty, class Run, class... A>
 AXIAL_INLINE constexpr auto with_joint_values(const Run& run, const A&... given) {
-  if constexpr (takes_arrays<S, A...>)
+  if constexpr (takes_arrays<S, count, A...>)
     return run(as_joint_values<S>(given)...);
   else
     return Empty{};
@@ -132,62 +139,68 @@ AXIAL_INLINE constexpr auto with_joint_values(const Run& run, const A&... given)
 ///@{
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto inverse_dynamics(const A&... given) {
-  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, Efforts<robot_of<S>, float>>(
+  static_assert(detail::takes_arrays<S, 3, A...>, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, 3, Efforts<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return inverse_dynamics<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto gravity_torque(const A&... given) {
-  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, Efforts<robot_of<S>, float>>(
+  static_assert(detail::takes_arrays<S, 1, A...>, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, 1, Efforts<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return gravity_torque<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto bias_torque(const A&... given) {
-  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, Efforts<robot_of<S>, float>>(
+  static_assert(detail::takes_arrays<S, 2, A...>, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, 2, Efforts<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return bias_torque<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto forward_dynamics(const A&... given) {
-  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, ForwardDynamicsOf<S, float>>(
+  static_assert(detail::takes_arrays<S, 3, A...>, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, 3, ForwardDynamicsOf<S, float>>(
       [](const auto&... in) AXIAL_INLINE { return forward_dynamics<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto mass_matrix(const A&... given) {
-  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, MassMatrix<robot_of<S>, float>>(
+  static_assert(detail::takes_arrays<S, 1, A...>, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, 1, MassMatrix<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return mass_matrix<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto forward_kinematics(const A&... given) {
-  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, ForwardKinematics<robot_of<S>, float>>(
+  static_assert(detail::takes_arrays<S, 1, A...>, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, 1, ForwardKinematics<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return forward_kinematics<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto jacobian(const A&... given) {
-  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, Jacobian<robot_of<S>, float>>(
+  static_assert(detail::takes_arrays<S, 1, A...>, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, 1, Jacobian<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return jacobian<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto separate(const A&... given) {
-  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, Separated<S, float>>(
+  static_assert(detail::takes_arrays<S, 1, A...>, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, 1, Separated<S, float>>(
       [](const auto&... in) AXIAL_INLINE { return separate<S>(in...); }, given...);
+}
+template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
+[[nodiscard]] constexpr auto momentum_terms(const A&... given) {
+  static_assert(detail::takes_arrays<S, 2, A...>, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, 2, MomentumTerms<S, float>>(
+      [](const auto&... in) AXIAL_INLINE { return momentum_terms<S>(in...); }, given...);
 }
 template <class S, int Joint, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto joint_torque(const A&... given) {
-  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, float>(
+  static_assert(detail::takes_arrays<S, 3, A...>, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, 3, float>(
       [](const auto&... in) AXIAL_INLINE { return joint_torque<S, Joint>(in...); }, given...);
 }
 template <class S, int Joint, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto gravity_torque(const A&... given) {
-  static_assert(detail::takes_arrays<S, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, float>(
+  static_assert(detail::takes_arrays<S, 1, A...>, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, 1, float>(
       [](const auto&... in) AXIAL_INLINE { return gravity_torque<S, Joint>(in...); }, given...);
 }
 ///@}
