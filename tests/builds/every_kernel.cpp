@@ -50,6 +50,15 @@ bool differentiated(const Inputs<S, T>& in = {}) {
          y(0, 0, InertialParameter::xx) == along.dtau[0];
 }
 
+template <class S>
+bool differentiated_in_words() {
+  const Positions<S, Fixed32> q{};
+  const Velocities<S, Fixed32> qd{};
+  const auto inverse = inverse_dynamics_derivatives<S>(q, qd, Accelerations<S, Fixed32>{});
+  return forward_dynamics_derivatives<S>(q, qd, inverse.tau).qdd.status.ok() &&
+         certified_forward_dynamics_derivatives<S>(q, qd, inverse.tau).qdd.status.ok();
+}
+
 struct Harmonic {
   static constexpr auto chain =
       axial::chain(gravity(0.0, -9.81, 0.0), revolute().mass(1).com(0.5, 0, 0).stiffness(4000.0));
@@ -211,6 +220,7 @@ bool in_fixed_point() {
   return all(all_of<Planar2r, Fixed32>(), all_of<Planar2r, Fixed16>(), all_of<Loaded<Scara>, Fixed32>(),
              separated<Scara, Fixed32>({}, {}, {}), converted<Planar2r>(), bounded<Planar2r>(), pushed<Fixed32>(),
              pushed<Fixed16>(), certified_forward_dynamics<Planar2r, Fixed32>({}, {}, {}).status.ok(),
+             differentiated_in_words<Planar2r>(),
              closed_form::scara_torque<Scara>(Positions<Scara, Fixed32>{}, Velocities<Scara, Fixed32>{},
                                               Accelerations<Scara, Fixed32>{})[0]
                      .raw == 0);

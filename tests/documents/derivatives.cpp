@@ -50,6 +50,10 @@ TEST(DerivativesGuide, WordsHaveAnExponentAndACertifiedError) {
 #include "derivatives-5.inc"
 #include "derivatives-6.inc"
   EXPECT_NEAR(slope, (axial::inverse_dynamics_derivatives<Robot>(q, qd, qdd).dtau_dq(1, 2)), 1e-5);
+  const auto effort = axial::inverse_dynamics<Robot>(q, qd, qdd);
+  EXPECT_TRUE(proved.qdd.status.ok());
+  EXPECT_NEAR(mobile, (axial::forward_dynamics_derivatives<Robot>(q, qd, effort).M_inverse(1, 2)), 1e-5);
+  EXPECT_LT(within, 1e-5);
 }
 
 TEST(DerivativesGuide, CostsAreAsItSays) {

@@ -25,6 +25,7 @@
 #include <axial/fixed/dynamics/certified_forward_dynamics.hpp>
 #include <axial/fixed/dynamics/derivative_error.hpp>
 #include <axial/fixed/dynamics/derivatives.hpp>
+#include <axial/fixed/dynamics/forward_derivatives.hpp>
 #include <axial/fixed/dynamics/forward_dynamics.hpp>
 #include <axial/fixed/dynamics/inverse_dynamics.hpp>
 #include <axial/fixed/dynamics/kinematics.hpp>

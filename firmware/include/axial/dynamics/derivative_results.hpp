@@ -173,11 +173,9 @@ constexpr void check_derivable() {
       "scene");
 }
 
-// Scenes that derivatives of forward dynamics, which solves, are offered for: in floating point alone.
-template <class Scene, class T>
+// Scenes that derivatives of forward dynamics, which solves, are offered for.
+template <class Scene>
 constexpr void check_forward_derivable() {
-  static_assert(is_number_v<T>,
-                "axial: derivatives of forward dynamics have no formats in fixed point; compute them in float");
   static_assert(!Scene::template has<FloatingBase>,
                 "axial: derivatives of forward dynamics know no free base; where its motion is known, name BaseMotion "
                 "instead of FloatingBase");

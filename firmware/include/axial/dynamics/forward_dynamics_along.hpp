@@ -39,6 +39,15 @@ AXIAL_INLINE constexpr void accelerations_along(const Links& links, const Recurs
   substitute(Any{}, links, factors, x);
 }
 
+/// Scenes that this is offered for: in floating point alone.
+template <class Scene, class T>
+constexpr void check_directions() {
+  static_assert(is_number_v<T>,
+                "axial: accelerations along a direction have no formats in fixed point; compute them in float, or take "
+                "forward_dynamics_derivatives()");
+  detail::check_forward_derivable<Scene>();
+}
+
 }  // namespace derivatives
 
 /// Accelerations qdd of forward dynamics, with a status, and their change in a direction of the state, dqdd = d qdd /
@@ -52,7 +61,7 @@ template <class S, class T>
                                                                         const EffortsOf<S, T>& tau,
                                                                         const StateDirection<robot_of<S>, T>& direction,
                                                                         const Inputs<S, T>& in = {}) {
-  detail::check_forward_derivable<scene_of<S>, T>();
+  derivatives::check_directions<scene_of<S>, T>();
   static_assert(
       every_joint_is_resisted<S>(),
       "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "
@@ -69,7 +78,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr AccelerationsAlong<M, T> forward_dynamics_along(
     const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd, const Efforts<M, T>& tau,
     const StateDirection<M, T>& direction, const Inputs<M, T>& in = {}) {
-  detail::check_forward_derivable<scene_of<M>, T>();
+  derivatives::check_directions<scene_of<M>, T>();
   AccelerationsAlong<M, T> result{};
   const auto links = model.template links<T>();
   const auto asked = detail::collected_request(links, in, q, qd);

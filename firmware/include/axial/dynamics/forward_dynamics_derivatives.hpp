@@ -8,27 +8,35 @@
 
 namespace axial {
 
+/// Matrices of forward_dynamics_derivatives() over numbers T; a number system with formats has its own.
+template <class S, class T>
+struct AccelerationMatrices {
+  using ByEffort = MassMatrixOf<S, T>;                   ///< M^-1
+  using ByPosition = JointMatrixOf<S, T, by::Position>;  ///< d qdd / d q
+  using ByVelocity = JointMatrixOf<S, T, by::Velocity>;  ///< d qdd / d qd
+};
+
 /// What forward_dynamics_derivatives() may be asked for besides the accelerations.
 ///@{
 struct with_inverse_mass_matrix {
   /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
-    MassMatrixOf<S, T> M_inverse;  ///< d qdd / d tau, symmetric: 1/(kg m^2), 1/(kg m), 1/kg
+    typename AccelerationMatrices<S, T>::ByEffort M_inverse;  ///< d qdd / d tau, symmetric: 1/(kg m^2), 1/(kg m), 1/kg
   };
 };
 struct with_acceleration_by_position {
   /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
-    JointMatrixOf<S, T, by::Position> dqdd_dq;  ///< (i, j) = d qdd_i / d q_j, at given efforts
+    typename AccelerationMatrices<S, T>::ByPosition dqdd_dq;  ///< (i, j) = d qdd_i / d q_j, at given efforts
   };
 };
 struct with_acceleration_by_velocity {
   /// Member that this tag adds to the results.
   template <class S, class T>
   struct Result {
-    JointMatrixOf<S, T, by::Velocity> dqdd_dqd;  ///< (i, j) = d qdd_i / d qd_j, at given efforts
+    typename AccelerationMatrices<S, T>::ByVelocity dqdd_dqd;  ///< (i, j) = d qdd_i / d qd_j, at given efforts
   };
 };
 ///@}
@@ -126,6 +134,10 @@ AXIAL_INLINE constexpr void solve_slopes(const Links& links, F factors, Result& 
     solve_columns(links, factors, result.dqdd_dqd);
 }
 
+/// How a number system with formats computes them: fixed/dynamics/forward_derivatives.hpp.
+template <class S, class T>
+struct ForwardOver;
+
 /// The algorithm over any form of links: all results but the status, which it returns.
 template <class Links, class Input, class Q, class V, class Tau, class Result>
 AXIAL_INLINE constexpr auto run_forward(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
@@ -151,30 +163,35 @@ AXIAL_INLINE constexpr auto run_forward(const Links& links, const Input& in, con
 /// qdd. `Wanted` are with_inverse_mass_matrix, with_acceleration_by_position, with_acceleration_by_velocity; all of
 /// them unless some are named. By composite bodies and L^T D L, whatever route forward_dynamics() takes; `qdd.status`
 /// is as that of forward_dynamics(): inaccurate where the elimination loses too much, near_singular with the joint that
-/// is held. In floating point; a base may move as it is told, not freely. Source: Carpentier and Mansard 2018,
-/// "Analytical Derivatives of Rigid Body Dynamics Algorithms", eq. (5); the rest as inverse_dynamics_derivatives().
+/// is held. A base may move as it is told, not freely. In 32-bit words: certified_forward_dynamics_derivatives()
+/// without its bounds, which has other statuses. Source: Carpentier and Mansard 2018, "Analytical Derivatives of Rigid
+/// Body Dynamics Algorithms", eq. (5); the rest as inverse_dynamics_derivatives().
 template <class S, class... Wanted, class T>
 [[nodiscard]] constexpr ForwardDynamicsDerivatives<S, T, Wanted...> forward_dynamics_derivatives(
     const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,
     const Inputs<S, T>& in = {}) {
-  detail::check_forward_derivable<scene_of<S>, T>();
+  detail::check_forward_derivable<scene_of<S>>();
   static_assert(
       every_joint_is_resisted<S>(),
       "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "
       "each joint a mass, an inertia about the joint axis, or rotor_inertia()");
-  constexpr auto links = links_of<S, T, BaseParameters, recursion::Derivatives>();
-  auto result = derivatives::blank<decltype(links), ForwardDynamicsDerivatives<S, T, Wanted...>>();
-  const detail::StateCheck<S, T> check(in, q, qd);
-  result.qdd.status = derivatives::run_forward(links, in, q, qd, tau, result);
-  check.judge(result.qdd);
-  return result;
+  if constexpr (!is_number_v<T>) {
+    return derivatives::ForwardOver<S, T>::template of<Wanted...>(q, qd, tau, in);
+  } else {
+    constexpr auto links = links_of<S, T, BaseParameters, recursion::Derivatives>();
+    auto result = derivatives::blank<decltype(links), ForwardDynamicsDerivatives<S, T, Wanted...>>();
+    const detail::StateCheck<S, T> check(in, q, qd);
+    result.qdd.status = derivatives::run_forward(links, in, q, qd, tau, result);
+    check.judge(result.qdd);
+    return result;
+  }
 }
 /// Overload for a run-time model.
 template <class... Wanted, int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr ForwardDynamicsDerivatives<M, T, Wanted...> forward_dynamics_derivatives(
     const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd, const Efforts<M, T>& tau,
     const Inputs<M, T>& in = {}) {
-  detail::check_forward_derivable<scene_of<M>, T>();
+  detail::check_forward_derivable<scene_of<M>>();
   ForwardDynamicsDerivatives<M, T, Wanted...> result{};
   const auto links = model.template links<T>();
   const auto asked = detail::collected_request(links, in, q, qd);

@@ -69,10 +69,10 @@ inline constexpr auto certificate_of = Certificate<S, T>::made(std::make_integer
 
 /// Accelerations of the structure under a drive of joint `j` alone, as large as formats leave room for; returns the
 /// exponent of that drive's word.
-template <class Links, class Screws, class Structure>
+template <int solves = 3, class Links, class Screws, class Structure>
 AXIAL_INLINE constexpr int unit_response(const Links& links, const Screws& screws, const Structure& structure, int j,
                                          std::int32_t* answer) {
-  constexpr int first = smaller(12, 26 - Links::halvings()), start = first < 4 ? 4 : first, most = 28, solves = 3;
+  constexpr int first = smaller(12, 26 - Links::halvings()), start = first < 4 ? 4 : first, most = 28;
   int magnified = 0;
   for (int k = 0; k < solves; ++k) {
     Headroom room(magnified);
@@ -91,9 +91,8 @@ AXIAL_INLINE constexpr int unit_response(const Links& links, const Screws& screw
 
 /// Column j of the approximate inverse from such an answer: accelerations inside the limits, for their words have 31
 /// bits there.
-template <class S, class T>
-AXIAL_INLINE constexpr void set_column(Enclosure<joint_count<S>>& system, int j, const std::int32_t* answer,
-                                       int drive) {
+template <class S, class T, class System>
+AXIAL_INLINE constexpr void set_column(System& system, int j, const std::int32_t* answer, int drive) {
   constexpr const auto& c = certificate_of<S, T>;
   constexpr int size = joint_count<S>, bits = 30;
   std::int64_t wide[size] = {}, seen = 0;
@@ -128,8 +127,8 @@ AXIAL_INLINE constexpr bool requested(const CertifiedDynamics<S, T>& answer, typ
 }
 
 /// The corrected answer and its bound; `known` says whether there is one.
-template <class S, class T>
-AXIAL_INLINE constexpr bool publish(CertifiedDynamics<S, T>& answer, const Enclosure<joint_count<S>>& system,
+template <class S, class T, class System>
+AXIAL_INLINE constexpr bool publish(CertifiedDynamics<S, T>& answer, const System& system,
                                     const typename Certificate<S, T>::Requests& x, bool known) {
   using C = Certificate<S, T>;
   constexpr std::int64_t most = (std::numeric_limits<std::int32_t>::max)();

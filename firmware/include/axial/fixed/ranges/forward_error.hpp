@@ -31,6 +31,8 @@ class ForwardErrorAnalysis {
       errors_.all[i] = answer(i, solved);
   }
   constexpr double of(int i) const { return errors_.all[i]; }
+  /// Square root of the largest (M^-1)_ii, from above where D is proved.
+  constexpr double mobility(int i) const { return speed_[i].joint; }
 
  private:
   /// How fast a link can turn and its origin and its joint can move for one unit of sqrt(qd^T M qd): square roots of

@@ -1,11 +1,11 @@
-// expect: derivatives of forward dynamics have no formats in fixed point
+// expect: derivatives of forward dynamics in fixed point are those of Fixed32
 #include <axial/fixed.hpp>
 #include <robots/scara.hpp>
 
 #ifdef MENDED
-using Number = float;
-#else
 using Number = axial::Fixed32;
+#else
+using Number = axial::Fixed16;
 #endif
 using R = robots::Scara;
 

@@ -1,0 +1,142 @@
+// Derivatives of forward dynamics in words from those of inverse dynamics, with a bound of each.
+#pragma once
+
+#include <axial/fixed/dynamics/derivative_units.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+namespace detail {
+
+/// A word and its bound, or neither where the answer is not known.
+template <class T>
+AXIAL_INLINE constexpr void put(T& value, T& bound, std::int64_t wide, std::int64_t off, bool known) {
+  constexpr std::int32_t most = (std::numeric_limits<std::int32_t>::max)();
+  value = {static_cast<std::int32_t>(wide & -static_cast<std::int64_t>(known))};
+  bound = {static_cast<std::int32_t>(select(known & fits_word(off), off, std::int64_t{most}))};
+}
+
+/// One solve at a state: everything in the units of DerivativeUnits.
+template <class S, class T>
+struct DerivativeSolve {
+  using C = Certificate<S, T>;
+  static constexpr int size = C::size;
+  /// Row sums of |1 - M B|, and the share of what a joint declares that its acceleration can be off, for an answer to
+  /// be called accurate.
+  static constexpr std::int64_t slight_spread = std::int64_t{1} << (MassInverse<size>::defect_bits - 10);
+  static constexpr std::int64_t slight_drift = std::int64_t{1} << 23, largest_drift = std::int64_t{1} << 28;
+
+  MassInverse<size> system{};
+  std::int64_t correction[size] = {}, bound[size] = {};  ///< of the accelerations
+  std::int64_t drift = 0;  ///< how far the exact accelerations can be from those of the Jacobians, of half of 2^30
+  bool known = true;       ///< whether accelerations are bounded
+  int spilt = -1;          ///< first joint one of whose entries does not fit its format
+
+  /// B by the structure's answers.
+  constexpr void set_inverse(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in) {
+    const auto links = links_of<scene_of<S>, T, FullParameters, recursion::ArticulatedBodiesAtRest>();
+    const auto screws = joint_screws(links, in, links.read(q));
+    const auto structure = aba::structure_at_rest(links, in, screws);
+    for (int j = 0; j < size; ++j) {
+      std::int32_t column[size] = {};
+      const int drive = unit_response<2>(links, screws, structure, j, column);
+      set_column<S, T>(system, j, column, drive);
+      system.proved = system.proved & is_less(-1, system.shift[j]) & is_less(system.shift[j], 64);
+    }
+  }
+  /// Refines B by M and bounds what it lacks.
+  template <class M>
+  constexpr void hold_against(const M& mass) {
+    constexpr const auto& units = derivative_units<S, T>.mass;
+    for (int i = 0; i < size; ++i)
+      for (int k = 0; k < size; ++k)
+        system.mass[i][k] = mass(i, k).raw >> units.down[i][k];
+    for (int k = 0; k < 2; ++k) {
+      if (k == 1) system.refine();
+      system.find_defects(units);
+    }
+    system.bound();
+  }
+  /// Solves for what tau - needs leaves of the accelerations.
+  template <class Tau>
+  constexpr void correct(const Tau& tau, const Tau& needs) {
+    constexpr const auto& units = derivative_units<S, T>;
+    constexpr std::int64_t limit = std::int64_t{1} << 30;
+    std::int32_t left[size] = {};
+    std::int64_t seen = units.effort_error;
+    for (int i = 0; i < size; ++i) {
+      const std::int64_t apart = std::int64_t{tau[i].raw} - needs[i].raw;
+      const std::int64_t wide = apart * (std::int64_t{1} << units.effort_up[i]);
+      const bool fits = is_less(wide_magnitude(wide), limit);
+      known = known & fits;
+      left[i] = static_cast<std::int32_t>(wide & -static_cast<std::int64_t>(fits));
+      seen |= word_magnitude(left[i]);
+    }
+    // |left| and its error are below a power of 2 each, so their sum below the next.
+    const int largest = 33 - integer::detail::leading_zeros(static_cast<std::uint32_t>(seen));
+    for (int i = 0; i < size; ++i) {
+      correction[i] = system.solved(i, left);
+      bound[i] = system.off(i, units.effort_error, smaller(largest, 31));
+      const std::int64_t apart = wide_magnitude(correction[i]) + bound[i];
+      const bool near = is_less(apart, largest_drift);
+      known = known & near;
+      drift = select(is_less(drift, apart), apart, drift);
+    }
+    drift = select(known, drift, largest_drift);
+  }
+  /// Whether what is left of M^-1 and of the accelerations is slight.
+  [[nodiscard]] constexpr bool is_accurate() const {
+    bool all = is_less(drift, slight_drift + 1);
+    for (int i = 0; i < size; ++i)
+      all = all & is_less(system.spread[i], slight_spread + 1);
+    return all;
+  }
+  /// M^-1 is B.
+  template <class Matrix>
+  constexpr void write_inverse(Matrix& values, Matrix& bounds, bool answered) {
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j) {
+        const int finer = Matrix::exponent(i, j) + C::Needs::exponent(j) - C::Requests::exponent(i);
+        bool fits = true, bounded = true;
+        const std::int64_t value = moved_wide(system.inverse[i][j], system.shift[j] - finer, fits);
+        const std::int64_t off = moved_wide(system.loss[i], MassInverse<size>::loss_bits - 1 - finer, bounded) + 2;
+        finish(i, values(i, j), bounds(i, j), value, select(bounded, off, std::int64_t{1} << 40), fits, answered);
+      }
+  }
+  /// A Jacobian of forward dynamics: -B times that of inverse dynamics, whose accelerations are off by `apart`.
+  template <class By, class From, class Matrix>
+  constexpr void write_slopes(By by, const From& from, std::int64_t apart, Matrix& values, Matrix& bounds,
+                              bool answered) {
+    constexpr const auto& sides = right_hand_sides<S, typename T::Word, By>;
+    for (int j = 0; j < size; ++j) {
+      std::int32_t right[size] = {};
+      for (int i = 0; i < size; ++i)
+        right[i] = -(from(i, j).raw >> sides.down[i][j]);
+      const std::int64_t error = select(sides.filled[j], derivative_units<S, T>.error(by, j) + apart, std::int64_t{0});
+      const bool bounded = is_less(error, std::int64_t{1} << 30);
+      for (int i = 0; i < size; ++i) {
+        const int coarser = C::Requests::exponent(i) + sides.scale[j] - Matrix::exponent(i, j);
+        bool fits = true;
+        const std::int64_t value = moved_wide(system.solved(i, right), coarser, fits);
+        const std::int64_t off =
+            moved_wide(system.off(i, error & ((std::int64_t{1} << 30) - 1), 30), coarser, fits) + 2;
+        const std::int64_t exact = select(sides.filled[j], off, std::int64_t{0});
+        finish(i, values(i, j), bounds(i, j), value, select(bounded, exact, std::int64_t{1} << 40), fits, answered);
+      }
+    }
+  }
+
+ private:
+  template <class Value>
+  constexpr void finish(int i, Value& value, Value& bound_of, std::int64_t wide, std::int64_t off, bool fits,
+                        bool answered) {
+    const bool held = fits & fits_word(wide);
+    spilt = first_found(spilt, answered & !held, i);
+    put(value, bound_of, wide, off, answered & held);
+  }
+};
+
+}  // namespace detail
+}  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -1,0 +1,138 @@
+// Derivatives of forward dynamics in fixed point, each with a proved bound of its error: accelerations, M^-1 and both
+// Jacobians by the structure's answers to one drive per joint, held against M in words.
+#pragma once
+
+#include <axial/fixed/dynamics/derivative_solve.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+
+/// Derivatives of forward dynamics, and how far each can be from the exact one.
+template <class S, class T, class... Wanted>
+struct CertifiedDerivatives : ForwardDynamicsDerivatives<S, T, Wanted...> {
+  /// Bounds of the results, each in the format of its own; the largest word where nothing is known. Its status says
+  /// nothing.
+  ForwardDynamicsDerivatives<S, T, Wanted...> bound{};
+};
+
+namespace detail {
+
+/// First joint whose acceleration is beyond what it declares, -1 for none.
+template <class S, class T>
+AXIAL_INLINE constexpr int first_beyond(const CertifiedDynamics<S, T>& answer) {
+  using C = Certificate<S, T>;
+  int first = -1;
+  for (int i = 0; i < C::size; ++i) {
+    constexpr int finest = 31;
+    const int up = C::Requests::exponent(i) - C::Answers::exponent(i);
+    const std::int64_t raw = up > 0 ? std::int64_t{answer[i].raw} * (std::int64_t{1} << smaller(up, finest))
+                                    : std::int64_t{answer[i].raw >> smaller(-up, finest)};
+    first = first_found(first, is_less(certificate_of<S, T>.inside[i], wide_magnitude(raw)), i);
+  }
+  return first;
+}
+
+/// Results of inverse dynamics that those of forward dynamics need.
+template <class S, class T, class Result>
+AXIAL_INLINE constexpr auto slopes_for(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
+                                       const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in) {
+  constexpr bool position = Result::template has<with_acceleration_by_position>;
+  constexpr bool velocity = Result::template has<with_acceleration_by_velocity>;
+  if constexpr (position && velocity)
+    return inverse_dynamics_derivatives<S>(q, qd, qdd, in);
+  else if constexpr (position)
+    return inverse_dynamics_derivatives<S, with_efforts, with_mass_matrix, with_position_jacobian>(q, qd, qdd, in);
+  else if constexpr (velocity)
+    return inverse_dynamics_derivatives<S, with_efforts, with_mass_matrix, with_velocity_jacobian>(q, qd, qdd, in);
+  else
+    return inverse_dynamics_derivatives<S, with_efforts, with_mass_matrix>(q, qd, qdd, in);
+}
+
+/// What there is to say about an answer that the solver calls `plain`; `beyond` is the first joint beyond what it
+/// declares, `spilt` the first that has an entry beyond its format.
+AXIAL_INLINE constexpr Status derivatives_status(Status plain, int beyond, bool accurate, int spilt) {
+  const bool outside = !is_negative(beyond), spills = !is_negative(spilt), answer = is_answer(plain.code);
+  int code = select(spills, static_cast<int>(Status::Code::saturated), static_cast<int>(plain.code));
+  int joint = select(spills, spilt, plain.joint);
+  code = select(accurate, code, static_cast<int>(Status::Code::inaccurate)), joint = select(accurate, joint, -1);
+  code = select(outside, static_cast<int>(Status::Code::acceleration_limit), code),
+  joint = select(outside, beyond, joint);
+  return {static_cast<Status::Code>(select(answer, code, static_cast<int>(plain.code))),
+          select(answer, joint, plain.joint)};
+}
+
+}  // namespace detail
+
+/// forward_dynamics_derivatives() in 32 bits, with a bound of each result's error.
+/// M^-1 starts from the structure's answers to one drive per joint, is refined once by M in words, and what M leaves of
+/// it bounds every solution (mass_inverse.hpp): M, both Jacobians and the efforts at the accelerations found come with
+/// certified errors from one pass of inverse_dynamics_derivatives().
+/// In and out as there, and `bound`: |exact - result|, each in the format of the result, where the robot is what it
+/// declares and the inputs are what their words say; the largest word where nothing is known. Status: of
+/// forward_dynamics() where it has no answer, and everything is 0; acceleration_limit with the first joint that
+/// accelerates at more than it declares, and dqdd_dq, whose formats end there, is 0; inaccurate where row sums of
+/// |1 - M B| are above 2^-10 in the units of the words, or an acceleration is off by more than a 128th of what its
+/// joint declares, at most; saturated with a joint that has an entry beyond its format, which is 0 then, with the
+/// largest word for a bound. Up to eight joints. Cost: forward dynamics, inverse_dynamics_derivatives(), and for each
+/// joint two solves.
+template <class S, class... Wanted, class T>
+[[nodiscard]] constexpr CertifiedDerivatives<S, T, Wanted...> certified_forward_dynamics_derivatives(
+    const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,
+    const Inputs<S, T>& in = {}) {
+  static_assert(std::is_same_v<T, Fixed32>,
+                "axial: derivatives of forward dynamics in fixed point are those of Fixed32");
+  detail::check_forward_derivable<scene_of<S>>();
+  using Result = CertifiedDerivatives<S, T, Wanted...>;
+  using Solve = detail::DerivativeSolve<S, T>;
+  Result result{};
+  CertifiedDynamics<S, T> answer{};
+  const detail::StateCheck<S, T> check(in, q, qd);
+  answer.status = detail::solve<detail::route_over<S, T>, scene_of<S>, T>(in, q, qd, tau, answer);
+  const Status plain = answer.status;
+  typename Solve::C::Requests x{};
+  static_cast<void>(detail::requested<S>(answer, x));
+  const int beyond = detail::first_beyond<S, T>(answer);
+
+  const auto needs = detail::slopes_for<S, T, Result>(q, qd, x, in);
+  Solve solve;
+  solve.set_inverse(q, in);
+  solve.hold_against(needs.M);
+  solve.correct(tau, needs.tau);
+  const bool formatted = (check.joints.wraps == 0) & (check.inputs == Status::Code::ok);
+  const bool solved = detail::is_answer(plain.code) & formatted & solve.system.proved;
+  const bool known = solved & solve.known, inside = is_negative(beyond);
+  if constexpr (Result::template has<with_inverse_mass_matrix>)
+    solve.write_inverse(result.M_inverse, result.bound.M_inverse, solved);
+  if constexpr (Result::template has<with_acceleration_by_position>)
+    solve.write_slopes(by::Position{}, needs.dtau_dq, solve.drift, result.dqdd_dq, result.bound.dqdd_dq,
+                       known & inside);
+  if constexpr (Result::template has<with_acceleration_by_velocity>)
+    solve.write_slopes(by::Velocity{}, needs.dtau_dqd, 0, result.dqdd_dqd, result.bound.dqdd_dqd, solved);
+
+  const bool tight = detail::publish<S, T>(answer, solve, x, known), accurate = tight & solve.is_accurate();
+  for (int i = 0; i < Solve::size; ++i) {
+    result.qdd.values[i] = answer.values[i];
+    result.bound.qdd.values[i] = answer.bound.values[i];
+  }
+  result.qdd.status = detail::derivatives_status(plain, beyond, accurate, solve.spilt);
+  check.judge(result.qdd);
+  return result;
+}
+
+namespace derivatives {
+
+/// Derivatives in words: the certified ones without their bounds.
+template <class S, class Word>
+struct ForwardOver<S, Stored<Word>> {
+  /// The results that are wanted.
+  template <class... Wanted, class... Arguments>
+  AXIAL_INLINE static constexpr ForwardDynamicsDerivatives<S, Stored<Word>, Wanted...> of(const Arguments&... all) {
+    return certified_forward_dynamics_derivatives<S, Wanted...>(all...);
+  }
+};
+
+}  // namespace derivatives
+}  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -1,0 +1,160 @@
+// The inverse of a matrix in words and its bounds, against solutions in double precision.
+#include <gtest/gtest.h>
+#include <axial/fixed/dynamics/mass_inverse.hpp>
+#include <cmath>
+#include <random>
+
+using axial::detail::MassInverse;
+using axial::detail::MassUnits;
+
+namespace {
+
+constexpr int N = 3;
+struct System {
+  MassUnits<N> units{};
+  MassInverse<N> inverse{};
+  double exact[N][N] = {}, inexact[N][N] = {};  // M, and what words have of it
+};
+
+// Solves M x = r by elimination with M as it is.
+void solve(const double (&m)[N][N], const double (&r)[N], double (&x)[N]) {
+  double a[N][N + 1];
+  for (int i = 0; i < N; ++i) {
+    for (int j = 0; j < N; ++j)
+      a[i][j] = m[i][j];
+    a[i][N] = r[i];
+  }
+  for (int k = 0; k < N; ++k)
+    for (int i = k + 1; i < N; ++i) {
+      const double gain = a[i][k] / a[k][k];
+      for (int j = k; j <= N; ++j)
+        a[i][j] -= gain * a[k][j];
+    }
+  for (int i = N; i-- > 0;) {
+    x[i] = a[i][N];
+    for (int j = i + 1; j < N; ++j)
+      x[i] -= a[i][j] * x[j];
+    x[i] /= a[i][i];
+  }
+}
+
+// Symmetric, its eigenvalues from a part of the largest to it; B is off by `off` of its largest entries. Rows have
+// units of their own: the words of row i stand at 2^(28 - 2 i).
+System drawn(std::mt19937_64& generator, double smallest, double off) {
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  System s;
+  double root[N][N];
+  for (auto& row : root)
+    for (double& entry : row)
+      entry = any(generator);
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j < N; ++j) {
+      s.inexact[i][j] = i == j ? smallest : 0.0;
+      for (int k = 0; k < N; ++k)
+        s.inexact[i][j] += root[i][k] * root[j][k] / 3.0;
+    }
+  for (int i = 0; i < N; ++i) {
+    s.units.scale[i] = 28 - 2 * i;
+    for (int j = 0; j < N; ++j) {
+      const double unit = std::ldexp(1.0, -s.units.scale[i]), error = 8.0;
+      s.units.error[i][j] = 9;
+      s.inverse.mass[i][j] = static_cast<std::int32_t>(std::floor(s.inexact[i][j] / unit));
+      s.exact[i][j] = s.inexact[i][j] + error * unit * any(generator);
+    }
+  }
+  for (int j = 0; j < N; ++j) {
+    double unit[N] = {}, column[N], most = 0.0;
+    unit[j] = 1.0;
+    solve(s.exact, unit, column);
+    for (const double x : column)
+      most = std::fmax(most, std::fabs(x));
+    s.inverse.shift[j] = 29 - std::ilogb(most);
+    for (int i = 0; i < N; ++i)
+      s.inverse.inverse[i][j] = static_cast<std::int32_t>(
+          std::floor(std::ldexp(column[i] + off * most * any(generator), s.inverse.shift[j])));
+  }
+  return s;
+}
+void refine(System& s) {
+  s.inverse.find_defects(s.units);
+  s.inverse.refine();
+  s.inverse.find_defects(s.units);
+  s.inverse.bound();
+}
+
+}  // namespace
+
+TEST(MassInverse, SolvesWithinItsBounds) {
+  std::mt19937_64 generator(5);
+  std::uniform_int_distribution<std::int32_t> word(-(1 << 29), 1 << 29);
+  double nearest = 0.0, largest = 0.0;
+  for (int k = 0; k < 5000; ++k) {
+    System s = drawn(generator, std::ldexp(1.0, -k % 10), 1e-4);
+    refine(s);
+    ASSERT_TRUE(s.inverse.proved);
+    std::int32_t words[N];
+    double r[N], x[N];
+    const std::int64_t error = k % 3 * 1000000;
+    for (int i = 0; i < N; ++i) {
+      words[i] = word(generator);
+      r[i] = words[i] + (i % 2 == 0 ? 1.0 : -1.0) * static_cast<double>(error);
+    }
+    solve(s.exact, r, x);
+    for (int i = 0; i < N; ++i) {
+      const double off = std::fabs(static_cast<double>(s.inverse.solved(i, words)) - x[i]);
+      const auto bound = static_cast<double>(s.inverse.off(i, error, 30));
+      EXPECT_LE(off, bound) << i;
+      nearest = std::fmax(nearest, off / bound),
+      largest = std::fmax(largest, bound / std::ldexp(static_cast<double>(s.inverse.reach[i]), 30 - 8));
+    }
+  }
+  EXPECT_GT(nearest, 0.05) << "a bound as loose as this says little";
+  EXPECT_LT(largest, 1e-2) << "of what |B| makes of 2^30";
+}
+
+TEST(MassInverse, IsRefined) {
+  std::mt19937_64 generator(6);
+  System s = drawn(generator, 0.5, 1e-4);
+  s.inverse.find_defects(s.units);
+  const auto before = s.inverse.spread[0];
+  EXPECT_GT(before, 1 << 10);
+  s.inverse.refine();
+  s.inverse.find_defects(s.units);
+  EXPECT_LT(s.inverse.spread[0], 200);
+}
+
+// Columns of M^-1 are its solutions of units.
+TEST(MassInverse, HasColumnsWithinItsLoss) {
+  std::mt19937_64 generator(7);
+  double nearest = 0.0;
+  for (int k = 0; k < 2000; ++k) {
+    System s = drawn(generator, 0.01, 1e-4);
+    refine(s);
+    ASSERT_TRUE(s.inverse.proved);
+    for (int j = 0; j < N; ++j) {
+      double unit[N] = {}, column[N];
+      unit[j] = 1.0;
+      solve(s.exact, unit, column);
+      for (int i = 0; i < N; ++i) {
+        const double bound = std::ldexp(static_cast<double>(s.inverse.loss[i]), 1 - MassInverse<N>::loss_bits);
+        const double off = std::fabs(std::ldexp(s.inverse.inverse[i][j], -s.inverse.shift[j]) - column[i]);
+        EXPECT_LE(off, bound);
+        nearest = std::fmax(nearest, off / bound);
+      }
+    }
+  }
+  EXPECT_GT(nearest, 0.02);
+}
+
+// Nothing is proved of what is no inverse.
+TEST(MassInverse, ProvesNothingOfAnotherMatrix) {
+  std::mt19937_64 generator(8);
+  for (int k = 0; k < 200; ++k) {
+    System s = drawn(generator, 0.5, 0.0);
+    for (auto& row : s.inverse.inverse)
+      row[k % N] = -row[k % N];
+    s.inverse.find_defects(s.units);
+    s.inverse.bound();
+    EXPECT_FALSE(s.inverse.proved);
+  }
+}
