@@ -41,7 +41,8 @@ struct DerivativeSolve {
       std::int32_t column[size] = {};
       const int drive = unit_response<2>(links, screws, structure, j, column);
       set_column<S, T>(system, j, column, drive);
-      system.proved = system.proved & is_less(-1, system.shift[j]) & is_less(system.shift[j], 64);
+      const bool above = is_less(-1, system.shift[j]), below = is_less(system.shift[j], 64);
+      system.proved = system.proved & above & below;
     }
   }
   /// Refines B by M and bounds what it lacks.
@@ -78,8 +79,8 @@ struct DerivativeSolve {
       correction[i] = system.solved(i, left);
       bound[i] = system.off(i, units.effort_error, smaller(largest, 31));
       const std::int64_t apart = wide_magnitude(correction[i]) + bound[i];
-      const bool near = is_less(apart, largest_drift);
-      known = known & near;
+      const bool close = is_less(apart, largest_drift);
+      known = known & close;
       drift = select(is_less(drift, apart), apart, drift);
     }
     drift = select(known, drift, largest_drift);

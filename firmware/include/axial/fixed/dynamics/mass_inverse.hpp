@@ -13,9 +13,9 @@ namespace detail {
 AXIAL_INLINE constexpr std::int64_t moved_wide(std::int64_t x, int shift, bool& fits) {
   const int left = select(is_negative(shift), -shift, 0), right = shift + left;
   const std::int64_t down = wide_shifted_by(x, select(is_less(right, 64), right, 63));
-  const bool slight = is_less(wide_magnitude(down), std::int64_t{1} << 31), near = is_less(left, 32), none = left == 0;
-  fits = fits & near & (slight | none);
-  return down * (std::int64_t{1} << select((slight & near) | none, left & 31, 0));
+  const bool slight = is_less(wide_magnitude(down), std::int64_t{1} << 31), close = is_less(left, 32), none = left == 0;
+  fits = fits & close & (slight | none);
+  return down * (std::int64_t{1} << select((slight & close) | none, left & 31, 0));
 }
 AXIAL_INLINE constexpr std::int32_t word_magnitude(std::int32_t x) {
   const std::int32_t sign = x >> 31;
