@@ -94,7 +94,7 @@ TEST(MassInverse, SolvesWithinItsBounds) {
     ASSERT_TRUE(s.inverse.proved);
     std::int32_t words[N];
     double r[N], x[N];
-    const std::int64_t error = k % 3 * 1000000;
+    const std::int64_t error = std::int64_t{k % 3} * 1000000;
     for (int i = 0; i < N; ++i) {
       words[i] = word(generator);
       r[i] = words[i] + (i % 2 == 0 ? 1.0 : -1.0) * static_cast<double>(error);
