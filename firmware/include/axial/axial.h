@@ -148,12 +148,14 @@ static inline const char* axial_status_text(axial_status status) { return axial_
   AXIAL_C_FUNCTION axial_status prefix##_mass_matrix(const prefix##_joints* q, prefix##_matrix* m);            \
   AXIAL_C_FUNCTION axial_status prefix##_tool_pose(const prefix##_joints* q, prefix##_pose* pose)
 
-/** Declares the derivatives of a robot behind its AXIAL_C_DECLARE, in float or double:
+/** Declares the derivatives of a robot behind its AXIAL_C_DECLARE:
  * `<prefix>_inverse_dynamics_derivatives` gives efforts, mass matrix M = d tau / d qdd, d tau_i / d q_j and
  * d tau_i / d qd_j in of[i][j]; `<prefix>_forward_dynamics_derivatives` accelerations, M^-1 = d qdd / d tau,
  * d qdd_i / d q_j and d qdd_i / d qd_j at given efforts. Both refuse what the other functions do, result untouched;
- * AXIAL_NEAR_SINGULAR and AXIAL_INACCURATE come with a result. AXIAL_C_EXPORT_DERIVATIVES(my_arm, robots::MyArm, float)
- * of <axial/c_interface/derivatives.hpp> defines them. Called as a declaration, with a semicolon. */
+ * AXIAL_NEAR_SINGULAR and AXIAL_INACCURATE come with a result; in fixed32 also AXIAL_RESCALED,
+ * AXIAL_ACCELERATION_LIMIT (dqdd_dq is 0 then) and AXIAL_SATURATED (what does not fit is 0). Raw words there: see
+ * AXIAL_C_DECLARE_DERIVATIVE_FORMATS. AXIAL_C_EXPORT_DERIVATIVES(my_arm, robots::MyArm, float) of
+ * <axial/c_interface/derivatives.hpp> defines them. Called as a declaration, with a semicolon. */
 #define AXIAL_C_DECLARE_DERIVATIVES(prefix)                                            \
   typedef struct {                                                                     \
     prefix##_joints tau;                                                               \
@@ -169,5 +171,15 @@ static inline const char* axial_status_text(axial_status status) { return axial_
   AXIAL_C_FUNCTION axial_status prefix##_forward_dynamics_derivatives(                 \
       const prefix##_joints* q, const prefix##_joints* qd, const prefix##_joints* tau, \
       prefix##_forward_derivatives* result)
+
+/** Declares the formats of a robot's derivatives in fixed32, behind AXIAL_C_DECLARE_DERIVATIVES: each entry is raw
+ * 2^-exponent with the exponent at its place; efforts and accelerations are those of `<prefix>_formats`.
+ * AXIAL_C_EXPORT_DERIVATIVE_FORMATS(my_arm, robots::MyArm) of <axial/fixed/c_interface/derivative_formats.hpp> defines
+ * the function. Called as a declaration, with a semicolon. */
+#define AXIAL_C_DECLARE_DERIVATIVE_FORMATS(prefix)                                          \
+  typedef struct {                                                                          \
+    prefix##_matrix mass_matrix, dtau_dq, dtau_dqd, inverse_mass_matrix, dqdd_dq, dqdd_dqd; \
+  } prefix##_derivative_formats;                                                            \
+  AXIAL_C_FUNCTION axial_status prefix##_get_derivative_formats(prefix##_derivative_formats* formats)
 
 #endif /* AXIAL_AXIAL_H */

@@ -26,5 +26,10 @@ ASK(fixed_arm)
 
 ASK_DERIVATIVES(arm)
 ASK_DERIVATIVES(double_arm)
+ASK_DERIVATIVES(fixed_arm)
+
+axial_status ask_derivative_formats(fixed_arm_derivative_formats* formats) {
+  return fixed_arm_get_derivative_formats(formats);
+}
 
 const char* c_text(int code) { return axial_code_text(code); }

@@ -19,6 +19,8 @@ ANSWERS_OF(fixed_arm);
 AXIAL_C_DECLARE_DERIVATIVES(arm);
 AXIAL_C_DECLARE(double_arm, 3, double);
 AXIAL_C_DECLARE_DERIVATIVES(double_arm);
+AXIAL_C_DECLARE_DERIVATIVES(fixed_arm);
+AXIAL_C_DECLARE_DERIVATIVE_FORMATS(fixed_arm);
 
 #define DERIVATIVES_OF(arm)                                                                                 \
   typedef struct {                                                                                          \
@@ -32,6 +34,10 @@ AXIAL_C_DECLARE_DERIVATIVES(double_arm);
 /** x: accelerations to the one, efforts to the other. */
 DERIVATIVES_OF(arm);
 DERIVATIVES_OF(double_arm);
+DERIVATIVES_OF(fixed_arm);
+
+/** Formats as C asks for them. */
+AXIAL_C_FUNCTION axial_status ask_derivative_formats(fixed_arm_derivative_formats* formats);
 
 /** The text of each code from 0 on, as C's own copy of the function gives it. */
 AXIAL_C_FUNCTION const char* c_text(int code);
