@@ -220,6 +220,18 @@ TEST(ForwardDerivativesInWords, KnowHowFarTheirAccelerationsAreOff) {
   EXPECT_GT(nearest, 0.005);
 }
 
+// What is left of the inverse or of the accelerations decides, each by itself.
+TEST(ForwardDerivativesInWords, AreAccurateWhereLittleIsLeft) {
+  using Solve = detail::DerivativeSolve<R, T>;
+  Solve solve;
+  solve.drift = Solve::slight_drift, solve.system.spread[2] = Solve::slight_spread;
+  EXPECT_TRUE(solve.is_accurate());
+  ++solve.system.spread[2];
+  EXPECT_FALSE(solve.is_accurate());
+  solve.system.spread[2] = 0, ++solve.drift;
+  EXPECT_FALSE(solve.is_accurate());
+}
+
 // An angle beyond its limits has a word all the same, as in forward dynamics.
 TEST(ForwardDerivativesInWords, AreRightAtAnyAngle) {
   auto state = at_rest();
