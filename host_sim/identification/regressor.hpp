@@ -28,7 +28,7 @@ class Regressor {
   void evaluate(const double* q, const double* qd, const double* qdd, double* out) const;
 
  private:
-  using Joints = axial::Model<most_joints, axial::Gravity>;
+  using Joints = axial::Model<most_joints, axial::Gravity, axial::RotorInertia>;
   using Drives = axial::Model<most_joints, axial::Gravity, axial::RotorInertia, axial::Friction, axial::JointSprings,
                               axial::SharedDrives>;
   using JointValues = axial::Joints<Joints, double>;

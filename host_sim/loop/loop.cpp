@@ -75,7 +75,7 @@ class DrivenArm {
  public:
   using Values = axial::Joints<simulation::DrivenModel, double>;
 
-  explicit DrivenArm(simulation::DrivenModel model) : model_(std::move(model)) {}
+  explicit DrivenArm(const simulation::DrivenModel& model) : model_(model) {}
   const simulation::DrivenModel& model() const { return model_; }
   static simulation::DrivenMotion state(const Values& u, const Values& ud, const Values&) { return {u, ud, 0}; }
   static Values positions(const simulation::DrivenMotion& x) { return x.q; }
@@ -214,6 +214,7 @@ std::vector<axial::LinkParameters> rigid(std::vector<axial::LinkParameters> link
 Plant<simulation::ElasticArm> plant_of_joints(const Case& situation, const SetPoint& start) {
   const auto links = plant_links(situation);
   std::vector<bool> slides;
+  slides.reserve(links.size());
   for (const auto& link : links)
     slides.push_back(link.type == axial::JointType::prismatic);
   return {situation, start, simulation::model_of(situation.robot, links),
