@@ -32,6 +32,7 @@ struct Description {
   axial::FixedPose tool{};         ///< the tool in the last link's frame
   axial::PayloadLimit payload_limit{};
   axial::TipWrenchLimit tip_wrench_limit{};
+  axial::ToolLimit tool_limit{};
   bool as_published = false;             ///< numbers that no robot should have are kept, and the header says so
   std::vector<std::string> notes;        ///< how the source was read
   std::vector<std::string> assumptions;  ///< what the source does not say and was filled in
@@ -100,6 +101,7 @@ Description from_robot() {
   robot.as_published = true;  // its own header has said so where it had to
   robot.gravity = R::chain.gravity, robot.base = R::chain.base.pose, robot.tool = R::chain.tool.pose;
   robot.payload_limit = R::chain.payload_limit, robot.tip_wrench_limit = R::chain.tip_wrench_limit;
+  robot.tool_limit = R::chain.tool_limit;
   return robot;
 }
 

@@ -180,7 +180,7 @@ std::string Finding::text() const { return (link.empty() ? "" : "link '" + link 
 
 bool frames_are_far(const Description& robot) {
   return axial::detail::is_far(robot.base.position) || axial::detail::is_far(robot.tool.position) ||
-         axial::detail::is_far(robot.payload_limit.com_reach);
+         axial::detail::is_far(robot.payload_limit.com_reach) || axial::detail::is_far(robot.tool_limit.reach);
 }
 
 std::vector<Finding> findings(const Description& robot) {

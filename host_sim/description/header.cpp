@@ -174,6 +174,7 @@ std::string frame_parts(const Description& robot, const std::vector<std::string>
   if (load.declared) add("axial::payload_limit(" + arguments({load.mass, load.com_reach, load.inertia}) + ")");
   const auto& wrench = robot.tip_wrench_limit;
   if (wrench.declared) add("axial::tip_wrench_limit(" + arguments({wrench.force, wrench.moment}) + ")");
+  if (robot.tool_limit.declared) add("axial::tool_limit(" + arguments({robot.tool_limit.reach}) + ")");
   for (const auto& line : kept)
     text += "      " + line + ",  // kept\n";
   return text;

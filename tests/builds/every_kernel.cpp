@@ -142,6 +142,7 @@ struct Pushed {
   static constexpr auto chain = [] {
     auto c = robots::Scara::chain;
     c.tip_wrench_limit = tip_wrench_limit(20.0, 5.0);
+    c.payload_limit = payload_limit(2.0, 0.3, 0.05), c.tool_limit = tool_limit(0.3);
     return c;
   }();
 };
@@ -149,6 +150,15 @@ template <class T>
 bool pushed() {
   const auto columns = jacobian<Pushed>(Positions<Pushed, T>{});
   return columns.status.ok() && transpose_times(columns, {}).size == 3;
+}
+// A tool and a payload in its frame, in words.
+bool held() {
+  using S = Scene<Pushed, RuntimeTool, Payload>;
+  Inputs<S, Fixed32> in;
+  const auto tool = to_fixed_tool<S, std::int32_t>(Inputs<S, float>{}.tool);
+  const auto payload = to_fixed_payload<S, std::int32_t>(PayloadBody<float>{});
+  in.tool = tool.tool, in.payload = mounted_payload<S>(in.tool, payload.load).load;
+  return tool.status.ok() && forward_kinematics<S>({}, in).status.ok();
 }
 
 // Called with every answer, so that none is left out behind one that is not ok: kernels run under sanitizers, too.
@@ -219,7 +229,7 @@ bool in_fixed_point() {
   using robots::Planar2r, robots::Scara;
   return all(all_of<Planar2r, Fixed32>(), all_of<Planar2r, Fixed16>(), all_of<Loaded<Scara>, Fixed32>(),
              separated<Scara, Fixed32>({}, {}, {}), converted<Planar2r>(), bounded<Planar2r>(), pushed<Fixed32>(),
-             pushed<Fixed16>(), certified_forward_dynamics<Planar2r, Fixed32>({}, {}, {}).status.ok(),
+             held(), pushed<Fixed16>(), certified_forward_dynamics<Planar2r, Fixed32>({}, {}, {}).status.ok(),
              differentiated_in_words<Planar2r>(),
              closed_form::scara_torque<Scara>(Positions<Scara, Fixed32>{}, Velocities<Scara, Fixed32>{},
                                               Accelerations<Scara, Fixed32>{})[0]

@@ -112,6 +112,7 @@ STRUCTURAL = [
           "payload_limit(0, 0, 0)"),
     robot("tip_wrench_limit_is_negative_or_not_finite_give_0_or_more", "tip_wrench_limit()", ">= 0", f"tip_wrench_limit(0, {NAN})",
           "tip_wrench_limit(0, 0)"),
+    robot("tool_limit_is_negative_or_not_finite_give_0_or_more", "tool_limit()", ">= 0", "tool_limit(-1e-9)", "tool_limit(0)"),
     link("drive_ratio_is_not_finite_or_zero_give_a_ratio", "driven_by, mimic", "a ratio, finite and not 0", f"{ONE}.driven_by(0, 0)",
          f"{ONE}.driven_by(0, 1e-9)"),
     link("drive_ratio_is_not_finite_or_zero_give_a_ratio", "driven_by, mimic", "a ratio, finite and not 0", f"{ONE}.mimic(0, {NAN})",
@@ -225,6 +226,7 @@ DOUBTFUL = [
     robot("tool_is_beyond_100_m_give_metres", "tool()", "100 m", "tool(0, 0, -100.1)", "tool(0, 0, -99.9)"),
     robot("payload_limit_reach_is_beyond_100_m_give_metres", "payload_limit()", "reach of 100 m", "payload_limit(1, 100.1, 1)",
           "payload_limit(1, 99.9, 1)"),
+    robot("tool_limit_is_beyond_100_m_give_metres", "tool_limit()", "100 m", "tool_limit(100.1)", "tool_limit(99.9)"),
 ]
 
 # A quantity that is given twice, by one name or by two: .accept(axial::as_published) keeps the later one.
@@ -259,6 +261,7 @@ TWICE = [
     part_twice("tool_is_given_twice_keep_one", "tool(0, 0, 0)"),
     part_twice("payload_limit_is_given_twice_keep_one", "payload_limit(1, 1, 1)"),
     part_twice("tip_wrench_limit_is_given_twice_keep_one", "tip_wrench_limit(1, 1)"),
+    part_twice("tool_limit_is_given_twice_keep_one", "tool_limit(1)"),
     part_twice("base_body_is_given_twice_keep_one", "base_body().mass(1)"),
 ]
 

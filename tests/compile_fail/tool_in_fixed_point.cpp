@@ -1,12 +1,16 @@
-// expect: fixed point has no RuntimeTool: declare the tool with axial::tool(), or compute in float
+// expect: axial::tool_limit(reach) to the robot's chain
 #include <axial/fixed.hpp>
 #include <robots/scara.hpp>
 
+struct Arm {
+  static constexpr auto chain = [] {
+    auto c = robots::Scara::chain;
 #ifdef MENDED
-using Number = float;
-#else
-using Number = axial::Fixed32;
+    c.tool_limit = axial::tool_limit(0.3);
 #endif
-using Scene = axial::Scene<robots::Scara, axial::RuntimeTool>;
+    return c;
+  }();
+};
+using Scene = axial::Scene<Arm, axial::RuntimeTool>;
 
-auto pose(const axial::Positions<robots::Scara, Number>& q) { return axial::forward_kinematics<Scene>(q); }
+auto pose(const axial::Positions<Arm, axial::Fixed32>& q) { return axial::forward_kinematics<Scene>(q); }

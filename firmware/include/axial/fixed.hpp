@@ -21,6 +21,7 @@
 #include <axial/fixed/control/payload_border.hpp>
 #include <axial/fixed/control/payload_error.hpp>
 #include <axial/fixed/control/payload_words.hpp>
+#include <axial/fixed/control/tool_border.hpp>
 #include <axial/fixed/control/tracking.hpp>
 #include <axial/fixed/dynamics/certified_forward_dynamics.hpp>
 #include <axial/fixed/dynamics/derivative_error.hpp>

@@ -163,6 +163,8 @@ TEST(ClassicalChain, LastRowLeadsToTheTool) {
 TEST(ClassicalChain, PayloadLimitReachesAroundTheFarEnd) {
   constexpr auto arm = classical_chain(payload_limit(1, 0.25, 0.1), classical_revolute().a(-0.5));
   static_assert(arm.payload_limit.com_reach == 0.75);
+  constexpr auto with_tools = classical_chain(tool_limit(0.125), classical_revolute().a(-0.5));
+  static_assert(with_tools.tool_limit.declared && with_tools.tool_limit.reach == 0.625);
 }
 
 TEST(ClassicalChain, DriveLimitsBaseAndOffsetsCarryOver) {

@@ -9,13 +9,20 @@
 #include <axial/options/begin.hpp>
 
 namespace axial {
+
+/// A tool's pose as a kernel over a scene and its Scalar computes with it.
+template <class Scene, class Scalar, class T>
+AXIAL_INLINE constexpr const Pose<Mat3<Vec3<T>>, Vec3<T>>& read_tool(const Pose<Mat3<Vec3<T>>, Vec3<T>>& tool) {
+  return tool;
+}
+
 namespace kinematics {
 
 /// Pose of the tool in the last link's frame.
 template <class Links, class Input>
 AXIAL_INLINE constexpr auto tool_of(const Links& links, const Input& in) {
   if constexpr (Links::Scene::template has<RuntimeTool>)
-    return in.tool;
+    return read_tool<typename Links::Scene, typename Links::Scalar>(in.tool);
   else
     return links.tool_pose();
 }
@@ -33,11 +40,12 @@ constexpr Truth<T> is_pose(const Pose<Mat3<Vec3<T>>, Vec3<T>>& tool) {
   return (sum < allowed) & (dot(tool.position, tool.position) < largest);
 }
 
-/// input_limit where a run-time tool is no pose.
+/// input_limit where a run-time tool is no pose; words are judged with the other inputs, by what the robot declares.
 template <class Answer, class Links, class Input>
 AXIAL_INLINE constexpr void judge_tool(Answer& status, const Links&, const Input& in) {
   if constexpr (Links::Scene::template has<RuntimeTool>)
-    put_where(status, !is_pose(in.tool), Status::Code::input_limit);
+    if constexpr (is_number_v<std::decay_t<decltype(in.tool.position.x)>>)
+      put_where(status, !is_pose(in.tool), Status::Code::input_limit);
 }
 
 }  // namespace kinematics

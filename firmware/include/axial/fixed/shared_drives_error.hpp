@@ -191,6 +191,11 @@ class DriveErrors {
       errors[i] = found.range[i].length.error;
     return errors;
   }
+  /// Errors of the tool's pose.
+  static constexpr auto tool() {
+    return bounds::tool_error(mechanism<KinematicParameters>(0.0, role::Effort{}), rounding,
+                              ranges_of<Joint, KinematicParameters, A, recursion::Kinematics>);
+  }
   /// Errors of the linear part of the Jacobian's columns by drives.
   static constexpr auto columns() {
     const auto m = mechanism<KinematicParameters>(0.0, role::Effort{});

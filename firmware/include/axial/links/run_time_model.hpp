@@ -11,12 +11,11 @@ template <int N, class... Features>
 class Model;  // model.hpp
 
 /// Whether a type is a run-time Model.
-///@{
 template <class T>
 struct IsModel : std::false_type {};
+/// A run-time Model is one.
 template <int N, class... Features>
 struct IsModel<Model<N, Features...>> : std::true_type {};
-///@}
 
 namespace detail {
 template <int N, class... Features>

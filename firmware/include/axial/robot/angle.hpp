@@ -12,14 +12,12 @@ struct Angle {
   double radians = 0.0;  ///< its value
   double cos = 1.0;      ///< its cosine
   double sin = 0.0;      ///< its sine
-
   /// From radians; sine and cosine are the library's own, within 1 ulp.
   static constexpr Angle from_radians(double radians) {
     if (!(radians > -1e9 && radians < 1e9)) return {radians, radians, radians};
     const auto pair = sincos(radians);
     return {radians, pair.cos, pair.sin};
   }
-
   /// From degrees; multiples of 90 have exact sines and cosines, so that structural zeros are recognised.
   static constexpr Angle from_degrees(double degrees) {
     constexpr double radian = 3.14159265358979323846 / 180.0;

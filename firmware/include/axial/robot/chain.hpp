@@ -125,6 +125,12 @@ struct ChainBuilder {
               Problem::tip_wrench_limit_is_given_twice);
     chain.tip_wrench_limit = limit;
   }
+  constexpr void add(const ToolLimit& limit) {
+    note_part(not_negative(&limit.reach, 1) ? Problem::none : Problem::tool_limit_is_negative_or_not_finite,
+              Problem::tool_limit_is_given_twice,
+              is_far(limit.reach) ? Problem::tool_limit_is_beyond_100_m : Problem::none);
+    chain.tool_limit = limit;
+  }
   constexpr void add(const BaseBody& body) {
     note_part(Problem::none, Problem::base_body_is_given_twice);
     note(Broken::base_body, link_problem(body.parameters(), body.given(), 0, accepted));
@@ -149,8 +155,8 @@ struct ChainBuilder {
 }  // namespace detail
 
 /// Builds a robot from links (from the base outwards) and, in any order, gravity(), base(), base_body(),
-/// tool(), payload_limit(), tip_wrench_limit() and accept(as_published). Transmissions stand behind their links:
-/// screw_spline(), differential(), drive_ratios() (couplings.hpp).
+/// tool(), payload_limit(), tip_wrench_limit(), tool_limit() and accept(as_published). Transmissions stand behind their
+/// links: screw_spline(), differential(), drive_ratios() (couplings.hpp).
 /// A description that cannot be right (not finite, negative mass, limits upside down, no link, an inertia that no body
 /// has, degrees for radians, millimetres for metres, a quantity given twice, ...) does not compile: the message names
 /// link, quantity and remedy. doc/guides/conventions.md has the rules.
@@ -180,6 +186,7 @@ struct StandIn {
       p.mass = p.inertia_com[0] = p.inertia_com[1] = p.inertia_com[2] = p.speed_limit = p.acceleration_limit = 1.0,
       p.position_min = -1.0, p.position_max = p.effort_limit = 1.0;
     sound.payload_limit = {1.0, 1.0, 1.0, true}, sound.tip_wrench_limit = {1.0, 1.0, true};
+    sound.tool_limit = {1.0, true};
     return sound;
   }();
 };

@@ -35,9 +35,7 @@ struct PayloadLimit {
   bool declared = false;                              ///< whether the robot declares one
 };
 /// Payload limit of a robot: kg, m, kg m^2.
-constexpr PayloadLimit payload_limit(double mass, double com_reach, double inertia) {
-  return {mass, com_reach, inertia, true};
-}
+constexpr PayloadLimit payload_limit(double mass, double reach, double inertia) { return {mass, reach, inertia, true}; }
 
 /// The largest force (N) and moment (N m) that the environment exerts at the tip, about the origin of the last link's
 /// frame: what fixed point leaves room for in scenes that name TipWrench.
@@ -46,6 +44,13 @@ struct TipWrenchLimit {
   bool declared = false;             ///< whether the robot declares one
 };
 constexpr TipWrenchLimit tip_wrench_limit(double force, double moment) { return {force, moment, true}; }  ///< N, N m
+
+/// The largest distance of a run-time tool's origin from that of the last link's frame.
+struct ToolLimit {
+  double reach = 0.0;     ///< m
+  bool declared = false;  ///< whether the robot declares one
+};
+constexpr ToolLimit tool_limit(double reach) { return {reach, true}; }  ///< m
 
 /// m, in the world; axes as the world's
 constexpr Base base(double x, double y, double z) { return {{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}}}; }
@@ -64,6 +69,7 @@ struct Chain {
   Tool tool{};                        ///< pose of the tool in the last link's frame
   PayloadLimit payload_limit{};       ///< of a run-time payload
   TipWrenchLimit tip_wrench_limit{};  ///< of a run-time wrench at the tip
+  ToolLimit tool_limit{};             ///< of a run-time tool
   LinkParameters base_body{};         ///< inertia of the body that is fixed to frame 0; only a FloatingBase sees it
   bool has_base_body = false;         ///< whether the robot declares one
 

@@ -105,7 +105,8 @@ struct ClassicalBuilder {
   constexpr Chain<N> chain() const {
     Chain<N> result = modified.chain;
     result.tool.pose = end.carried(result.tool.pose);
-    result.payload_limit.com_reach += end.a < 0.0 ? -end.a : end.a;
+    const double further = end.a < 0.0 ? -end.a : end.a;
+    result.payload_limit.com_reach += further, result.tool_limit.reach += further;
     return result;
   }
 };
@@ -113,11 +114,12 @@ struct ClassicalBuilder {
 }  // namespace detail
 
 /// Builds a robot from a classical table: links from the base outwards and, in any order, gravity(), base(),
-/// base_body(), accept(as_published), tool() and payload_limit(), the last two in the last classical frame. The result
-/// is the MDH chain of the same robot: theta, d, drives and limits stay; a and alpha lead on to the next joint, those
-/// of the last link to the tool; centres of mass and inertias are carried from classical frame i to MDH frame i, which
-/// Rx(alpha) Tx(a) parts. Zeros and multiples of 90 degrees are exact, so that it costs what the MDH description costs.
-/// Poses that algorithms return and run-time wrenches and payloads are in MDH frames (doc/guides/conventions.md).
+/// base_body(), accept(as_published), tool(), payload_limit() and tool_limit(), the last three in the last classical
+/// frame. The result is the MDH chain of the same robot: theta, d, drives and limits stay; a and alpha lead on to the
+/// next joint, those of the last link to the tool; centres of mass and inertias are carried from classical frame i to
+/// MDH frame i, which Rx(alpha) Tx(a) parts. Zeros and multiples of 90 degrees are exact, so that it costs what the MDH
+/// description costs. Poses that algorithms return and run-time wrenches and payloads are in MDH frames
+/// (doc/guides/conventions.md).
 template <class... Parts>
 constexpr auto classical_chain(const Parts&... parts) {
   constexpr int count = (0 + ... + static_cast<int>(detail::is_classical_link<Parts>));

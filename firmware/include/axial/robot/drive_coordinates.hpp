@@ -78,6 +78,7 @@ struct DriveCoordinates {
       drives.links[k] = detail::drive_by_itself(whole.links[g.owner[k]], g.is_alone(g.owner[k]));
     drives.gravity = whole.gravity, drives.base = whole.base, drives.tool = whole.tool;
     drives.payload_limit = whole.payload_limit, drives.tip_wrench_limit = whole.tip_wrench_limit;
+    drives.tool_limit = whole.tool_limit;
     drives.base_body = whole.base_body, drives.has_base_body = whole.has_base_body;
     return drives;
   }();

@@ -54,6 +54,7 @@ template <class Of> void base_or_tool_is_not_finite_give_metres_and_a_rotation()
 template <class Of> void base_or_tool_is_no_rotation_give_an_orthonormal_matrix() {}  ///< axial: base or tool rotation is not orthonormal; give a rotation matrix, row major
 template <class Of> void payload_limit_is_negative_or_not_finite_give_0_or_more() {}  ///< axial: payload_limit must be finite and >= 0; give payload_limit(kg, m, kg m^2)
 template <class Of> void tip_wrench_limit_is_negative_or_not_finite_give_0_or_more() {}  ///< axial: tip_wrench_limit must be finite and >= 0; give tip_wrench_limit(N, N m)
+template <class Of> void tool_limit_is_negative_or_not_finite_give_0_or_more() {}  ///< axial: tool_limit must be finite and >= 0; give tool_limit(m)
 template <class Of> void drive_ratio_is_not_finite_or_zero_give_a_ratio() {}  ///< axial: driven_by(), mimic() or a transmission of a link has a ratio that is 0 or not finite; give rad or m of the joint per unit of the drive
 template <class Of> void drive_limits_are_upside_down_give_min_below_max_and_more_than_0() {}  ///< axial: drive_limits of a link are upside down or not positive; give drive_limits(min, max, speed > 0, acceleration > 0)
 template <class Of> void drives_are_no_drives_of_the_chain_name_joints_that_have_one() {}  ///< axial: driven_by() or mimic() of a link names a joint that is not there, has no drive of its own, or follows this one; name one of the chain, counted from 0, six at most
@@ -80,6 +81,7 @@ template <class Of> void inertia_breaks_the_triangle_inequality_check_its_entrie
 template <class Of> void base_is_beyond_100_m_give_metres() {}  ///< axial: base is beyond 100 m; give metres, not millimetres, or axial::accept(axial::as_published)
 template <class Of> void tool_is_beyond_100_m_give_metres() {}  ///< axial: tool is beyond 100 m; give metres, not millimetres, or axial::accept(axial::as_published)
 template <class Of> void payload_limit_reach_is_beyond_100_m_give_metres() {}  ///< axial: reach of payload_limit is beyond 100 m; give metres, not millimetres, or axial::accept(axial::as_published)
+template <class Of> void tool_limit_is_beyond_100_m_give_metres() {}  ///< axial: tool_limit is beyond 100 m; give metres, not millimetres, or axial::accept(axial::as_published)
 
 // A quantity that is given twice: .accept(axial::as_published) keeps the later one.
 template <class Of> void a_is_given_twice_keep_one() {}  ///< axial: a of a link is given twice; keep one, or .accept(axial::as_published)
@@ -112,6 +114,7 @@ template <class Of> void base_is_given_twice_keep_one() {}  ///< axial: base() i
 template <class Of> void tool_is_given_twice_keep_one() {}  ///< axial: tool() is given twice; keep one, or axial::accept(axial::as_published)
 template <class Of> void payload_limit_is_given_twice_keep_one() {}  ///< axial: payload_limit() is given twice; keep one, or axial::accept(axial::as_published)
 template <class Of> void tip_wrench_limit_is_given_twice_keep_one() {}  ///< axial: tip_wrench_limit() is given twice; keep one, or axial::accept(axial::as_published)
+template <class Of> void tool_limit_is_given_twice_keep_one() {}  ///< axial: tool_limit() is given twice; keep one, or axial::accept(axial::as_published)
 template <class Of> void base_body_is_given_twice_keep_one() {}  ///< axial: base_body() is given twice; keep one, or axial::accept(axial::as_published)
 // clang-format on
 

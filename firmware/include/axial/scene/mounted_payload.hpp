@@ -10,7 +10,7 @@ namespace axial {
 
 /// A payload given in the frame of a tool, as in.payload takes it: in the last link's frame. `tool` is the tool's pose
 /// there (in.tool of a scene with RuntimeTool). com becomes R com + p, the inertia R J R^T; exact to roundings. Fixed
-/// point: mount it in float or double, then convert.
+/// point has its own, with a status (fixed/control/tool_border.hpp).
 template <class T>
 [[nodiscard]] constexpr PayloadBody<T> mounted_payload(const Pose<Mat3<Vec3<T>>, Vec3<T>>& tool,
                                                        const PayloadBody<T>& held) {

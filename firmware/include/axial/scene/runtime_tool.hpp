@@ -9,7 +9,8 @@
 namespace axial {
 namespace detail {
 
-/// The tool's pose in the last link's frame as numbers: what the robot declares; NaN for a run-time model.
+/// The tool's pose in the last link's frame as numbers: what the robot declares; NaN for a run-time model. Number
+/// systems with formats have their own.
 template <class Robot, class T>
 struct DeclaredTool {
   using PoseOf = Pose<Mat3<Vec3<T>>, Vec3<T>>;
@@ -34,16 +35,11 @@ struct DeclaredTool {
   }
 };
 
-/// Words have no format for it, which their scenes say themselves.
-template <class Robot, class Word>
-struct DeclaredTool<Robot, Stored<Word>> {
-  static constexpr Pose<Mat3<Vec3<Stored<Word>>>, Vec3<Stored<Word>>> pose() { return {}; }
-};
-
 }  // namespace detail
 
 /// A tool that changes at run time: its pose in the last link's frame, input `tool`. Poses and Jacobians see it; what
-/// it weighs is a payload (mounted_payload()). Starts as the robot declares it; for a run-time model as NaN.
+/// it weighs is a payload (mounted_payload()). Starts as the robot declares it; for a run-time model as NaN. In fixed
+/// point its words have the formats InputFormats::tool and sine_cosine, by the robot's tool_limit(reach).
 struct RuntimeTool : Feature<RuntimeTool> {
   /// Run-time input of the feature.
   template <class Robot, class T>

@@ -20,8 +20,8 @@ constexpr BoundedVector x_column(const Rotation& r) {
 }
 ///@}
 
-/// A constant pose seen through a pose of words, the tool on the last link: each component of its origin adds three
-/// products of a literal and an entry. Its axes are the caller's to round.
+/// A pose seen through a pose of words, the tool on the last link: each component of its origin adds three products of
+/// an entry with a literal or, of a run-time tool, a word. Its axes are the caller's to round.
 constexpr BoundedPose operator*(const BoundedPose& frame, const BoundedPose& tool) {
   using detail::hypotenuse;
   const double offset = tool.position.bound.whole.size;
@@ -30,7 +30,10 @@ constexpr BoundedPose operator*(const BoundedPose& frame, const BoundedPose& too
   Terms terms;
   if (offset > 0.0) terms.add_word(frame.position.exponent);
   for (int i = 0; i < 3 && offset > 0.0; ++i)
-    terms.add_scaled(offset, r.x.exponent, 1.0);
+    if (tool.position.is_literal)
+      terms.add_scaled(offset, r.x.exponent, 1.0);
+    else
+      terms.add_product(r.x.exponent + tool.position.exponent);
   Ball whole = frame.position.bound.whole + Ball{offset, offset * error};
   whole.error += detail::root3 * terms.rounding(frame.position.exponent, *r.x.rounding);
   return {r, detail::anywhere(whole, frame.position.exponent, r.x.rounding)};
@@ -51,7 +54,7 @@ using NoLoads = BoundedScene<false, false>;
 template <int N>
 constexpr Account<N> positions(const Mechanism<N>& m, const WordRounding& r) {
   Account<N> account{m, r};
-  double longest = m.loads.base_offset + m.loads.tool_offset;
+  double longest = m.loads.base_offset + m.loads.tool_reach;
   for (int i = 0; i < N; ++i)
     longest += m.origin_distance(i);
   for (LinkSizes& widest : account.widest)
@@ -80,6 +83,40 @@ constexpr Ranges<N> poses(const Mechanism<N>& m, const WordRounding& r, Wanted w
 
 }  // namespace detail
 
+namespace detail {
+// The tool as kernels see it: a constant, or words.
+constexpr BoundedPose tool_pose(const LoadRange& l, const WordRounding& r) {
+  if (!l.tool_given) return constant_pose(l.tool_offset, r);
+  return given_pose(l.tool_reach, input_exponent(l.tool_reach, r), r);
+}
+}  // namespace detail
+
+/// Errors of the tool's pose: of its origin (m) and of an entry of its rotation.
+struct ToolError {
+  double position = 0.0, rotation = 0.0;  ///< m; dimensionless
+};
+/// Bounds of the tool's pose in the formats that `ranges` say.
+template <int N>
+constexpr ToolError tool_error(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges) {
+  const Mechanism<N> in_formats = r.tabled ? axial::detail::sharing(m, r, ranges) : m;
+  Account<N> account{in_formats, r, false, false, ranges};
+  const BoundedLinks<detail::NoLoads, N> links(account);
+  const detail::JointBounds<N> at(in_formats, r);
+  const auto frames = kinematics::frames(links, GivenLoads{}, at.q);
+  const Rotation& axes = frames[N - 1].rotation;
+  const auto tool = detail::tool_pose(m.loads, r);
+  Terms entry;
+  for (int k = 0; k < 3; ++k)
+    if (m.loads.tool_given)
+      entry.add_product(axes.x.exponent + tool.rotation.x.exponent);
+    else
+      entry.add_scaled(1.0, axes.x.exponent, 1.0);
+  double row = 0.0;
+  for (const BoundedVector* each : {&axes.x, &axes.y, &axes.z})
+    row = each->bound.whole.error > row ? each->bound.whole.error : row;
+  constexpr double longest_axis = 1.0 + 1.0 / 2048.0;  // beyond it a run-time tool is no frame
+  return {(frames[N - 1] * tool).position.bound.whole.error, longest_axis * row + entry.rounding(r.bits - 2, r)};
+}
 /// Bounds of the tool's Jacobian in the formats that `ranges` say.
 template <int N>
 constexpr JacobianBounds<N> jacobian_bounds(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges) {
@@ -88,7 +125,7 @@ constexpr JacobianBounds<N> jacobian_bounds(const Mechanism<N>& m, const WordRou
   const BoundedLinks<detail::NoLoads, N> links(account);
   const detail::JointBounds<N> at(in_formats, r);
   const auto frames = kinematics::frames(links, GivenLoads{}, at.q);
-  const auto tool = frames[N - 1] * constant_pose(m.loads.tool_offset, r);
+  const auto tool = frames[N - 1] * detail::tool_pose(m.loads, r);
   JacobianBounds<N> all;
   kinematics::columns(links, frames, N - 1, links.link(N - 1).sum(quantity::Length{}, tool.position), all);
   return all;

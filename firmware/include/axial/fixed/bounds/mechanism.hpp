@@ -28,8 +28,9 @@ struct LoadRange {
   double payload_mass = 0.0, payload_moment = 0.0, payload_inertia = 0.0;
   double tip_force = 0.0, tip_moment = 0.0;     ///< N, N m
   double base_offset = 0.0, tool_offset = 0.0;  ///< m, of frame 0 in the world and of the tool on the last link
+  double tool_reach = 0.0;                      ///< m, of any tool that the robot has room for
   bool rotors = false, friction = false, springs = false;  ///< whether the scene names them
-  bool gravity_given = false;                              ///< whether gravity is a run-time input, a word
+  bool gravity_given = false, tool_given = false;          ///< whether gravity, the tool is a run-time input, words
 };
 
 /// Bounds of the quantities of one link: how large they can be and how exact they are.
@@ -190,6 +191,9 @@ constexpr LoadRange load_range() {
   loads.friction = Scene::template has<Friction>;
   const auto &base = Robot::chain.base.pose.position, &tool = Robot::chain.tool.pose.position;
   loads.base_offset = length_of(base[0], base[1], base[2]), loads.tool_offset = length_of(tool[0], tool[1], tool[2]);
+  const double reach = Robot::chain.tool_limit.reach;
+  loads.tool_reach = reach > loads.tool_offset ? reach : loads.tool_offset;
+  loads.tool_given = Scene::template has<RuntimeTool>;
   loads.springs = Scene::template has<JointSprings>;
   if constexpr (Scene::template has<Payload>) {
     constexpr PayloadLimit most = Robot::chain.payload_limit;

@@ -34,6 +34,15 @@ constexpr BoundedPose constant_pose(double offset, const WordRounding& r) {
   return {{row, row, row}, position};
 }
 
+/// A run-time pose: words, taken for what they say; its origin within `reach` (m), in the format of that.
+constexpr BoundedPose given_pose(double reach, int exponent, const WordRounding& r) {
+  BoundedPose pose = constant_pose(reach, r);
+  for (BoundedVector* v : {&pose.rotation.x, &pose.rotation.y, &pose.rotation.z, &pose.position})
+    v->is_literal = false;
+  pose.position.exponent = exponent;
+  return pose;
+}
+
 }  // namespace axial::bounds
 
 #include <axial/options/end.hpp>

@@ -22,15 +22,15 @@ template <class S, class Word, class T>
 [[nodiscard]] constexpr ConvertedPayload<Word> to_fixed_payload(const PayloadBody<T>& load) {
   using F = InputFormats<detail::described_by<S>, Stored<Word>>;
   bool finite = true;
-  const auto word = [&finite](const T& x, int exponent) {
+  const auto nearest = [&finite](const T& x, int exponent) {
     finite = finite & is_finite(x);
     return Stored<Word>{detail::to_word<Word>(x, exponent)};
   };
-  const auto com = [&](const T& x) { return word(x, F::payload_com); };
-  const auto inertia = [&](const T& x) { return word(x, F::payload_inertia); };
+  const auto com = [&](const T& x) { return nearest(x, F::payload_com); };
+  const auto inertia = [&](const T& x) { return nearest(x, F::payload_inertia); };
   const auto& j = load.inertia_com;
   ConvertedPayload<Word> result;
-  result.load = {word(load.mass, F::payload_mass),
+  result.load = {nearest(load.mass, F::payload_mass),
                  {com(load.com.x), com(load.com.y), com(load.com.z)},
                  {inertia(j.xx), inertia(j.yy), inertia(j.zz), inertia(j.xy), inertia(j.xz), inertia(j.yz)}};
   result.status = finite ? check_payload<S>(result.load) : Status{Status::Code::not_finite, -1};

@@ -49,7 +49,11 @@ constexpr auto wrench_effort_exponents() {
   check_wrench_efforts<R>();
   using F = InputFormats<described_by<R>, Stored<Word>>;
   constexpr const WordRounding& r = joint_rounding<Word>;
-  constexpr const auto& m = mechanism_of<scene_of<R>, FullParameters>;
+  constexpr auto m = [] {
+    auto any = mechanism_of<scene_of<R>, FullParameters>;
+    any.loads.tool_offset = any.loads.tool_reach;  // a Jacobian does not say which tool it is of
+    return any;
+  }();
   constexpr double most = root3 * (r.capacity() + 1.0);
   const auto efforts =
       bounds::wrench_efforts(bounds::jacobian_bounds(m, r, kinematics_ranges(m, r, Wanted::formats)),
@@ -94,7 +98,23 @@ template <class R, class Word>
 
 namespace algorithm {
 struct TransposeTimes {};  ///< transpose_times() of jacobian()
+struct ToolPose {};        ///< tool of forward_kinematics()
 }  // namespace algorithm
+
+/// Error bounds of the tool's pose, declared or (RuntimeTool) as its words say: of its origin and of each entry of its
+/// rotation.
+template <class S, class T = Fixed32>
+[[nodiscard]] constexpr bounds::ToolError error_bound(algorithm::ToolPose) {
+  if constexpr (detail::has_shared_drives<S>) {
+    return detail::DriveErrors<S, T>::tool();
+  } else {
+    using Scene = scene_of<S>;
+    static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
+    return bounds::tool_error(mechanism_of<Scene, detail::with_rotors<Scene, parameters_of<Scene, FullParameters>>>,
+                              rounding_in<Scene, detail::ArithmeticOf<Scene, typename T::Word>>(),
+                              detail::ranges_for<Scene, typename T::Word, FullParameters, recursion::Kinematics>);
+  }
+}
 
 /// Error bounds of J^T w, N m or N, for a wrench that the robot declares, taken as its words say; the errors of the
 /// Jacobian of scene S are in them.

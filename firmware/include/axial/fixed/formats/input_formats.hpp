@@ -1,6 +1,7 @@
 // Run-time inputs of a scene in fixed point: their formats, from what the robot declares, and how kernels read them.
 #pragma once
 
+#include <axial/dynamics/tool_pose.hpp>
 #include <axial/fixed/formats/joint_formats.hpp>
 #include <axial/fixed/words/round.hpp>
 #include <axial/links/inputs.hpp>
@@ -23,10 +24,13 @@ struct InputFormats {
   static constexpr TipWrenchLimit wrench = Robot::chain.tip_wrench_limit;  ///< as declared
   /// Exponents of a wrench at the tip: N, N m
   static constexpr int tip_force = of(wrench.force), tip_moment = of(wrench.moment);
+  static constexpr ToolLimit tool_limit = Robot::chain.tool_limit;  ///< as declared
+  static constexpr int tool = of(tool_limit.reach);                 ///< exponent of a run-time tool's origin: m
   /// A gravity vector given at run time may be as long as the declared one.
   static constexpr int gravity =
       of(detail::length_of(Robot::chain.gravity.x, Robot::chain.gravity.y, Robot::chain.gravity.z));
-  static constexpr int sine_cosine = 8 * static_cast<int>(sizeof(typename T::Word)) - 2;  ///< of sines and cosines
+  /// Exponent of sines and cosines, and of a run-time tool's axes
+  static constexpr int sine_cosine = 8 * static_cast<int>(sizeof(typename T::Word)) - 2;
 };
 
 namespace detail {
@@ -75,6 +79,14 @@ AXIAL_INLINE constexpr auto read_wrench(const ForceVector<Vec3<Stored<Word>>, Ve
   return ForceVector{detail::in_format<F::tip_moment, Scalar>(wrench.moment),
                      detail::in_format<F::tip_force, Scalar>(wrench.force)};
 }
+/// A tool's words with their formats.
+template <class Scene, class Scalar, class Word>
+AXIAL_INLINE constexpr auto read_tool(const Pose<Mat3<Vec3<Stored<Word>>>, Vec3<Stored<Word>>>& tool) {
+  const auto& axes = tool.rotation;
+  return Pose{Mat3{detail::in_format<Scalar::unit, Scalar>(axes.x), detail::in_format<Scalar::unit, Scalar>(axes.y),
+                   detail::in_format<Scalar::unit, Scalar>(axes.z)},
+              detail::in_format<detail::FormatsOfInputs<Scene, Word>::tool, Scalar>(tool.position)};
+}
 /// A gravity vector's words with their format.
 template <class Scene, class Scalar, class Word>
 AXIAL_INLINE constexpr auto read_gravity(const Vec3<Stored<Word>>& g) {
@@ -94,6 +106,25 @@ struct DeclaredGravity<Robot, Stored<Word>> {
   static constexpr Stored<Word> constant(double value) {
     constexpr int exponent = InputFormats<Robot, Stored<Word>>::gravity;
     return {static_cast<Word>(nearest_integer(value * power_of_two(exponent)))};
+  }
+};
+/// The tool that a robot declares, as an input starts with it.
+template <class Robot, class Word>
+struct DeclaredTool<Robot, Stored<Word>> {
+  static constexpr Pose<Mat3<Vec3<Stored<Word>>>, Vec3<Stored<Word>>> pose() {
+    using F = InputFormats<Robot, Stored<Word>>;
+    constexpr auto& of = Robot::chain.tool.pose;
+    constexpr int turn = F::sine_cosine;
+    return {{row(of.rotation, turn), row(of.rotation + 3, turn), row(of.rotation + 6, turn)},
+            row(of.position, F::tool)};
+  }
+
+ private:
+  static constexpr Vec3<Stored<Word>> row(const double* x, int exponent) {
+    const auto nearest = [exponent](double value) {
+      return Stored<Word>{static_cast<Word>(nearest_integer(value * power_of_two(exponent)))};
+    };
+    return {nearest(x[0]), nearest(x[1]), nearest(x[2])};
   }
 };
 template <class Word>
@@ -132,6 +163,17 @@ constexpr void check_fixed_loads() {
       !Scene::template has<TipWrench> || Scene::Robot::chain.tip_wrench_limit.declared,
       "axial: fixed point leaves room for the declared tip wrench; add axial::tip_wrench_limit(force, moment) "
       "to the robot's chain");
+  if constexpr (Scene::template has<RuntimeTool>) {
+    constexpr auto& chain = Scene::Robot::chain;
+    constexpr const double* origin = chain.tool.pose.position;
+    static_assert(chain.tool_limit.declared,
+                  "axial: fixed point leaves room for the declared tool; add axial::tool_limit(reach) to the robot's "
+                  "chain");
+    static_assert(
+        !chain.tool_limit.declared ||
+            length_of(origin[0], origin[1], origin[2]) <= chain.tool_limit.reach * (1.0 + 1e-9),
+        "axial: the robot's axial::tool() is beyond its axial::tool_limit(reach); give a reach that holds it");
+  }
 }
 
 /// What fixed point has no proved range for, yet; with what to do about it.
@@ -147,8 +189,6 @@ constexpr void check_fixed_scene() {
   static_assert(!Scene::template has<Underwater>, "axial: fixed point has no water; compute this scene in float");
   static_assert(!Scene::template has<ExternalWrenches>,
                 "axial: fixed point has no ExternalWrenches; name TipWrench, or compute this scene in float");
-  static_assert(!Scene::template has<RuntimeTool>,
-                "axial: fixed point has no RuntimeTool: declare the tool with axial::tool(), or compute in float");
   static_assert(!Scene::template has<RotorDynamics>,
                 "axial: fixed point has no rotors as bodies; take RotorDynamics out of the scene, or compute in float");
   static_assert(!Scene::template has<JointSprings>, "axial: fixed point has no JointSprings; compute them in float");

@@ -61,6 +61,43 @@ constexpr bool is_not_negative(const Sym3<Stored<Word>>& j) {
          is_sum_positive({xz, yz, zz}, {determinant(xy, yz, xz, yy), determinant(xy, xz, yz, xx), along_z});
 }
 
+// Whether axes are a right-handed frame, each length, each product of two and the volume to 2^-11: roundings of 16 bits
+// pass, a swap, a sign or a scale does not. By the words' upper 31 bits, where 1 is 2^30; what is far beyond counts as
+// 0.
+template <class Word>
+constexpr bool is_frame(const Mat3<Vec3<Stored<Word>>>& axes) {
+  constexpr int raised = 32 - 8 * static_cast<int>(sizeof(Word));
+  constexpr std::int32_t one = std::int32_t{1} << 30, most = one + (one >> 11);
+  const auto upper = [](const Stored<Word>& x) {
+    const std::int32_t raw = x.raw * (std::int32_t{1} << raised);
+    const bool inside = (raw <= most) & (raw >= -most);
+    return raw & -static_cast<std::int32_t>(inside);
+  };
+  const std::int32_t e[3][3] = {{upper(axes.x.x), upper(axes.x.y), upper(axes.x.z)},
+                                {upper(axes.y.x), upper(axes.y.y), upper(axes.y.z)},
+                                {upper(axes.z.x), upper(axes.z.y), upper(axes.z.z)}};
+  const auto is_near = [](std::int64_t x, std::int64_t wanted) {
+    constexpr std::int64_t slack = std::int64_t{one} * (one >> 11);
+    return (x - wanted <= slack) & (wanted - x <= slack);
+  };
+  constexpr std::int64_t unit = std::int64_t{one} * one;
+  bool within = true;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j <= i; ++j) {
+      std::int64_t sum = 0;
+      for (int k = 0; k < 3; ++k)
+        sum = integer::accumulate(sum, e[i][k], e[j][k]);
+      within = within & is_near(sum, i == j ? unit : 0);
+    }
+  std::int64_t half_volume = 0;
+  for (int k = 0; k < 3; ++k) {
+    const int l = (k + 1) % 3, m = (k + 2) % 3;
+    const std::int64_t normal = integer::deduct(integer::multiply(e[0][l], e[1][m]), e[0][m], e[1][l]);
+    half_volume = integer::accumulate(half_volume, static_cast<std::int32_t>(normal >> 31), e[2][k]);
+  }
+  return within & is_near(2 * half_volume, unit);
+}
+
 /// A payload in fixed point against the declared one.
 template <class S, class Word>
 constexpr bool payload_within(const PayloadBody<Stored<Word>>& load) {
@@ -79,6 +116,14 @@ constexpr bool payload_within(const PayloadBody<Stored<Word>>& load) {
   return within;
 }
 
+/// A run-time tool in fixed point against the declared reach.
+template <class S, class Word>
+constexpr bool tool_within(const Pose<Mat3<Vec3<Stored<Word>>>, Vec3<Stored<Word>>>& tool) {
+  using F = InputFormats<detail::described_by<S>, Stored<Word>>;
+  const bool reached = within_length(tool.position, F::tool_limit.reach, F::tool), framed = is_frame(tool.rotation);
+  return reached & framed;
+}
+
 /// The other run-time inputs: what is beyond its format would be another number there.
 template <class S, class Word>
 constexpr Status check_fixed_inputs(const Inputs<S, Stored<Word>>& in) {
@@ -95,6 +140,7 @@ constexpr Status check_fixed_inputs(const Inputs<S, Stored<Word>>& in) {
   if constexpr (Scene::template has<SineCosines>)
     for (int i = 0; i < joint_count<S>; ++i)
       within = within & (!turns_of<detail::described_by<S>>.of[i] | is_turn(in.turns[i], F::sine_cosine));
+  if constexpr (Scene::template has<RuntimeTool>) within = within & tool_within<S>(in.tool);
   return {within ? Status::Code::ok : Status::Code::input_limit, -1};
 }
 
