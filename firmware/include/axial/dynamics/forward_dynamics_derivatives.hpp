@@ -156,6 +156,20 @@ AXIAL_INLINE constexpr auto run_forward(const Links& links, const Input& in, con
   return status;
 }
 
+/// The results of a robot's links in floating point, in a variable that no block of its own keeps from being the
+/// caller's.
+template <class S, class T, class... Wanted>
+AXIAL_INLINE constexpr ForwardDynamicsDerivatives<S, T, Wanted...> forward_of_numbers(
+    const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,
+    const Inputs<S, T>& in) {
+  constexpr auto links = links_of<S, T, BaseParameters, recursion::Derivatives>();
+  auto result = blank<decltype(links), ForwardDynamicsDerivatives<S, T, Wanted...>>();
+  const detail::StateCheck<S, T> check(in, q, qd);
+  result.qdd.status = run_forward(links, in, q, qd, tau, result);
+  check.judge(result.qdd);
+  return result;
+}
+
 }  // namespace derivatives
 
 /// Forward dynamics with its derivatives: accelerations qdd with a status, M_inverse = d qdd / d tau, dqdd_dq(i, j) =
@@ -175,16 +189,10 @@ template <class S, class... Wanted, class T>
       every_joint_is_resisted<S>(),
       "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "
       "each joint a mass, an inertia about the joint axis, or rotor_inertia()");
-  if constexpr (!is_number_v<T>) {
+  if constexpr (is_number_v<T>)
+    return derivatives::forward_of_numbers<S, T, Wanted...>(q, qd, tau, in);
+  else
     return derivatives::ForwardOver<S, T>::template of<Wanted...>(q, qd, tau, in);
-  } else {
-    constexpr auto links = links_of<S, T, BaseParameters, recursion::Derivatives>();
-    auto result = derivatives::blank<decltype(links), ForwardDynamicsDerivatives<S, T, Wanted...>>();
-    const detail::StateCheck<S, T> check(in, q, qd);
-    result.qdd.status = derivatives::run_forward(links, in, q, qd, tau, result);
-    check.judge(result.qdd);
-    return result;
-  }
 }
 /// Overload for a run-time model.
 template <class... Wanted, int N, class... F, class T, class M = Model<N, F...>>
