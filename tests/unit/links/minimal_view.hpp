@@ -183,10 +183,10 @@ struct LoopedLinks : MinimalLinks<SceneType> {
   constexpr int last() const { return 1; }
 };
 template <class SceneType>
-struct UnrolledLinks : MinimalLinks<SceneType> {
+struct UnrolledLinks : MinimalLinks<SceneType>,
+                       IndexedLinks<UnrolledLinks<SceneType>, std::make_integer_sequence<int, 2>> {
   static constexpr bool unrolled = true;
   using Parameters = FullParameters;
-  using Indices = std::make_integer_sequence<int, 2>;
   template <int I>
   static constexpr int parent_of = I - 1;
   template <int I>

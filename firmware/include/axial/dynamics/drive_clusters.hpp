@@ -24,10 +24,16 @@ inline constexpr auto layout = [] {
 }();
 
 /// f(Index<0>{}) ... as slots, `count` of them.
+///@{
+template <class F, int... I>
+AXIAL_INLINE constexpr auto slots_of(const F& f, std::integer_sequence<int, I...>) {
+  return Slots<std::decay_t<decltype(f(Index<I>{}))>...>{{{f(Index<I>{})}...}};
+}
 template <int count, class F>
 AXIAL_INLINE constexpr auto slots(const F& f) {
-  return detail::map_unrolled<void>(f, std::make_integer_sequence<int, count>{});
+  return slots_of(f, std::make_integer_sequence<int, count>{});
 }
+///@}
 /// Entries of a lower triangle, row by row: index of an entry, and back.
 constexpr int entry(int k, int l) { return k * (k + 1) / 2 + l; }
 /// Row of an entry of a lower triangle.

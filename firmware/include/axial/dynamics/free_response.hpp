@@ -57,9 +57,36 @@ struct AtRest {
 template <class K, class D, class R, class B, class L, class W>
 AtRest(K, D, R, B, L, W) -> AtRest<K, D, R, detail::Decided<B>, L, W>;
 
-/// The subtrees at the joint screws, from the tips to the base.
+/// The kind of a joint, as it is.
+struct SameKind {
+  /// the kind
+  template <class Kind>
+  constexpr Kind operator()(Kind kind) const {
+    return kind;
+  }
+};
+/// A step of a pass as f(kind of the joint, i, link i, ...). Where a kind is a type nothing is called in between.
+template <class Links, class F>
+struct ByJoint {
+  const Links& links;  ///< of the scene
+  const F& f;          ///< the step
+
+  /// the step of link i
+  template <class I, class... X>
+  AXIAL_INLINE constexpr auto operator()(I i, const X&... x) const {
+    auto link = links.link(i);
+    if constexpr (Links::unrolled)
+      return f(decltype(link.on_joint(SameKind{})){}, i, link, x...);
+    else
+      return link.on_joint([&](auto joint) AXIAL_INLINE { return f(joint, i, link, x...); });
+  }
+};
+template <class Links, class F>
+ByJoint(const Links&, const F&) -> ByJoint<Links, F>;
+
+/// The structure at the joint screws, from the tips to the base.
 template <class Links, class Input, class Screws>
-AXIAL_INLINE constexpr auto subtrees_at_rest(const Links& links, const Input& in, const Screws& screws) {
+AXIAL_INLINE constexpr auto structure_at_rest(const Links& links, const Input& in, const Screws& screws) {
   const TipLoads<typename Links::Scene, Input> loads(in);
   auto own = [&](auto i) AXIAL_INLINE {
     auto link = links.link(i);
@@ -67,32 +94,24 @@ AXIAL_INLINE constexpr auto subtrees_at_rest(const Links& links, const Input& in
     return link.shape(
         submerged(water_about(links, i), SubtreeInertia{link.formatted(articulated(body)), scale_of(link, body)}));
   };
-  return detail::inward_by_steps(links, own, [&](auto i, const auto& tree) AXIAL_INLINE {
-    auto link = links.link(i);
-    return link.on_joint([&](auto joint) AXIAL_INLINE {
-      auto x = link.x();
-      auto h = hinge(joint, link, tree.inertia, singularity_scale(joint, tree.scale));
-      SubtreeInertia sent{to_parent(x, to_parent(screws[i], h.inertia, link), link.outer()),
-                          seen_from(tree.scale, shift_length(x) + shift_length(screws[i]))};
-      return AtRest{link.shape(h.gain), link.shape(h.resistance), link.shape(h.inverse), h.singular, h.left,
-                    link.shape(sent)};
-    });
-  });
-}
-
-/// The structure at the joint screws.
-template <class Links, class Input, class Screws>
-AXIAL_INLINE constexpr auto structure_at_rest(const Links& links, const Input& in, const Screws& screws) {
+  auto reflect = [&](auto joint, auto i, const auto& link, const auto& tree) AXIAL_INLINE {
+    auto x = link.x();
+    auto h = hinge(joint, link, tree.inertia, singularity_scale(joint, tree.scale));
+    SubtreeInertia sent{to_parent(x, to_parent(screws[i], h.inertia, link), link.outer()),
+                        seen_from(tree.scale, shift_length(x) + shift_length(screws[i]))};
+    return AtRest{link.shape(h.gain), link.shape(h.resistance), link.shape(h.inverse), h.singular, h.left,
+                  link.shape(sent)};
+  };
   if constexpr (detail::stages_apart<Links>) {
-    return detail::called([&] {  // a frame of its own holds what parents bear
-      auto all = subtrees_at_rest(links, in, screws);
+    return detail::called([&]() AXIAL_INLINE {  // a frame of its own holds what parents bear
+      auto all = detail::inward_by_steps(links, own, ByJoint{links, reflect});
       return map_links(links, [&](auto i) AXIAL_INLINE {
-        const auto& own = all[i];
-        return AtRest{own.gain, own.resistance, own.inverse, own.singular, own.left, detail::NoLoad{}};
+        const auto& left = all[i];
+        return AtRest{left.gain, left.resistance, left.inverse, left.singular, left.left, detail::NoLoad{}};
       });
     });
   } else {
-    return subtrees_at_rest(links, in, screws);
+    return inward(links, own, ByJoint{links, reflect});
   }
 }
 
@@ -121,17 +140,15 @@ AXIAL_INLINE constexpr auto respond(const Links& links, const Screws& screws, co
                                     const Drive& drive, Watch& watch, const Take& take) {
   using T = typename Links::Scalar;
   auto nothing = [&](auto i) AXIAL_INLINE { return links.link(i).shape(ForceVector<ZeroVec3, ZeroVec3>{}); };
-  auto forces = inward(links, nothing, [&](auto i, const auto& force) AXIAL_INLINE {
-    auto link = links.link(i);
-    return link.on_joint([&](auto joint) AXIAL_INLINE {
-      Truth<T> lost = structure[i].singular;
-      auto passed = passage(joint, link, structure[i], no_bias_products, force, drive[i], watch.magnified(), lost);
-      auto turned = to_parent(screws[i], passed.bias, link);
-      auto sent = to_parent(link.x(), turned, link.outer());
-      watch(passed.bias, turned, sent, passed.free);
-      return Driven{link.shape(passed.free), lost, link.shape(sent)};
-    });
-  });
+  auto pass = [&](auto joint, auto i, const auto& link, const auto& force) AXIAL_INLINE {
+    Truth<T> lost = structure[i].singular;
+    auto passed = passage(joint, link, structure[i], no_bias_products, force, drive[i], watch.magnified(), lost);
+    auto turned = to_parent(screws[i], passed.bias, link);
+    auto sent = to_parent(link.x(), turned, link.outer());
+    watch(passed.bias, turned, sent, passed.free);
+    return Driven{link.shape(passed.free), lost, link.shape(sent)};
+  };
+  auto forces = inward(links, nothing, ByJoint{links, pass});
   Ordinal<T> first = -1;
   outward(links, MotionVector<ZeroVec3, ZeroVec3>{}, [&](auto i, const auto& parent) AXIAL_INLINE {
     auto link = links.link(i);

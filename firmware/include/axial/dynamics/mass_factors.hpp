@@ -138,11 +138,16 @@ AXIAL_INLINE constexpr auto parent_of(const Links& links, I i) {
   else
     return links.parent_index(i);
 }
+/// Calls f(Index<j>{}) for a sequence of links.
+template <class F, int... J>
+AXIAL_INLINE constexpr void for_each_of(const F& f, std::integer_sequence<int, J...>) {
+  (f(Index<J>{}), ...);
+}
 /// Calls f(j) for links before link i.
 template <class Links, class I, class Step>
 AXIAL_INLINE constexpr void for_each_before(const Links&, I i, const Step& f) {
   if constexpr (Links::unrolled)
-    detail::each_unrolled<Links>(f, std::make_integer_sequence<int, I::value>{});
+    for_each_of(f, std::make_integer_sequence<int, I::value>{});
   else
     for (int j = 0; j < i; ++j)
       f(j);

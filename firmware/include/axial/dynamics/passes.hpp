@@ -60,26 +60,6 @@ namespace detail {
 template <class Step, int I, class Parent>
 using StepResult = std::decay_t<decltype(std::declval<const Step&>()(Index<I>{}, std::declval<const Parent&>()))>;
 
-// The type of every slot of an outward pass, found link by link.
-template <class Links, class Root, class Step, class Found, int Rest>
-struct Outward {
-  static constexpr int I = Links::capacity - Rest;
-  template <int P>
-  static const auto& parent(Index<P> p, const Root& root, const Found& found) {
-    if constexpr (P < 0)
-      return root;
-    else
-      return found[p];
-  }
-  using Parent = decltype(parent(Index<Links::template parent_of<I>>{}, std::declval<Root>(), std::declval<Found>()));
-  using type =
-      typename Outward<Links, Root, Step, typename Found::template Append<StepResult<Step, I, Parent>>, Rest - 1>::type;
-};
-template <class Links, class Root, class Step, class Found>
-struct Outward<Links, Root, Step, Found, 0> {
-  using type = Found;
-};
-
 template <int P, class Root, class Values>
 AXIAL_INLINE constexpr const auto& value_or_root(Index<P> parent, const Root& root, const Values& values) {
   if constexpr (P < 0)
@@ -88,51 +68,50 @@ AXIAL_INLINE constexpr const auto& value_or_root(Index<P> parent, const Root& ro
     return values[parent];
 }
 
-template <class Links, class Root, class Step, int... I>
-AXIAL_INLINE constexpr auto outward_unrolled(const Root& root, const Step& step, std::integer_sequence<int, I...>) {
-  typename Outward<Links, Root, Step, Slots<>, Links::capacity>::type values{};
-  ((values[Index<I>{}] = step(Index<I>{}, value_or_root(Index<Links::template parent_of<I>>{}, root, values))), ...);
-  return values;
-}
+// The type of every slot of an outward pass, found link by link.
+template <class Links, class Root, class Step, class Found, int Rest>
+struct Outward {
+  static constexpr int I = Links::capacity - Rest;
+  using Parent =
+      decltype(value_or_root(Index<Links::template parent_of<I>>{}, std::declval<Root>(), std::declval<Found>()));
+  using type =
+      typename Outward<Links, Root, Step, typename Found::template Append<StepResult<Step, I, Parent>>, Rest - 1>::type;
+};
+template <class Links, class Root, class Step, class Found>
+struct Outward<Links, Root, Step, Found, 0> {
+  using type = Found;
+};
 
-template <class Links, class F, int... I>
-AXIAL_INLINE constexpr void each_unrolled(const F& f, std::integer_sequence<int, I...>) {
-  (f(Index<I>{}), ...);
-}
-
-template <class Links, class F, int... I>
-AXIAL_INLINE constexpr void each_inwards_unrolled(const F& f, std::integer_sequence<int, I...>) {
-  (f(Index<Links::capacity - 1 - I>{}), ...);
-}
-
-template <class Links, class F, int... I>
-AXIAL_INLINE constexpr auto map_unrolled(const F& f, std::integer_sequence<int, I...>) {
-  return Slots<std::decay_t<decltype(f(Index<I>{}))>...>{{{f(Index<I>{})}...}};
-}
+template <int... I>
+using All = std::integer_sequence<int, I...>;  // deduced, for what is inlined is copied once per function on the way
+/// Selects the form of a pass for links that a loop walks over; stops the compiler at links that share drives.
+template <class Links>
+using if_looped = std::enable_if_t<(static_cast<void>(KnowsDrives<Links>{}), !Links::unrolled), int>;
 
 }  // namespace detail
 
 /// Calls f(i) for every link, outwards.
-template <class Links, class F>
+template <class Links, int... I, class F>
+AXIAL_INLINE constexpr void for_each_link(const IndexedLinks<Links, detail::All<I...>>&, const F& f) {
+  (f(Index<I>{}), ...);
+}
+/// Overload for looped links.
+template <class Links, class F, detail::if_looped<Links> = 0>
 AXIAL_INLINE constexpr void for_each_link(const Links& links, const F& f) {
-  static_cast<void>(KnowsDrives<Links>{});
-  if constexpr (Links::unrolled) {
-    detail::each_unrolled<Links>(f, typename Links::Indices{});
-  } else {
-    for (int i = 0; i < links.size(); ++i)
-      f(i);
-  }
+  for (int i = 0; i < links.size(); ++i)
+    f(i);
 }
 
 /// Calls f(i) for every link, from the tips to the base.
-template <class Links, class F>
+template <class Links, int... I, class F>
+AXIAL_INLINE constexpr void for_each_link_inwards(const IndexedLinks<Links, detail::All<I...>>&, const F& f) {
+  (f(Index<Links::capacity - 1 - I>{}), ...);
+}
+/// Overload for looped links.
+template <class Links, class F, detail::if_looped<Links> = 0>
 AXIAL_INLINE constexpr void for_each_link_inwards(const Links& links, const F& f) {
-  if constexpr (Links::unrolled) {
-    detail::each_inwards_unrolled<Links>(f, typename Links::Indices{});
-  } else {
-    for (int i = links.size(); i-- > 0;)
-      f(i);
-  }
+  for (int i = links.size(); i-- > 0;)
+    f(i);
 }
 
 /// Calls f(j) for every link between link i and the base, from its parent on.
@@ -151,32 +130,37 @@ AXIAL_INLINE constexpr void for_each_ancestor(const Links& links, I i, const F& 
 }
 
 /// values[i] = f(i).
-template <class Links, class F>
+template <class Links, int... I, class F>
+AXIAL_INLINE constexpr auto map_links(const IndexedLinks<Links, detail::All<I...>>&, const F& f) {
+  return Slots<std::decay_t<decltype(f(Index<I>{}))>...>{{{f(Index<I>{})}...}};
+}
+/// Overload for looped links.
+template <class Links, class F, detail::if_looped<Links> = 0>
 AXIAL_INLINE constexpr auto map_links(const Links& links, const F& f) {
-  if constexpr (Links::unrolled) {
-    return detail::map_unrolled<Links>(f, typename Links::Indices{});
-  } else {
-    Row<std::decay_t<decltype(f(0))>, Links::capacity> values;
-    for (int i = 0; i < links.size(); ++i)
-      values[i] = f(i);
-    return values;
-  }
+  Row<std::decay_t<decltype(f(0))>, Links::capacity> values;
+  for (int i = 0; i < links.size(); ++i)
+    values[i] = f(i);
+  return values;
 }
 
 /// values[i] = step(i, value of the parent), the base's being `root`.
-template <class Links, class Root, class Step>
+template <class Links, int... I, class Root, class Step>
+AXIAL_INLINE constexpr auto outward(const IndexedLinks<Links, detail::All<I...>>&, const Root& root, const Step& step) {
+  using namespace detail;
+  typename Outward<Links, Root, Step, Slots<>, Links::capacity>::type values{};
+  ((values[Index<I>{}] = step(Index<I>{}, value_or_root(Index<Links::template parent_of<I>>{}, root, values))), ...);
+  return values;
+}
+/// Overload for looped links.
+template <class Links, class Root, class Step, detail::if_looped<Links> = 0>
 AXIAL_INLINE constexpr auto outward(const Links& links, const Root& root, const Step& step) {
-  if constexpr (Links::unrolled) {
-    return detail::outward_unrolled<Links>(root, step, typename Links::Indices{});
-  } else {
-    auto dense_root = root.template dense<typename Links::Dense>();
-    Row<std::decay_t<decltype(step(0, dense_root))>, Links::capacity> values;
-    for (int i = 0; i < links.size(); ++i) {
-      const int parent = links.parent_index(i);
-      values[i] = step(i, parent < 0 ? dense_root : values[parent]);
-    }
-    return values;
+  auto dense_root = root.template dense<typename Links::Dense>();
+  Row<std::decay_t<decltype(step(0, dense_root))>, Links::capacity> values;
+  for (int i = 0; i < links.size(); ++i) {
+    const int parent = links.parent_index(i);
+    values[i] = step(i, parent < 0 ? dense_root : values[parent]);
   }
+  return values;
 }
 
 namespace detail {
@@ -200,44 +184,41 @@ AXIAL_INLINE constexpr auto loaded(NoLoad, const W& load) {
 template <class Pass, int I>
 using LeftBy = decltype(std::declval<const Pass&>().template leave_type<I>());
 
+// The first link from C on that link I carries; `capacity` where there is none.
+template <class Links, int I, int C>
+constexpr int child_of() {
+  if constexpr (C >= Links::capacity)
+    return C;
+  else
+    return Links::template parent_of<C> == I ? C : child_of<Links, I, C + 1>();
+}
+
 // The pass over a tree of types: what the children of link I, from child C on, send to it.
 template <class Links, class Own, class Joint>
 struct Inward {
   const Own& own;
   const Joint& joint;
 
-  template <int I, int C>
+  template <int I, int From>
   AXIAL_INLINE constexpr auto loads_type() const {
-    if constexpr (C >= Links::capacity)
+    constexpr int child = child_of<Links, I, From>();
+    if constexpr (child >= Links::capacity)
       return NoLoad{};
-    else if constexpr (Links::template parent_of<C> == I)
-      return loaded(loads_type<I, C + 1>(), leave_type<C>().sent);
     else
-      return loads_type<I, C + 1>();
+      return loaded(loads_type<I, child + 1>(), leave_type<child>().sent);
   }
   template <int I>
   AXIAL_INLINE constexpr auto leave_type() const {
     return joint(Index<I>{}, loaded(own(Index<I>{}), loads_type<I, I + 1>()));
   }
 
-  template <int I, int C, class Values>
-  AXIAL_INLINE constexpr auto loads(const Values& values) const {
-    if constexpr (C >= Links::capacity)
+  template <int I, int From, class Values>
+  AXIAL_INLINE static constexpr auto loads(const Values& values) {
+    constexpr int child = child_of<Links, I, From>();
+    if constexpr (child >= Links::capacity)
       return NoLoad{};
-    else if constexpr (Links::template parent_of<C> == I)
-      return loaded(loads<I, C + 1>(values), values[Index<C>{}].sent);
     else
-      return loads<I, C + 1>(values);
-  }
-
-  template <int... I>
-  AXIAL_INLINE constexpr auto run(std::integer_sequence<int, I...>) const {
-    constexpr int last = Links::capacity - 1;
-    Slots<LeftBy<Inward, I>...> values{};
-    ((values[Index<last - I>{}] =
-          joint(Index<last - I>{}, loaded(own(Index<last - I>{}), loads<last - I, last - I + 1>(values)))),
-     ...);
-    return values;
+      return loaded(loads<I, child + 1>(values), values[Index<child>{}].sent);
   }
 };
 
@@ -245,21 +226,28 @@ struct Inward {
 
 /// From the tips to the base: left[i] = joint(i, own(i) + what the children sent). What joint() returns has a member
 /// `sent`, the load on the parent in the parent's frame; nothing reads the load that a root link sends.
-template <class Links, class Own, class Joint>
+template <class Links, int... I, class Own, class Joint>
+AXIAL_INLINE constexpr auto inward(const IndexedLinks<Links, detail::All<I...>>&, const Own& own, const Joint& joint) {
+  using Pass = detail::Inward<Links, Own, Joint>;
+  constexpr int last = Links::capacity - 1;
+  Slots<detail::LeftBy<Pass, I>...> left{};
+  ((left[Index<last - I>{}] = joint(
+        Index<last - I>{}, detail::loaded(own(Index<last - I>{}), Pass::template loads<last - I, last - I + 1>(left)))),
+   ...);
+  return left;
+}
+/// Overload for looped links.
+template <class Links, class Own, class Joint, detail::if_looped<Links> = 0>
 AXIAL_INLINE constexpr auto inward(const Links& links, const Own& own, const Joint& joint) {
-  if constexpr (Links::unrolled) {
-    return detail::Inward<Links, Own, Joint>{own, joint}.run(typename Links::Indices{});
-  } else {
-    Row<std::decay_t<decltype(own(0))>, Links::capacity> total;
-    Row<std::decay_t<decltype(joint(0, own(0)))>, Links::capacity> left;
-    for (int i = 0; i < links.size(); ++i)
-      total[i] = own(i);
-    for (int i = links.size(); i-- > 0;) {
-      left[i] = joint(i, total[i]);
-      if (const int parent = links.parent_index(i); parent >= 0) total[parent] = total[parent] + left[i].sent;
-    }
-    return left;
+  Row<std::decay_t<decltype(own(0))>, Links::capacity> total;
+  Row<std::decay_t<decltype(joint(0, own(0)))>, Links::capacity> left;
+  for (int i = 0; i < links.size(); ++i)
+    total[i] = own(i);
+  for (int i = links.size(); i-- > 0;) {
+    left[i] = joint(i, total[i]);
+    if (const int parent = links.parent_index(i); parent >= 0) total[parent] = total[parent] + left[i].sent;
   }
+  return left;
 }
 
 }  // namespace axial

@@ -10,42 +10,27 @@ namespace axial {
 namespace aba {
 
 /// One answer in numbers of unlimited range, each acceleration as it comes.
-template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
-AXIAL_INLINE constexpr auto answer(const Links& links, const Screws& screws, const Structure& structure, const Tau& tau,
-                                   const Bias& bias, A& qdd) {
-  auto drive = map_links(links, [&](auto i) AXIAL_INLINE { return tau[i] - bias[i]; });
-  Unwatched watch;
-  const auto lost = respond(links, screws, structure, drive, watch,
-                            [&](auto i, const auto& own) AXIAL_INLINE { links.write(qdd, i, own); });
-  return status_of<Links>(lost, false);
-}
+struct PlainAnswer {
+  /// Writes the accelerations under tau - bias.
+  template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
+  AXIAL_INLINE static constexpr auto of(const Links& links, const Screws& screws, const Structure& structure,
+                                        const Tau& tau, const Bias& bias, A& qdd) {
+    auto drive = map_links(links, [&](auto i) AXIAL_INLINE { return tau[i] - bias[i]; });
+    Unwatched watch;
+    const auto lost = respond(links, screws, structure, drive, watch,
+                              [&](auto i, const auto& own) AXIAL_INLINE { links.write(qdd, i, own); });
+    return status_of<Links>(lost, false);
+  }
+};
 
 /// How the structure answers what drives it, over links that compute by `Scalar`; a number system with formats has its
 /// own way.
 template <class Scalar>
 struct SplitAnswer {
-  /// Writes the accelerations under tau - bias.
-  template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
-  AXIAL_INLINE static constexpr auto of(const Links& links, const Screws& screws, const Structure& structure,
-                                        const Tau& tau, const Bias& bias, A& qdd) {
-    return answer(links, screws, structure, tau, bias, qdd);
-  }
+  /// the way over these links
+  template <class Links>
+  using Over = PlainAnswer;
 };
-
-/// The algorithm where every joint has a drive of its own.
-template <class Links, class BiasLinks, class Input, class Q, class V, class Tau, class A>
-AXIAL_INLINE constexpr auto run_split_by_joints(const Links& links, const BiasLinks& bias_links, const Input& in,
-                                                const Q& q, const V& qd, const Tau& tau, A& qdd) {
-  auto at = links.read(q);
-  auto screws = joint_screws(links, in, at);
-  auto bias = bias_links.no_efforts();
-  detail::stage<detail::stages_apart<Links>>(
-      [&]() AXIAL_INLINE { rnea::efforts(bias_links, in, at, screws, links.read(qd), NoMotion{}, bias); });
-  auto structure = structure_at_rest(links, in, screws);
-  auto given = links.read(tau);
-  auto left = links.read(bias);
-  return SplitAnswer<typename Links::Scalar>::of(links, screws, structure, given, left, qdd);
-}
 
 /// The algorithm over any form of links; `bias_links` are those of the bias torque, which may be of base parameters.
 template <class Links, class BiasLinks, class Input, class Q, class V, class Tau, class A>
@@ -54,7 +39,19 @@ AXIAL_INLINE constexpr auto run_split(const Links& links, const BiasLinks& bias_
   if constexpr (is_driven<Links>) {
     return DrivenKernels<Links>::by_clusters(links, bias_links, in, q, qd, tau, qdd);
   } else {
-    return run_split_by_joints(links, bias_links, in, q, qd, tau, qdd);
+    auto at = links.read(q);
+    auto screws = joint_screws(links, in, at);
+    auto bias = bias_links.no_efforts();
+    if constexpr (detail::stages_apart<Links>)
+      detail::called([&]()
+                         AXIAL_INLINE { rnea::efforts(bias_links, in, at, screws, links.read(qd), NoMotion{}, bias); });
+    else
+      rnea::efforts(bias_links, in, at, screws, links.read(qd), NoMotion{}, bias);
+    auto structure = structure_at_rest(links, in, screws);
+    auto given = links.read(tau);
+    auto left = links.read(bias);
+    using Answer = typename SplitAnswer<typename Links::Scalar>::template Over<Links>;
+    return Answer::of(links, screws, structure, given, left, qdd);
   }
 }
 

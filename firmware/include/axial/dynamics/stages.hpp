@@ -48,13 +48,10 @@ struct InwardByCalls : Inward<Links, Own, Joint> {
   }
 };
 
-/// inward(), each step as a function of its own where stages are.
+/// inward() over unrolled links, each step as a function of its own.
 template <class Links, class Own, class Joint>
-AXIAL_INLINE constexpr auto inward_by_steps(const Links& links, const Own& own, const Joint& joint) {
-  if constexpr (Links::unrolled && stages_apart<Links>)
-    return InwardByCalls<Links, Own, Joint>{{own, joint}}.run(typename Links::Indices{});
-  else
-    return inward(links, own, joint);
+AXIAL_INLINE constexpr auto inward_by_steps(const Links&, const Own& own, const Joint& joint) {
+  return InwardByCalls<Links, Own, Joint>{{own, joint}}.run(std::make_integer_sequence<int, Links::capacity>{});
 }
 
 }  // namespace detail

@@ -201,19 +201,22 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
   /// A constant of the link, as a type or a literal.
   template <detail::Member<double> M>
   AXIAL_INLINE static constexpr auto get() {
-    return literal<T>([] { return detail::robot_constants<typename Scene::Robot, Parameters>.links[I].*M; });
+    return detail::literal_of_bits<T, detail::bits_of(
+                                          detail::robot_constants<typename Scene::Robot, Parameters>.links[I].*M)>();
   }
   /// whether it has a branch's z-screw
   static constexpr bool branches = detail::robot_constants<typename Scene::Robot, Parameters>.links[I].branches();
   /// A constant of the link's branch, as a type or a literal.
   template <detail::BranchMember<double> M>
   AXIAL_INLINE static constexpr auto branch() {
-    return literal<T>([] { return detail::robot_constants<typename Scene::Robot, Parameters>.links[I].branch.*M; });
+    return detail::literal_of_bits<
+        T, detail::bits_of(detail::robot_constants<typename Scene::Robot, Parameters>.links[I].branch.*M)>();
   }
   /// A constant of the link's drive, as a type or a literal.
   template <detail::DriveMember<double> M>
   AXIAL_INLINE static constexpr auto drive() {
-    return literal<T>([] { return detail::robot_drives<typename Scene::Robot, double>.links[I].*M; });
+    return detail::literal_of_bits<T,
+                                   detail::bits_of(detail::robot_drives<typename Scene::Robot, double>.links[I].*M)>();
   }
   /// A joint's binary angle with the constant part of its turn.
   template <class Q>

@@ -34,15 +34,20 @@ struct Unformatted {
   using Values = PlainValues<Scene, T>;
 };
 
+/// What unrolled links derive from: passes deduce the indices of all links, a pack, from an argument's type.
+template <class Links, class Indices>
+struct IndexedLinks {};
+
 /// All links of a scene's robot, each with its own type. `Scalar` is the number, or what a number system computes by.
 template <class SceneType, class ScalarType, class ParametersType, class FormatsType = Unformatted>
-struct StaticLinks : FormatsType::template Values<SceneType, ScalarType> {
+struct StaticLinks : FormatsType::template Values<SceneType, ScalarType>,
+                     IndexedLinks<StaticLinks<SceneType, ScalarType, ParametersType, FormatsType>,
+                                  std::make_integer_sequence<int, SceneType::Robot::chain.size>> {
   using Scene = SceneType;                ///< what the links belong to
   using Scalar = ScalarType;              ///< the number, or what a number system computes by
   using Parameters = ParametersType;      ///< fullParameters, or base parameters with or without rotors
   static constexpr bool unrolled = true;  ///< every link has its own type
-  static constexpr int capacity = Scene::Robot::chain.size;   ///< number of links
-  using Indices = std::make_integer_sequence<int, capacity>;  ///< of all links
+  static constexpr int capacity = Scene::Robot::chain.size;  ///< number of links
 
   AXIAL_INLINE static constexpr int size() { return capacity; }  ///< number of links
   /// Link I as algorithms see it.

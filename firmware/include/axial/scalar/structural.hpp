@@ -63,10 +63,9 @@ struct Constants {
   AXIAL_INLINE static constexpr T integer(Int<N> n) {
     return n;
   }
-  template <class Get>
-  AXIAL_INLINE static constexpr T constant(Get get) {
-    constexpr double value = get();
-    return NumberTraits<T>::constant(value);
+  template <std::uint64_t bits>
+  AXIAL_INLINE static constexpr T constant() {
+    return NumberTraits<T>::constant(__builtin_bit_cast(double, bits));
   }
 };
 template <class T, int N>
@@ -145,19 +144,24 @@ AXIAL_INLINE constexpr auto operator-(Int<N> n, const T& x) {
 }
 ///@}
 
+namespace detail {
+constexpr std::uint64_t bits_of(double value) { return __builtin_bit_cast(std::uint64_t, value); }
+/// The literal of a value by its bits: one function for all places that have the same value.
+template <class T, std::uint64_t bits>
+AXIAL_INLINE constexpr auto literal_of_bits() {
+  constexpr double value = __builtin_bit_cast(double, bits);
+  if constexpr (value == 0.0 || value == 1.0 || value == -1.0)
+    return Int<static_cast<int>(value)>{};
+  else
+    return Constants<T>::template constant<bits>();
+}
+}  // namespace detail
+
 /// A compile-time value as a number T: a type where it is 0, 1 or -1, else a constant of T.
 /// `literal<float>([] { return Robot::chain.links[0].a; })`.
 template <class T, class Get>
 AXIAL_INLINE constexpr auto literal(Get get) {
-  constexpr double value = get();
-  if constexpr (value == 0.0)
-    return Zero{};
-  else if constexpr (value == 1.0)
-    return One{};
-  else if constexpr (value == -1.0)
-    return MinusOne{};
-  else
-    return detail::Constants<T>::constant(get);
+  return detail::literal_of_bits<T, detail::bits_of(get())>();
 }
 
 }  // namespace axial

@@ -19,17 +19,21 @@ struct Solved {
 };
 
 /// One solve of (tau - bias) / 2^halvings; `room` sees its vectors.
-template <class Links, class Screws, class Structure, class Tau, class Bias>
+template <class Links, class Screws, class Structure, class Tau, class Bias, bool apart = detail::stages_apart<Links>>
 AXIAL_INLINE constexpr Solved<Links> solved(const Links& links, const Screws& screws, const Structure& structure,
                                             const Tau& tau, const Bias& bias, int halvings, Headroom& room) {
-  return detail::stage<detail::stages_apart<Links>>([&]() AXIAL_INLINE {
+  if constexpr (apart) {
+    return detail::called([&]() AXIAL_INLINE {
+      return solved<Links, Screws, Structure, Tau, Bias, false>(links, screws, structure, tau, bias, halvings, room);
+    });
+  } else {
     Solved<Links> result;
     const auto drive = drive_over(links, tau, bias, halvings);
     if constexpr (Links::halvings() > 0) for_each_link(links, [&](auto i) AXIAL_INLINE { room(drive[i]); });
     result.lost = respond(links, screws, structure, drive, room,
                           [&](auto i, const auto& own) AXIAL_INLINE { result.raw[i] = own.raw; });
     return result;
-  });
+  }
 }
 
 /// How many times its declared acceleration a joint's answer may be and still be right to a thousandth of the largest
@@ -63,40 +67,44 @@ AXIAL_INLINE constexpr Status answered_status(int lost, bool scaled, int beyond)
 /// In fixed point: a first solve, whose ranges are proved; then, where formats have bits to spare, one as much larger
 /// as the first leaves room for. The second is taken where it agrees with the first, so that the answer never strays
 /// from the proved one.
-template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
-AXIAL_INLINE constexpr Status answer_in_ranges(const Links& links, const Screws& screws, const Structure& structure,
-                                               const Tau& tau, const Bias& bias, A& qdd) {
-  using S = typename Links::Scalar;
-  constexpr int solves = Links::second_solve() ? 2 : 1;
-  const int halvings = halvings_of(links, tau, bias);
-  Solved<Links> all[solves];
-  int magnified = 0;
-  for (int k = 0; k < solves; ++k) {  // a loop, so that the code is there once
-    Headroom room(magnified);
-    all[k] = solved(links, screws, structure, tau, bias, halvings - magnified, room);
-    if (k + 1 < solves) magnified = select(is_negative(all[0].lost), room.magnification(), 0);
+struct AnswerInRanges {
+  /// Writes the accelerations under tau - bias.
+  template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
+  AXIAL_INLINE static constexpr Status of(const Links& links, const Screws& screws, const Structure& structure,
+                                          const Tau& tau, const Bias& bias, A& qdd) {
+    using S = typename Links::Scalar;
+    constexpr int solves = Links::second_solve() ? 2 : 1;
+    const int halvings = halvings_of(links, tau, bias);
+    Solved<Links> all[solves];
+    int magnified = 0;
+    for (int k = 0; k < solves; ++k) {  // a loop, so that the code is there once
+      Headroom room(magnified);
+      all[k] = solved(links, screws, structure, tau, bias, halvings - magnified, room);
+      if (k + 1 < solves) magnified = select(is_negative(all[0].lost), room.magnification(), 0);
+    }
+    int lost = all[0].lost, beyond = -1;
+    for_each_link(links, [&](auto i) AXIAL_INLINE {
+      constexpr int exponent = decltype(links.link(i))::format.joint_acceleration;
+      const std::int32_t first = all[0].raw[i], second = all[solves - 1].raw[i];
+      const std::int32_t moved = detail::moved_down<S>(second, static_cast<unsigned char>(magnified));
+      const auto apart =
+          static_cast<std::int32_t>(static_cast<std::uint32_t>(moved) - static_cast<std::uint32_t>(first));
+      const int agreement = static_cast<int>(is_negative(all[solves - 1].lost)) &
+                            static_cast<int>(detail::is_less(apart, second_solve_tolerance)) &
+                            static_cast<int>(detail::is_less(-second_solve_tolerance, apart));
+      const bool agrees = agreement != 0;
+      const int net = halvings - select(agrees, magnified, 0);
+      const std::int64_t whole =
+          detail::rescaled_word<S, solves == 1>(static_cast<typename S::Word>(select(agrees, second, first)), net);
+      bool spilt = false;
+      const Fx<exponent, S> held{detail::held_in_word<S>(spilt, whole)};
+      links.write_limited(qdd, i, held, spilt);
+      lost = first_found(lost, spilt, static_cast<int>(i));
+      beyond = first_found(beyond, is_beyond_trust<Links, i, A::exponent(i)>(qdd.values[i].raw), static_cast<int>(i));
+    });
+    return answered_status<Links>(lost, halvings > 0, beyond);
   }
-  int lost = all[0].lost, beyond = -1;
-  for_each_link(links, [&](auto i) AXIAL_INLINE {
-    constexpr int exponent = decltype(links.link(i))::format.joint_acceleration;
-    const std::int32_t first = all[0].raw[i], second = all[solves - 1].raw[i];
-    const std::int32_t moved = detail::moved_down<S>(second, static_cast<unsigned char>(magnified));
-    const auto apart = static_cast<std::int32_t>(static_cast<std::uint32_t>(moved) - static_cast<std::uint32_t>(first));
-    const int agreement = static_cast<int>(is_negative(all[solves - 1].lost)) &
-                          static_cast<int>(detail::is_less(apart, second_solve_tolerance)) &
-                          static_cast<int>(detail::is_less(-second_solve_tolerance, apart));
-    const bool agrees = agreement != 0;
-    const int net = halvings - select(agrees, magnified, 0);
-    const std::int64_t whole =
-        detail::rescaled_word<S, solves == 1>(static_cast<typename S::Word>(select(agrees, second, first)), net);
-    bool spilt = false;
-    const Fx<exponent, S> held{detail::held_in_word<S>(spilt, whole)};
-    links.write_limited(qdd, i, held, spilt);
-    lost = first_found(lost, spilt, static_cast<int>(i));
-    beyond = first_found(beyond, is_beyond_trust<Links, i, A::exponent(i)>(qdd.values[i].raw), static_cast<int>(i));
-  });
-  return answered_status<Links>(lost, halvings > 0, beyond);
-}
+};
 
 /// The smaller of two shifts, without a branch.
 AXIAL_INLINE constexpr int least_of(int a, int b) { return select(detail::is_less(a, b), a, b); }
@@ -124,51 +132,48 @@ constexpr int most_magnified(std::integer_sequence<int, I...>) {
 /// In fixed point, in formats for the declared motion: a first solve of the drive halved so often that whatever efforts
 /// do fits; then solves of as much more of it as the one before left room for. One in which a vector comes within a bit
 /// of its format does not count, and leaves a status.
-template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
-AXIAL_INLINE constexpr Status answer_magnified(const Links& links, const Screws& screws, const Structure& structure,
-                                               const Tau& tau, const Bias& bias, A& qdd) {
-  using S = typename Links::Scalar;
-  using Words = Stored<typename S::Word>;
-  constexpr int most =
-      most_magnified<Links, EffortsOf<typename Links::Scene, Words>,
-                     Joints<typename Links::Scene, Words, role::MotionEffort>>(typename Links::Indices{});
-  const int halvings = halvings_of(links, tau, bias);
-  Solved<Links> best;
-  int magnified = 0, more = 0, lost = -1, beyond = -1;
-  for (int k = 0; k < solves_of<Links>(); ++k) {  // a loop, so that the code is there once
-    Headroom room(magnified + more);
-    const Solved<Links> next = solved(links, screws, structure, tau, bias, halvings - magnified - more, room);
-    const bool good = room.kept();
-    lost = first_found(first_found(lost, !is_negative(next.lost), next.lost), !good, 0);
-    magnified += select(good, more, 0);
-    for_each_link(links, [&](auto i) AXIAL_INLINE { best.raw[i] = select(good, next.raw[i], best.raw[i]); });
-    more = least_of(select(good, room.template magnification<3>(), 0), most - magnified);
-  }
-  for_each_link(links, [&](auto i) AXIAL_INLINE {
-    constexpr int up = A::exponent(i) - decltype(links.link(i))::format.joint_acceleration + Links::halvings();
-    const int shift = up + halvings - magnified;
-    const int held = least_of(select(detail::is_less(shift, -31), -31, shift), 30);
-    bool spilt = false;
-    const auto whole = detail::rescaled_word<S, false>(static_cast<typename S::Word>(best.raw[i]), held);
-    qdd.values[i] = {detail::held_in_word<S>(spilt, whole)};
-    lost = first_found(lost, spilt, static_cast<int>(i));
-    beyond = first_found(beyond, is_beyond_trust<Links, i, A::exponent(i)>(qdd.values[i].raw), static_cast<int>(i));
-  });
-  return answered_status<Links>(lost, halvings > 0, beyond);
-}
-
-/// How words answer: in one solve or two where formats have the room, or magnified step by step.
-template <class Word, bool nearest, bool high, bool checked>
-struct SplitAnswer<Arithmetic<Word, nearest, high, checked>> {
+struct AnswerMagnified {
   /// Writes the accelerations under tau - bias.
   template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
   AXIAL_INLINE static constexpr Status of(const Links& links, const Screws& screws, const Structure& structure,
                                           const Tau& tau, const Bias& bias, A& qdd) {
-    if constexpr (Links::halvings() > 0)
-      return answer_magnified(links, screws, structure, tau, bias, qdd);
-    else
-      return answer_in_ranges(links, screws, structure, tau, bias, qdd);
+    using S = typename Links::Scalar;
+    using Words = Stored<typename S::Word>;
+    constexpr int most = most_magnified<Links, EffortsOf<typename Links::Scene, Words>,
+                                        Joints<typename Links::Scene, Words, role::MotionEffort>>(
+        std::make_integer_sequence<int, Links::capacity>{});
+    const int halvings = halvings_of(links, tau, bias);
+    Solved<Links> best;
+    int magnified = 0, more = 0, lost = -1, beyond = -1;
+    for (int k = 0; k < solves_of<Links>(); ++k) {  // a loop, so that the code is there once
+      Headroom room(magnified + more);
+      const Solved<Links> next = solved(links, screws, structure, tau, bias, halvings - magnified - more, room);
+      const bool good = room.kept();
+      lost = first_found(first_found(lost, !is_negative(next.lost), next.lost), !good, 0);
+      magnified += select(good, more, 0);
+      for_each_link(links, [&](auto i) AXIAL_INLINE { best.raw[i] = select(good, next.raw[i], best.raw[i]); });
+      more = least_of(select(good, room.template magnification<3>(), 0), most - magnified);
+    }
+    for_each_link(links, [&](auto i) AXIAL_INLINE {
+      constexpr int up = A::exponent(i) - decltype(links.link(i))::format.joint_acceleration + Links::halvings();
+      const int shift = up + halvings - magnified;
+      const int held = least_of(select(detail::is_less(shift, -31), -31, shift), 30);
+      bool spilt = false;
+      const auto whole = detail::rescaled_word<S, false>(static_cast<typename S::Word>(best.raw[i]), held);
+      qdd.values[i] = {detail::held_in_word<S>(spilt, whole)};
+      lost = first_found(lost, spilt, static_cast<int>(i));
+      beyond = first_found(beyond, is_beyond_trust<Links, i, A::exponent(i)>(qdd.values[i].raw), static_cast<int>(i));
+    });
+    return answered_status<Links>(lost, halvings > 0, beyond);
   }
+};
+
+/// How words answer: in one solve or two where formats have the room, or magnified step by step.
+template <class Word, bool nearest, bool high, bool checked>
+struct SplitAnswer<Arithmetic<Word, nearest, high, checked>> {
+  /// the way over these links
+  template <class Links>
+  using Over = std::conditional_t<(Links::halvings() > 0), AnswerMagnified, AnswerInRanges>;
 };
 
 }  // namespace aba

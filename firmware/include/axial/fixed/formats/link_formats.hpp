@@ -95,14 +95,13 @@ struct FormatRounding {
   static constexpr bool ranged = true;
   static constexpr const LinkFormat& format = Table::value.format[I];
   template <class Quantity, class... Terms>
-  AXIAL_INLINE static constexpr auto sum(Quantity quantity, const Terms&... terms) {
+  AXIAL_INLINE static constexpr auto sum(Quantity, const Terms&... terms) {
     constexpr int exponent = Table::value.format[I].of(Quantity{});
     if constexpr ((IsVec3<Terms>::value || ...))
-      return Vec3{sum(quantity, terms.x...), sum(quantity, terms.y...), sum(quantity, terms.z...)};
-    else if constexpr (are_fixed_terms<Terms...> && !S::high_word)
-      return rounded_sum<exponent, S>(terms...);
+      return Vec3{rounded_sum<exponent, S>(terms.x...), rounded_sum<exponent, S>(terms.y...),
+                  rounded_sum<exponent, S>(terms.z...)};
     else
-      return rounded<exponent>(lazy_sum(terms...));
+      return rounded_sum<exponent, S>(terms...);
   }
   template <class Quantity, class Inverse, class X>
   AXIAL_INLINE static constexpr auto quotient(Quantity quantity, const Inverse& inverse, const X& x) {
@@ -200,17 +199,10 @@ struct FormatRounding {
     return integer::multiply_high(a, b);
   }
   template <class Quantity, class M>
-  AXIAL_INLINE static constexpr auto symmetric(Quantity q, const M& m) {
-    return Sym3{sum(q, m.xx), sum(q, m.yy), sum(q, m.zz), sum(q, m.xy), sum(q, m.xz), sum(q, m.yz)};
-  }
-  template <int E, class X>
-  AXIAL_INLINE static constexpr auto rounded(const X& x) {
-    if constexpr (is_zero_v<X>)
-      return Zero{};
-    else if constexpr (is_structural_v<X>)
-      return NumberTraits<Fx<E, S>>::constant(static_cast<double>(X::value));
-    else
-      return round_to<E>(x);
+  AXIAL_INLINE static constexpr auto symmetric(Quantity, const M& m) {
+    constexpr int e = Table::value.format[I].of(Quantity{});
+    return Sym3{rounded_sum<e, S>(m.xx), rounded_sum<e, S>(m.yy), rounded_sum<e, S>(m.zz),
+                rounded_sum<e, S>(m.xy), rounded_sum<e, S>(m.xz), rounded_sum<e, S>(m.yz)};
   }
 };
 

@@ -83,8 +83,6 @@ inline constexpr bool is_literal_v = false;
 template <std::uint64_t Bits, class S>
 inline constexpr bool is_literal_v<Literal<Bits, S>> = true;
 
-constexpr std::uint64_t bits_of(double value) { return __builtin_bit_cast(std::uint64_t, value); }
-
 }  // namespace detail
 
 template <class X>
@@ -120,10 +118,9 @@ struct Constants<Fx<E, S>> {
 /// Constants of a model are literals until they meet a format.
 template <class Word, bool nearest, bool high, bool checked>
 struct Constants<Arithmetic<Word, nearest, high, checked>> {
-  template <class Get>
-  AXIAL_INLINE static constexpr auto constant(Get get) {
-    constexpr double value = get();
-    return Literal<bits_of(value), Arithmetic<Word, nearest, high, checked>>{};
+  template <std::uint64_t bits>
+  AXIAL_INLINE static constexpr auto constant() {
+    return Literal<bits, Arithmetic<Word, nearest, high, checked>>{};
   }
 };
 }  // namespace detail
@@ -163,7 +160,7 @@ AXIAL_INLINE constexpr auto operator*(Literal<B, S> a, Fx<F, S> b) {
 }
 template <int E, std::uint64_t B, class S>
 AXIAL_INLINE constexpr auto operator*(Fx<E, S> a, Literal<B, S> b) {
-  return b * a;
+  return Product<Literal<B, S>, Fx<E, S>>{b, a};
 }
 template <std::uint64_t A, std::uint64_t B, class S>
 AXIAL_INLINE constexpr auto operator*(Literal<A, S>, Literal<B, S>) {
@@ -191,7 +188,10 @@ AXIAL_INLINE constexpr auto operator+(const A& a, const B& b) {
 }
 template <class A, class B, detail::if_fixed<A> = 0, detail::if_fixed<B> = 0>
 AXIAL_INLINE constexpr auto operator-(const A& a, const B& b) {
-  return a + (-b);
+  if constexpr (detail::is_literal_v<A> && detail::is_literal_v<B>)
+    return a + (-b);
+  else
+    return Sum<A, decltype(-b)>{a, -b};
 }
 ///@}
 

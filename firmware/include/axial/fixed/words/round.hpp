@@ -12,15 +12,23 @@ namespace detail {
 inline constexpr double bam_per_radian = 683565275.5764316;  // 2^32 / (2 pi)
 }
 
+namespace detail {
+// A double word at exponent A as a word at E.
+template <int E, int A, class S>
+AXIAL_INLINE constexpr typename S::Word rounded_word(typename S::Bits x) {
+  if constexpr (A <= E) {
+    return narrowed<S>(shifted<E - A, S>(x));
+  } else {
+    constexpr auto half = S::nearest ? typename S::Bits{1} << (A - E - 1) : typename S::Bits{0};
+    return narrowed<S>(shifted<E - A, S>(x + half));
+  }
+}
+}  // namespace detail
+
 /// A double word in one word at exponent E: to nearest (halves up) or down, as the arithmetic says.
 template <int E, int A, class S>
 AXIAL_INLINE constexpr Fx<E, S> round_to(const Acc<A, S>& x) {
-  if constexpr (A <= E) {
-    return {detail::narrowed<S>(detail::shifted<E - A, S>(x.raw))};
-  } else {
-    constexpr auto half = S::nearest ? typename S::Bits{1} << (A - E - 1) : typename S::Bits{0};
-    return {detail::narrowed<S>(detail::shifted<E - A, S>(x.raw + half))};
-  }
+  return {detail::rounded_word<E, A, S>(x.raw)};
 }
 /// Any expression, rounded once into exponent E. The caller has shown that the result fits.
 template <int E, class X, detail::if_fixed<X> = 0>
@@ -31,7 +39,8 @@ AXIAL_INLINE constexpr auto round_to(const X& x) {
   else if constexpr (S::high_word)
     return detail::rounded_from_upper<E>(x);
   else
-    return round_to<E>(accumulate<accumulator_exponent<X, E>>(x));
+    return Fx<E, S>{
+        detail::rounded_word<E, accumulator_exponent<X, E>, S>(detail::widened<accumulator_exponent<X, E>>(x))};
 }
 
 namespace detail {
@@ -53,18 +62,26 @@ AXIAL_INLINE constexpr auto lazy_sum(const X& x, const Y& y, const Rest&... rest
 template <class... X>
 inline constexpr bool are_fixed_terms = ((FixedKind<X>::value || is_zero_v<X>)&&...) && (FixedKind<X>::value || ...);
 
-/// The sum of terms without products, or of products by whole double words, rounded once into exponent E: what
-/// round_to() makes of a lazy sum of them, in one step.
+/// The sum of terms, rounded once into exponent E: what round_to() makes of a lazy sum of them. In one step where they
+/// have no products, or products by whole double words; a zero by type stays one.
 template <int E, class S, class... X>
-AXIAL_INLINE constexpr Fx<E, S> rounded_sum(const X&... x) {
-  if constexpr (!(Terms<X>::has_product || ...)) {
-    return {narrowed<S>(static_cast<typename S::Upper>((... + gathered<E>(x))))};
+AXIAL_INLINE constexpr auto rounded_sum(const X&... x) {
+  if constexpr (!are_fixed_terms<X...> || S::high_word) {
+    using Exact = std::decay_t<decltype(lazy_sum(x...))>;
+    if constexpr (is_zero_v<Exact>)
+      return Zero{};
+    else if constexpr (is_structural_v<Exact>)
+      return NumberTraits<Fx<E, S>>::constant(static_cast<double>(Exact::value));
+    else
+      return round_to<E>(lazy_sum(x...));
+  } else if constexpr (!(Terms<X>::has_product || ...)) {
+    return Fx<E, S>{narrowed<S>(static_cast<typename S::Upper>((... + gathered<E>(x))))};
   } else {
     constexpr int common = [] {
       int least = E + S::bits;
       return ((least = smaller(least, Terms<X>::common(E + S::bits))), ...);
     }();
-    return round_to<E>(Acc<common, S>{static_cast<typename S::Bits>((... + widened<common>(x)))});
+    return Fx<E, S>{rounded_word<E, common, S>(static_cast<typename S::Bits>((... + widened<common>(x))))};
   }
 }
 

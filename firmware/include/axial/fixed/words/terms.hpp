@@ -80,7 +80,8 @@ AXIAL_INLINE constexpr typename S::Bits shifted(typename S::Bits x) {
 template <class S>
 AXIAL_INLINE constexpr typename S::Bits product(typename S::Word a, typename S::Word b) {
   using integer::multiply;  // a word that is no native integer brings its own
-  if constexpr (S::bits == 32)
+  constexpr bool by_processor = AXIAL_LONG_MULTIPLY && std::is_integral_v<typename S::Word>;
+  if constexpr (S::bits == 32 && !by_processor)
     return static_cast<typename S::Bits>(typename S::Wide{multiply(a, b)});
   else
     return static_cast<typename S::Bits>(typename S::Wide{a} * typename S::Wide{b});
@@ -103,15 +104,21 @@ AXIAL_INLINE constexpr typename S::Bits widened(const Literal<B, S>&) {
 template <int A, std::uint64_t B, int F, class S, bool n>
 AXIAL_INLINE constexpr typename S::Bits widened(const Product<Literal<B, S>, Fx<F, S>, n>& x) {
   constexpr int c = literal_exponent<Literal<B, S>, S>(A, F);
-  return shifted<A - F - c, S>(product<S>(literal_word<Literal<B, S>, c, S>, x.b.raw));
+  if constexpr (A == F + c)
+    return product<S>(literal_word<Literal<B, S>, c, S>, x.b.raw);
+  else
+    return shifted<A - F - c, S>(product<S>(literal_word<Literal<B, S>, c, S>, x.b.raw));
 }
 template <int A, int E, int F, class S, bool negative>
 AXIAL_INLINE constexpr typename S::Bits widened(const Product<Fx<E, S>, Fx<F, S>, negative>& x) {
-  const auto bits = shifted<A - E - F, S>(product<S>(x.a.raw, x.b.raw));
-  if constexpr (negative)
-    return 0 - bits;
+  if constexpr (A != E + F && negative)
+    return 0 - shifted<A - E - F, S>(product<S>(x.a.raw, x.b.raw));
+  else if constexpr (A != E + F)
+    return shifted<A - E - F, S>(product<S>(x.a.raw, x.b.raw));
+  else if constexpr (negative)
+    return 0 - product<S>(x.a.raw, x.b.raw);
   else
-    return bits;
+    return product<S>(x.a.raw, x.b.raw);
 }
 template <int A, class X, class Y>
 AXIAL_INLINE constexpr auto widened(const Sum<X, Y>& x) {
