@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/dynamics/stages.hpp>
-#include <axial/fixed/words/arithmetic.hpp>
+#include <axial/fixed/words/terms.hpp>
 
 #include <axial/options/begin.hpp>
 
