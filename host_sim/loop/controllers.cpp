@@ -55,6 +55,7 @@ using Factory = std::unique_ptr<Controller> (*)(bool fixed);
 struct Entry {
   const char* robot;
   Factory make;
+  bool shares_drives;
 };
 
 template <class Robot>
@@ -65,7 +66,7 @@ std::unique_ptr<Controller> host(bool fixed) {
 
 template <class... Robots>
 std::vector<Entry> entries(::robots::List<Robots...>) {
-  return {{Robots::name, host<Robots>}...};
+  return {{Robots::name, host<Robots>, axial::detail::shares_drives_in<typename axial::scene_of<Robots>::Robot>}...};
 }
 
 using Tracked = ::robots::List<::robots::Scara, ::robots::Puma560, ::robots::ScaraQuill, ::robots::Palletiser,
@@ -86,6 +87,13 @@ std::vector<std::string> robots() {
   std::vector<std::string> names;
   for (const Entry& entry : entries(Tracked{}))
     names.emplace_back(entry.robot);
+  return names;
+}
+
+std::vector<std::string> robots_of_single_drives() {
+  std::vector<std::string> names;
+  for (const Entry& entry : entries(Tracked{}))
+    if (!entry.shares_drives) names.emplace_back(entry.robot);
   return names;
 }
 

@@ -22,6 +22,8 @@ class Controller {
 
 /// Robots that have a tracking image.
 std::vector<std::string> robots();
+/// Those of them whose joints share no drives: regulators and observers have images of these.
+std::vector<std::string> robots_of_single_drives();
 
 /// `number`: float or fixed32. Throw std::runtime_error that names what there is.
 std::unique_ptr<Controller> on_host(const std::string& robot, const std::string& number);

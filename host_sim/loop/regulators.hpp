@@ -5,7 +5,7 @@
 
 namespace host_sim::loop {
 
-/// For the robots that have a tracking image. Throw std::runtime_error that names them.
+/// For robots_of_single_drives(). Throw std::runtime_error that names them.
 std::unique_ptr<Controller> regulator_on_host(const std::string& robot);
 std::unique_ptr<Controller> regulator_in_firmware(const std::string& board, const std::string& robot);
 

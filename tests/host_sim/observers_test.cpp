@@ -19,7 +19,7 @@ Case noisy(const std::string& robot) {
 }  // namespace
 
 TEST(Observers, VelocitiesAreBetterThanDifferences) {
-  for (const std::string& robot : robots())
+  for (const std::string& robot : robots_of_single_drives())
     for (const double wrong : {0.0, 0.05}) {
       Case c = noisy(robot);
       c.parameter_error = wrong, c.seed = 3;
@@ -36,7 +36,7 @@ TEST(Observers, VelocitiesAreBetterThanDifferences) {
 }
 
 TEST(Observers, NoiseReachesTheTorqueLess) {
-  for (const std::string& robot : robots()) {
+  for (const std::string& robot : robots_of_single_drives()) {
     const auto observer = observer_on_host(robot);
     const auto pd = on_host(robot, "float");
     const VelocityErrors filtered = observe(noisy(robot), *observer), differenced = observe(noisy(robot), *pd);

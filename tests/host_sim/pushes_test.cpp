@@ -28,7 +28,7 @@ void expect_back(const Recovery& r) {
 }  // namespace
 
 TEST(Pushes, AnArmComesBackWhereverItsMotionIs) {
-  for (const std::string& robot : robots())
+  for (const std::string& robot : robots_of_single_drives())
     for (double start = 0.0; start < 3.0; start += 0.5) {
       SCOPED_TRACE(robot + ", " + std::to_string(start));
       expect_back(after(robot, -1, start));
@@ -36,7 +36,7 @@ TEST(Pushes, AnArmComesBackWhereverItsMotionIs) {
 }
 
 TEST(Pushes, AJointComesBackAndDisturbsTheOthersLittle) {
-  for (const std::string& robot : robots())
+  for (const std::string& robot : robots_of_single_drives())
     for (int joint = 0; joint < static_cast<int>(push_of(robot, -1).size()); ++joint) {
       SCOPED_TRACE(robot + ", joint " + std::to_string(joint));
       const Recovery r = after(robot, joint, 0.5);
@@ -47,7 +47,7 @@ TEST(Pushes, AJointComesBackAndDisturbsTheOthersLittle) {
 }
 
 TEST(Pushes, TheRegulatorFollowsAtLeastAsWellAsTheTrackingImage) {
-  for (const std::string& robot : robots())
+  for (const std::string& robot : robots_of_single_drives())
     for (const double wrong : {0.0, 0.05}) {
       Case c;
       c.robot = robot, c.seconds = 4.0, c.parameter_error = wrong, c.seed = 3;
