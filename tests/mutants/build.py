@@ -92,7 +92,8 @@ def link(objects, libraries, output):
     command = ["g++", *map(str, objects), "-lgtest_main", "-lgtest", "-lquadmath", "-lpthread", *libraries, "-o", str(output)]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode:
-        raise BuildError(done.stderr.strip().splitlines()[-1])
+        lines = done.stderr.strip().splitlines()
+        raise BuildError(next((line for line in lines if "undefined reference" in line), lines[-1]))
 
 
 def run(program, tests):
