@@ -22,29 +22,28 @@ void add(Hash& hash, const Answer& answer, int joints) {
   hash.add(static_cast<std::int32_t>(answer.status.code));
 }
 
-template <class R>
-std::uint64_t bits_of_forward_dynamics() {
+/// Hash of what `solve` answers to the fixed sequence of states.
+template <class R, class Solve>
+std::uint64_t bits_of(const Solve& solve) {
   Random random;
   Hash hash;
   for (int k = 0; k < states; ++k) {
     const auto call = next_call<R, Fixed32>(random, k);
-    add(hash, axial::forward_dynamics<R>(call.q, call.qd, call.tau), R::chain.size);
+    const auto answer = solve(call.q, call.qd, call.tau);
+    add(hash, answer, R::chain.size);
+    if constexpr (std::is_same_v<decltype(answer), const axial::CertifiedDynamics<R, Fixed32>>)
+      for (int i = 0; i < R::chain.size; ++i)
+        hash.add(answer.bound[i].raw);
   }
   return hash.value();
 }
-
+template <class R>
+std::uint64_t bits_of_forward_dynamics() {
+  return bits_of<R>([](const auto&... in) { return axial::forward_dynamics<R>(in...); });
+}
 template <class R>
 std::uint64_t bits_of_certified_dynamics() {
-  Random random;
-  Hash hash;
-  for (int k = 0; k < states; ++k) {
-    const auto call = next_call<R, Fixed32>(random, k);
-    const auto answer = axial::certified_forward_dynamics<R, Fixed32>(call.q, call.qd, call.tau);
-    add(hash, answer, R::chain.size);
-    for (int i = 0; i < R::chain.size; ++i)
-      hash.add(answer.bound[i].raw);
-  }
-  return hash.value();
+  return bits_of<R>([](const auto&... in) { return axial::certified_forward_dynamics<R, Fixed32>(in...); });
 }
 
 TEST(RepeatedSolves, TwoOfAnArmOfSevenJoints) {

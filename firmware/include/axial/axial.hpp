@@ -49,4 +49,5 @@
 #include <axial/control/plain_arrays.hpp>
 #include <axial/control/role_checks.hpp>
 
+// Behind plain_arrays.hpp: what stands between it and the user is a line more of each of its messages.
 #include <axial/dynamics/derivatives_on_arrays.hpp>

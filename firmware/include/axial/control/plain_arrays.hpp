@@ -19,17 +19,19 @@ inline constexpr bool takes_arrays_of = takes_arrays<S, count, A...> && (true &&
 /// feedforward on arrays that have a number for each joint, instead of joint values or mixed with them.
 template <class S, class T, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto feedforward(FeedforwardState<S, T>& state, const A&... given) {
-  static_assert(detail::takes_arrays_of<T, S, 3, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values < S, detail::takes_arrays_of<T, S, 3, A...> ? 3 : -1, FeedforwardResult < S,
-         T >> ([&](const auto&... in) AXIAL_INLINE { return feedforward<S>(state, in...); }, given...);
+  constexpr bool fit = detail::takes_arrays_of<T, S, 3, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, FeedforwardResult<S, T>>(
+      [&](const auto&... in) AXIAL_INLINE { return feedforward<S>(state, in...); }, given...);
 }
 
 /// compensate_gravity on an array that has a number for each joint.
 template <class S, class T, class A, class... More, class = detail::IfAnyIsPlainArray<A>>
 [[nodiscard]] constexpr auto compensate_gravity(SafeLoopState<S, T>& state, const A& q, const More&... in) {
-  static_assert(detail::takes_arrays_of<T, S, 1, A>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values < S, detail::takes_arrays_of<T, S, 1, A> ? 1 : -1, FeedforwardResult < S,
-         T >> ([&](const auto& at) AXIAL_INLINE { return compensate_gravity<S>(state, at, in...); }, q);
+  constexpr bool fit = detail::takes_arrays_of<T, S, 1, A>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, FeedforwardResult<S, T>>(
+      [&](const auto& at) AXIAL_INLINE { return compensate_gravity<S>(state, at, in...); }, q);
 }
 
 /// Checks and the nearest request on arrays that have a number for each joint, instead of joint values or mixed with
@@ -37,20 +39,23 @@ template <class S, class T, class A, class... More, class = detail::IfAnyIsPlain
 ///@{
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto check_request(const A&... given) {
-  static_assert(detail::takes_arrays<S, 3, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 3, Status>([](const auto&... in) AXIAL_INLINE { return check_request<S>(in...); },
-                                                 given...);
+  constexpr bool fit = detail::takes_arrays<S, 3, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, Status>(
+      [](const auto&... in) AXIAL_INLINE { return check_request<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto check_position(const A&... given) {
-  static_assert(detail::takes_arrays<S, 1, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 1, Status>(
+  constexpr bool fit = detail::takes_arrays<S, 1, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, Status>(
       [](const auto&... in) AXIAL_INLINE { return check_position<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto clamped_request(const A&... given) {
-  static_assert(detail::takes_arrays<S, 3, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 3, Request<S, float>>(
+  constexpr bool fit = detail::takes_arrays<S, 3, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, Request<S, float>>(
       [](const auto&... in) AXIAL_INLINE { return clamped_request<S>(in...); }, given...);
 }
 ///@}

@@ -17,33 +17,38 @@ namespace axial {
 ///@{
 template <class S, class... Wanted, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto inverse_dynamics_derivatives(const A&... given) {
-  static_assert(detail::takes_arrays<S, 3, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 3, InverseDynamicsDerivatives<S, float, Wanted...>>(
+  constexpr bool fit = detail::takes_arrays<S, 3, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, InverseDynamicsDerivatives<S, float, Wanted...>>(
       [](const auto&... in) AXIAL_INLINE { return inverse_dynamics_derivatives<S, Wanted...>(in...); }, given...);
 }
 template <class S, class... Wanted, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto forward_dynamics_derivatives(const A&... given) {
-  static_assert(detail::takes_arrays<S, 3, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 3, ForwardDynamicsDerivatives<S, float, Wanted...>>(
+  constexpr bool fit = detail::takes_arrays<S, 3, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, ForwardDynamicsDerivatives<S, float, Wanted...>>(
       [](const auto&... in) AXIAL_INLINE { return forward_dynamics_derivatives<S, Wanted...>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto torque_regressor(const A&... given) {
-  static_assert(detail::takes_arrays<S, 3, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 3, TorqueRegressor<S, float>>(
+  constexpr bool fit = detail::takes_arrays<S, 3, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, TorqueRegressor<S, float>>(
       [](const auto&... in) AXIAL_INLINE { return torque_regressor<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto torque_rates(const A&... given) {
   constexpr int count = detail::joint_values_among<A...> == 5 ? 5 : 4;
-  static_assert(detail::takes_arrays<S, count, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, count, TorqueRates<S, float>>(
+  constexpr bool fit = detail::takes_arrays<S, count, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, TorqueRates<S, float>>(
       [](const auto&... in) AXIAL_INLINE { return torque_rates<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto elastic_feedforward(const A&... given) {
-  static_assert(detail::takes_arrays<S, 5, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 5, ElasticFeedforward<S, float>>(
+  constexpr bool fit = detail::takes_arrays<S, 5, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, ElasticFeedforward<S, float>>(
       [](const auto&... in) AXIAL_INLINE { return elastic_feedforward<S>(in...); }, given...);
 }
 ///@}

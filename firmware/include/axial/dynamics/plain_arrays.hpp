@@ -122,11 +122,11 @@ AXIAL_INLINE constexpr auto as_joint_values(const A& given) {
   }
 }
 
-/// What `run` makes of joint values, of which some are arrays; nothing where these do not fit, so that the kernel's one
-/// sentence about that is all that a compiler prints.
-template <class S, int count, class Empty, class Run, class... A>
+/// What `run` makes of joint values, of which some are arrays; nothing where they do not `fit`, so that the kernel's
+/// one sentence about that is all that a compiler prints.
+template <class S, bool fit, class Empty, class Run, class... A>
 AXIAL_INLINE constexpr auto with_joint_values(const Run& run, const A&... given) {
-  if constexpr (takes_arrays<S, count, A...>)
+  if constexpr (fit)
     return run(as_joint_values<S>(given)...);
   else
     return Empty{};
@@ -139,68 +139,79 @@ AXIAL_INLINE constexpr auto with_joint_values(const Run& run, const A&... given)
 ///@{
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto inverse_dynamics(const A&... given) {
-  static_assert(detail::takes_arrays<S, 3, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 3, Efforts<robot_of<S>, float>>(
+  constexpr bool fit = detail::takes_arrays<S, 3, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, Efforts<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return inverse_dynamics<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto gravity_torque(const A&... given) {
-  static_assert(detail::takes_arrays<S, 1, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 1, Efforts<robot_of<S>, float>>(
+  constexpr bool fit = detail::takes_arrays<S, 1, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, Efforts<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return gravity_torque<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto bias_torque(const A&... given) {
-  static_assert(detail::takes_arrays<S, 2, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 2, Efforts<robot_of<S>, float>>(
+  constexpr bool fit = detail::takes_arrays<S, 2, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, Efforts<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return bias_torque<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto forward_dynamics(const A&... given) {
-  static_assert(detail::takes_arrays<S, 3, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 3, ForwardDynamicsOf<S, float>>(
+  constexpr bool fit = detail::takes_arrays<S, 3, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, ForwardDynamicsOf<S, float>>(
       [](const auto&... in) AXIAL_INLINE { return forward_dynamics<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto mass_matrix(const A&... given) {
-  static_assert(detail::takes_arrays<S, 1, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 1, MassMatrix<robot_of<S>, float>>(
+  constexpr bool fit = detail::takes_arrays<S, 1, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, MassMatrix<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return mass_matrix<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto forward_kinematics(const A&... given) {
-  static_assert(detail::takes_arrays<S, 1, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 1, ForwardKinematics<robot_of<S>, float>>(
+  constexpr bool fit = detail::takes_arrays<S, 1, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, ForwardKinematics<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return forward_kinematics<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto jacobian(const A&... given) {
-  static_assert(detail::takes_arrays<S, 1, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 1, Jacobian<robot_of<S>, float>>(
+  constexpr bool fit = detail::takes_arrays<S, 1, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, Jacobian<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return jacobian<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto separate(const A&... given) {
-  static_assert(detail::takes_arrays<S, 1, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 1, Separated<S, float>>(
+  constexpr bool fit = detail::takes_arrays<S, 1, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, Separated<S, float>>(
       [](const auto&... in) AXIAL_INLINE { return separate<S>(in...); }, given...);
 }
 template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto momentum_terms(const A&... given) {
-  static_assert(detail::takes_arrays<S, 2, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 2, MomentumTerms<S, float>>(
+  constexpr bool fit = detail::takes_arrays<S, 2, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, MomentumTerms<S, float>>(
       [](const auto&... in) AXIAL_INLINE { return momentum_terms<S>(in...); }, given...);
 }
 template <class S, int Joint, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto joint_torque(const A&... given) {
-  static_assert(detail::takes_arrays<S, 3, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 3, float>(
+  constexpr bool fit = detail::takes_arrays<S, 3, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, float>(
       [](const auto&... in) AXIAL_INLINE { return joint_torque<S, Joint>(in...); }, given...);
 }
 template <class S, int Joint, class... A, class = detail::IfAnyIsPlainArray<A...>>
 [[nodiscard]] constexpr auto gravity_torque(const A&... given) {
-  static_assert(detail::takes_arrays<S, 1, A...>, AXIAL_ARRAYS_FIT);
-  return detail::with_joint_values<S, 1, float>(
+  constexpr bool fit = detail::takes_arrays<S, 1, A...>;
+  static_assert(fit, AXIAL_ARRAYS_FIT);
+  return detail::with_joint_values<S, fit, float>(
       [](const auto&... in) AXIAL_INLINE { return gravity_torque<S, Joint>(in...); }, given...);
 }
 ///@}

@@ -6,25 +6,12 @@
 #include <cmath>
 #include <host_sim/exhaustive/fixed_states.hpp>
 
+#include "light_tip.hpp"
+
 using namespace axial;
 
 namespace {
 
-constexpr Link joint(double mass, double size) {
-  const double j = mass * size * size / 6.0;
-  return revolute()
-      .mass(mass)
-      .com(0.5 * size, 0.0, 0.1 * size)
-      .inertia_com(j, j, j)
-      .position_limits(-2.0, 2.0)
-      .speed_limit(2.0)
-      .acceleration_limit(32.0)
-      .effort_limit(64.0);
-}
-struct LightTip {
-  static constexpr auto chain = axial::chain(gravity(0.0, -9.81, 0.0), joint(4.0, 0.4), joint(2.0, 0.3).a(0.4),
-                                             joint(1e-3, 0.01).a(0.3).alpha_deg(70));
-};
 // A pendulum whose efforts could drive it at two thousand times what it declares, and one at fifty times.
 struct Quick {
   static constexpr auto chain = axial::chain(gravity(0.0, -9.81, 0.0), joint(0.1, 0.13));

@@ -5,6 +5,8 @@
 #include <host_sim/exhaustive/fixed_states.hpp>
 #include <robots/robots.hpp>
 
+#include "light_tip.hpp"
+
 using namespace axial;
 
 namespace {
@@ -72,17 +74,6 @@ void expect_bounded(int at_least) {
   EXPECT_GT(nearest, 0.01) << "bounds as loose as this say little";
 }
 
-constexpr Link joint(double mass, double size) {
-  const double j = mass * size * size / 6.0;
-  return revolute()
-      .mass(mass)
-      .com(0.5 * size, 0.0, 0.1 * size)
-      .inertia_com(j, j, j)
-      .position_limits(-2.0, 2.0)
-      .speed_limit(2.0)
-      .acceleration_limit(32.0)
-      .effort_limit(64.0);
-}
 // Two arms on one column.
 struct Fork {
   static constexpr auto chain =
@@ -262,15 +253,7 @@ TEST(ForwardDerivativesInWords, NameAJointWithAnEntryBeyondItsFormat) {
   EXPECT_EQ(detail::derivatives_status({Status::Code::saturated, 2}, 0, true, 1).joint, 2);
 }
 
-namespace {
-
-// A tip of a gram on links of kilograms: words of M hardly resolve it.
-struct LightTip {
-  static constexpr auto chain = axial::chain(gravity(0.0, -9.81, 0.0), joint(4.0, 0.4), joint(2.0, 0.3).a(0.4),
-                                             joint(1e-3, 0.01).a(0.3).alpha_deg(70));
-};
-
-}  // namespace
+namespace {}  // namespace
 
 TEST(ForwardDerivativesInWords, SayWhereWordsOfMAreTooCoarse) {
   exhaustive::Random random(37);

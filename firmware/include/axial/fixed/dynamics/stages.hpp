@@ -2,7 +2,8 @@
 #pragma once
 
 #include <axial/dynamics/stages.hpp>
-#include <axial/fixed/words/terms.hpp>
+#include <axial/fixed/words/arithmetic.hpp>
+#include <axial/fixed/words/integer_product.hpp>
 
 #include <axial/options/begin.hpp>
 
