@@ -175,7 +175,7 @@ def provenance(rows):
     presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))["configurePresets"]
     bench = next(preset for preset in presets if preset["name"] == "bench-gcc")
     return {"processor": processor, "packages": versions, "compilers": unique(row["compiler"] for row in rows),
-            "flags": bench["cacheVariables"]["AXIAL_BENCH_KERNEL_FLAGS"],
+            "flags": bench["cacheVariables"]["AXIAL_BENCH_KERNEL_FLAGS"] + " -march=native",
             "commit": commit()}
 
 

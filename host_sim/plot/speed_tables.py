@@ -2,7 +2,7 @@
 
 usage: speed_tables.py DATA_FOLDER DOCUMENT.md
 
-DATA_FOLDER holds bench-gcc.json, bench-clang.json and bench-provenance.json.
+DATA_FOLDER holds bench-gcc.json, bench-clang.json, the same two of batches with AVX2 (-haswell) and bench-provenance.json.
 """
 
 import json
@@ -14,6 +14,7 @@ from tables import command, markdown
 class Data:
     def __init__(self, folder):
         self.all = speed.load([folder / "bench-gcc.json", folder / "bench-clang.json"])
+        self.avx2 = speed.load([folder / "bench-gcc-haswell.json", folder / "bench-clang-haswell.json"])
         self.speed = speed.against_others(self.all)
         self.speed_provenance = json.loads((folder / "bench-provenance.json").read_text(encoding="utf-8"))
 
@@ -76,8 +77,16 @@ def speed_everything(data):
 
 
 def speed_batches(data):
+    return batches(data.all)
+
+
+def speed_batches_avx2(data):
+    return batches(data.avx2)
+
+
+def batches(rows):
     """Batches against one state at a time; every compiler."""
-    rows = [row for row in data.all if row["peer"] == speed.ONE_STATE]
+    rows = [row for row in rows if row["peer"] == speed.ONE_STATE]
     algorithms = speed.unique(row["algorithm"] for row in rows)
     cells = {(row["robot"], row["scalar"], row["compiler"], row["algorithm"]): ratio(row) for row in rows}
     return markdown(["robot, scalar, compiler"] + [speed.ALGORITHMS[name].lower() for name in algorithms],
@@ -96,7 +105,7 @@ def speed_derivatives(data):
 
 TABLES = {"speed_provenance": speed_provenance, "speed_ratios": speed_ratios, "speed_routes": speed_routes, "speed_joints": speed_joints,
           "speed_exponents": speed_exponents, "speed_everything": speed_everything,
-          "speed_batches": speed_batches, "speed_derivatives": speed_derivatives}
+          "speed_batches": speed_batches, "speed_batches_avx2": speed_batches_avx2, "speed_derivatives": speed_derivatives}
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ over ours: median and 95 % interval), writes JSON and pictures.
   --filter REGEX      only benchmarks whose names (algorithm/robot/scalar/peer) it finds
   --compiler gcc|clang  only this one
   --robot puma560|panda|scara|scara_rrpr...  only these are compiled; serial chains always race
+  --processor NAME    our kernels for this processor, as -march= calls it: haswell has AVX2 and no AVX-512; default native
   --without-dart      only against Orocos KDL
   --output FOLDER     where the files go; default output/bench
   --json FILE         the rows of all compilers once more, as an array of objects
@@ -26,7 +27,7 @@ END
 
 run() {
   local compilers=("${BENCH_COMPILERS[@]}") output=$AXIAL_ROOT/output/bench json='' documents=false race=()
-  local robots=puma560,panda,scara,scara_rrpr peers=kdl,dart
+  local robots=puma560,panda,scara,scara_rrpr peers=kdl,dart processor=native
   while (($#)); do
     case $1 in
       --quick) race+=(--quick) ;;
@@ -37,6 +38,7 @@ run() {
           --filter) race+=(--filter "$2") ;;
           --compiler) compilers=("$2") ;;
           --robot) robots=$2 ;;
+          --processor) processor=$2 ;;
           --output) output=$2 ;;
           --json) json=$2 ;;
         esac
@@ -48,30 +50,33 @@ run() {
   local packages=("${BENCH_PACKAGES[@]}")
   [[ $peers != *dart* ]] || packages+=(libdart-dev)
   ensure_packages "${packages[@]}"
-  race_all
+  race_all "$processor"
   if $documents; then
+    race+=(--filter "one state")
+    race_all haswell
     plot_speed speed_tables.py "$output" "$AXIAL_ROOT/doc/measurements/speed.md"
   fi
 }
 
-# With the variables of run.
+# race_all PROCESSOR: with the variables of run. Each processor has its own build and, unless native, its own file.
 race_all() {
-  local compiler files=()
+  local compiler files=() of=''
+  [[ $1 == native ]] || of=-$1
   mkdir -p "$output"
   for compiler in "${compilers[@]}"; do
-    with_progress "configuring bench-$compiler" "$AXIAL_ROOT/build/bench-$compiler.log" cmake -S "$AXIAL_ROOT" --preset "bench-$compiler" \
-      "-DAXIAL_BENCH_ROBOTS=$robots" "-DAXIAL_BENCH_PEERS=$peers"
-    build "bench-$compiler" axial_bench
+    with_progress "configuring bench-$compiler$of" "$AXIAL_ROOT/build/bench-$compiler$of.log" cmake -S "$AXIAL_ROOT" --preset "bench-$compiler" \
+      -B "$AXIAL_ROOT/build/bench-$compiler$of" "-DAXIAL_BENCH_PROCESSOR=$1" "-DAXIAL_BENCH_ROBOTS=$robots" "-DAXIAL_BENCH_PEERS=$peers"
+    build "bench-$compiler$of" axial_bench
   done
   for compiler in "${compilers[@]}"; do
-    say "racing, compiled by $compiler"
-    files+=("$output/bench-$compiler.json")
-    "$AXIAL_ROOT/build/bench-$compiler/tests/bench/axial_bench" "${race[@]}" --json "${files[-1]}"
+    say "racing, compiled by $compiler for $1"
+    files+=("$output/bench-$compiler$of.json")
+    "$AXIAL_ROOT/build/bench-$compiler$of/tests/bench/axial_bench" "${race[@]}" --json "${files[-1]}"
   done
-  if $documents; then
-    plot_speed speed.py "$AXIAL_ROOT/doc/pictures" "${files[@]}" --provenance "$output/bench-provenance.json"
-  else
+  if ! $documents; then
     plot_speed speed.py "$output" "${files[@]}" ${json:+--json "$json"}
+  elif [[ $1 == native ]]; then
+    plot_speed speed.py "$AXIAL_ROOT/doc/pictures" "${files[@]}" --provenance "$output/bench-provenance.json"
   fi
 }
 
