@@ -55,6 +55,30 @@ TEST(PlainArrays, DerivativesTakeThem) {
               axial::torque_rates<R>(joints, rates, loads, loads, rates).taudd);
 }
 
+TEST(PlainArrays, KernelsOverAModelTakeThem) {
+  using M = axial::Model<3, axial::Gravity>;
+  M model;
+  for (int i = 0; i < 3; ++i)
+    ASSERT_TRUE(model.add(axial::revolute().a(0.3 * i).mass(1.0 + i).com(0.1, 0, 0).inertia_com(0.01, 0.01, 0.01)));
+  model.set_gravity(0.0, -9.81, 0.0);
+  const axial::Joints<M, float> x{0.4F, -0.7F, 0.06F}, xd{1.1F, -0.3F, 0.2F}, y{2.0F, -1.0F, 9.0F};
+  expect_same(axial::inverse_dynamics(model, q, qd, u), axial::inverse_dynamics(model, x, xd, y));
+  expect_same(axial::gravity_torque(model, q), axial::gravity_torque(model, x));
+  expect_same(axial::bias_torque(model, q, qd), axial::bias_torque(model, x, xd));
+  expect_same(axial::forward_dynamics(model, q, qd, u), axial::forward_dynamics(model, x, xd, y));
+  EXPECT_EQ(axial::mass_matrix(model, q)(0, 1), axial::mass_matrix(model, x)(0, 1));
+  EXPECT_EQ(axial::forward_kinematics(model, q).tool.position.x, axial::forward_kinematics(model, x).tool.position.x);
+  EXPECT_EQ(axial::jacobian(model, q)[1].linear.x, axial::jacobian(model, x)[1].linear.x);
+  EXPECT_EQ(axial::separate(model, q).A[0][1], axial::separate(model, x).A[0][1]);
+  expect_same(axial::momentum_terms(model, q, qd).momentum, axial::momentum_terms(model, x, xd).momentum);
+  EXPECT_EQ(axial::torque_regressor(model, q, qd, u)(0, 1, axial::InertialParameter::mass),
+            axial::torque_regressor(model, x, xd, y)(0, 1, axial::InertialParameter::mass));
+  EXPECT_EQ(axial::inverse_dynamics_derivatives(model, q, qd, u).dtau_dq(0, 1),
+            axial::inverse_dynamics_derivatives(model, x, xd, y).dtau_dq(0, 1));
+  EXPECT_EQ(axial::forward_dynamics_derivatives(model, q, qd, u).dqdd_dq(0, 1),
+            axial::forward_dynamics_derivatives(model, x, xd, y).dqdd_dq(0, 1));
+}
+
 TEST(PlainArrays, ElasticFeedforwardTakesThem) {
   const float x[1] = {0.3F};
   const axial::Joints<Elastic, float> same{0.3F};

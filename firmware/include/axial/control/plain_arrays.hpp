@@ -17,7 +17,7 @@ inline constexpr bool takes_arrays_of = takes_arrays<S, count, A...> && (true &&
 }  // namespace detail
 
 /// feedforward on arrays that have a number for each joint, instead of joint values or mixed with them.
-template <class S, class T, class... A, class = detail::IfAnyIsPlainArray<A...>>
+template <class S, class T, class... A, class = detail::IfAnyIsPlain<A...>>
 [[nodiscard]] constexpr auto feedforward(FeedforwardState<S, T>& state, const A&... given) {
   constexpr bool fit = detail::takes_arrays_of<T, S, 3, A...>;
   static_assert(fit, AXIAL_ARRAYS_FIT);
@@ -26,7 +26,7 @@ template <class S, class T, class... A, class = detail::IfAnyIsPlainArray<A...>>
 }
 
 /// compensate_gravity on an array that has a number for each joint.
-template <class S, class T, class A, class... More, class = detail::IfAnyIsPlainArray<A>>
+template <class S, class T, class A, class... More, class = detail::IfAnyIsPlain<A>>
 [[nodiscard]] constexpr auto compensate_gravity(SafeLoopState<S, T>& state, const A& q, const More&... in) {
   constexpr bool fit = detail::takes_arrays_of<T, S, 1, A>;
   static_assert(fit, AXIAL_ARRAYS_FIT);
@@ -37,21 +37,21 @@ template <class S, class T, class A, class... More, class = detail::IfAnyIsPlain
 /// Checks and the nearest request on arrays that have a number for each joint, instead of joint values or mixed with
 /// them.
 ///@{
-template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
+template <class S, class... A, class = detail::IfAnyIsPlain<A...>>
 [[nodiscard]] constexpr auto check_request(const A&... given) {
   constexpr bool fit = detail::takes_arrays<S, 3, A...>;
   static_assert(fit, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, fit, Status>(
       [](const auto&... in) AXIAL_INLINE { return check_request<S>(in...); }, given...);
 }
-template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
+template <class S, class... A, class = detail::IfAnyIsPlain<A...>>
 [[nodiscard]] constexpr auto check_position(const A&... given) {
   constexpr bool fit = detail::takes_arrays<S, 1, A...>;
   static_assert(fit, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, fit, Status>(
       [](const auto&... in) AXIAL_INLINE { return check_position<S>(in...); }, given...);
 }
-template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
+template <class S, class... A, class = detail::IfAnyIsPlain<A...>>
 [[nodiscard]] constexpr auto clamped_request(const A&... given) {
   constexpr bool fit = detail::takes_arrays<S, 3, A...>;
   static_assert(fit, AXIAL_ARRAYS_FIT);

@@ -58,8 +58,9 @@ inline constexpr int plain_length<A, std::void_t<decltype(std::declval<const A&>
 template <class A>
 inline constexpr bool is_plain_array = plain_length<A> >= 0;
 
+/// Where one of the arguments is an array, or a lone number: of that kernels say the same sentence.
 template <class... A>
-using IfAnyIsPlainArray = std::enable_if_t<(false || ... || is_plain_array<A>)>;
+using IfAnyIsPlain = std::enable_if_t<(false || ... || (is_plain_array<A> || std::is_arithmetic_v<A>))>;
 
 /// The first number of an array.
 template <class A>
@@ -137,77 +138,77 @@ AXIAL_INLINE constexpr auto with_joint_values(const Run& run, const A&... given)
 /// The kernels of the same names on arrays that have a number for each joint, instead of joint values or mixed with
 /// them.
 ///@{
-template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
+template <class S, class... A, class = detail::IfAnyIsPlain<A...>>
 [[nodiscard]] constexpr auto inverse_dynamics(const A&... given) {
   constexpr bool fit = detail::takes_arrays<S, 3, A...>;
   static_assert(fit, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, fit, Efforts<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return inverse_dynamics<S>(in...); }, given...);
 }
-template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
+template <class S, class... A, class = detail::IfAnyIsPlain<A...>>
 [[nodiscard]] constexpr auto gravity_torque(const A&... given) {
   constexpr bool fit = detail::takes_arrays<S, 1, A...>;
   static_assert(fit, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, fit, Efforts<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return gravity_torque<S>(in...); }, given...);
 }
-template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
+template <class S, class... A, class = detail::IfAnyIsPlain<A...>>
 [[nodiscard]] constexpr auto bias_torque(const A&... given) {
   constexpr bool fit = detail::takes_arrays<S, 2, A...>;
   static_assert(fit, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, fit, Efforts<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return bias_torque<S>(in...); }, given...);
 }
-template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
+template <class S, class... A, class = detail::IfAnyIsPlain<A...>>
 [[nodiscard]] constexpr auto forward_dynamics(const A&... given) {
   constexpr bool fit = detail::takes_arrays<S, 3, A...>;
   static_assert(fit, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, fit, ForwardDynamicsOf<S, float>>(
       [](const auto&... in) AXIAL_INLINE { return forward_dynamics<S>(in...); }, given...);
 }
-template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
+template <class S, class... A, class = detail::IfAnyIsPlain<A...>>
 [[nodiscard]] constexpr auto mass_matrix(const A&... given) {
   constexpr bool fit = detail::takes_arrays<S, 1, A...>;
   static_assert(fit, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, fit, MassMatrix<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return mass_matrix<S>(in...); }, given...);
 }
-template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
+template <class S, class... A, class = detail::IfAnyIsPlain<A...>>
 [[nodiscard]] constexpr auto forward_kinematics(const A&... given) {
   constexpr bool fit = detail::takes_arrays<S, 1, A...>;
   static_assert(fit, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, fit, ForwardKinematics<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return forward_kinematics<S>(in...); }, given...);
 }
-template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
+template <class S, class... A, class = detail::IfAnyIsPlain<A...>>
 [[nodiscard]] constexpr auto jacobian(const A&... given) {
   constexpr bool fit = detail::takes_arrays<S, 1, A...>;
   static_assert(fit, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, fit, Jacobian<robot_of<S>, float>>(
       [](const auto&... in) AXIAL_INLINE { return jacobian<S>(in...); }, given...);
 }
-template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
+template <class S, class... A, class = detail::IfAnyIsPlain<A...>>
 [[nodiscard]] constexpr auto separate(const A&... given) {
   constexpr bool fit = detail::takes_arrays<S, 1, A...>;
   static_assert(fit, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, fit, Separated<S, float>>(
       [](const auto&... in) AXIAL_INLINE { return separate<S>(in...); }, given...);
 }
-template <class S, class... A, class = detail::IfAnyIsPlainArray<A...>>
+template <class S, class... A, class = detail::IfAnyIsPlain<A...>>
 [[nodiscard]] constexpr auto momentum_terms(const A&... given) {
   constexpr bool fit = detail::takes_arrays<S, 2, A...>;
   static_assert(fit, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, fit, MomentumTerms<S, float>>(
       [](const auto&... in) AXIAL_INLINE { return momentum_terms<S>(in...); }, given...);
 }
-template <class S, int Joint, class... A, class = detail::IfAnyIsPlainArray<A...>>
+template <class S, int Joint, class... A, class = detail::IfAnyIsPlain<A...>>
 [[nodiscard]] constexpr auto joint_torque(const A&... given) {
   constexpr bool fit = detail::takes_arrays<S, 3, A...>;
   static_assert(fit, AXIAL_ARRAYS_FIT);
   return detail::with_joint_values<S, fit, float>(
       [](const auto&... in) AXIAL_INLINE { return joint_torque<S, Joint>(in...); }, given...);
 }
-template <class S, int Joint, class... A, class = detail::IfAnyIsPlainArray<A...>>
+template <class S, int Joint, class... A, class = detail::IfAnyIsPlain<A...>>
 [[nodiscard]] constexpr auto gravity_torque(const A&... given) {
   constexpr bool fit = detail::takes_arrays<S, 1, A...>;
   static_assert(fit, AXIAL_ARRAYS_FIT);
