@@ -19,6 +19,10 @@ def run(*arguments):
     return subprocess.run([sys.executable, "-E", "-B", PROGRAM, *arguments], capture_output=True, text=True)
 
 
+# MiB of the costliest kernel, a twentieth above what it takes: unlike its seconds they do not depend on what else runs.
+MOST_MEMORY = {"host-gcc-O2": 362, "host-clang-O2": 227}
+
+
 class CompileCost(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
@@ -35,6 +39,16 @@ class CompileCost(unittest.TestCase):
             for kernel in kernels:
                 self.assertLess(headers[figure], kernel[figure])
         self.assertEqual(rows, json.loads((self.folder / "compile_cost.json").read_text(encoding="utf-8")))
+
+    def test_forward_dynamics_in_fixed_point_takes_no_more_memory_than_it_did(self):
+        done = run("--build", ",".join(MOST_MEMORY), "--robot", "panda", "--number", "fixed32", "--kernel", "forward_dynamics",
+                   "--runs", "1", "--output", self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = json.loads((self.folder / "compile_cost.json").read_text(encoding="utf-8"))
+        self.assertEqual([row["build"] for row in rows], list(MOST_MEMORY))
+        for row in rows:
+            with self.subTest(row["build"]):
+                self.assertLess(row["memory_MiB"], MOST_MEMORY[row["build"]])
 
     def test_unknown_names_are_refused_with_those_that_there_are(self):
         done = run("--robot", "scara9", "--output", self.folder)
