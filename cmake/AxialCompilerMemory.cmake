@@ -9,6 +9,4 @@ function(axial_collect_garbage_later)
   endif()
 endfunction()
 
-if(NOT CMAKE_CROSSCOMPILING)
-  axial_collect_garbage_later()
-endif()
+axial_collect_garbage_later()
