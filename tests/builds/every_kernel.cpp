@@ -206,6 +206,10 @@ AXIAL_C_DECLARE(arm, 3, float);
 AXIAL_C_EXPORT(arm, robots::Scara, float)
 AXIAL_C_DECLARE_DERIVATIVES(arm);
 AXIAL_C_EXPORT_DERIVATIVES(arm, robots::Scara, float)
+AXIAL_C_DECLARE(springs, 1, double);
+AXIAL_C_EXPORT(springs, Harmonic, double)
+AXIAL_C_DECLARE_ELASTIC(springs);
+AXIAL_C_EXPORT_ELASTIC(springs, Harmonic, double)
 AXIAL_C_DECLARE(fixed_arm, 3, fixed32);
 AXIAL_C_EXPORT(fixed_arm, robots::Scara, fixed32)
 

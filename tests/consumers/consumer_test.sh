@@ -133,6 +133,7 @@ EmbeddingPage() {
   quietly "$page/sources/build/firmware"
   quietly gcc -std=c99 "${strict[@]}" "${include[@]}" -c "$page/c/main.c" -o "$page/main.o"
   quietly g++ -std=c++17 "${strict[@]}" "${include[@]}" "$page/c/my_arm.cpp" "$page/main.o" -o "$page/in_c"
+  quietly g++ -std=c++17 "${strict[@]}" "${include[@]}" -c "$page/c/springs.cpp" -o "$page/springs.o"
   quietly "$page/in_c"
   [[ -d /usr/include/eigen3 ]] || return 0
   quietly g++ -std=c++17 "${include[@]}" -isystem /usr/include/eigen3 "$page/with_eigen.cpp" -o "$page/with_eigen"

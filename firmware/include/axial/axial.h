@@ -172,6 +172,19 @@ static inline const char* axial_status_text(axial_status status) { return axial_
       const prefix##_joints* q, const prefix##_joints* qd, const prefix##_joints* tau, \
       prefix##_forward_derivatives* result)
 
+/** Declares the feed-forward of a robot whose joints are elastic, behind its AXIAL_C_DECLARE (float or double):
+ * `<prefix>_elastic_feedforward` gives torque tau_m, position theta and velocity thetad of every motor, behind the
+ * gear, and what the transmission carries, tau_l, for a motion of the links with derivatives up to the fourth: q3 and
+ * q4 in rad/s^3 and rad/s^4, or m. It refuses what is not finite, result untouched. AXIAL_C_EXPORT_ELASTIC(my_arm,
+ * robots::MyArm, float) of <axial/c_interface/elastic.hpp> defines it. Called as a declaration, with a semicolon. */
+#define AXIAL_C_DECLARE_ELASTIC(prefix)                                                                             \
+  typedef struct {                                                                                                  \
+    prefix##_joints tau_m, theta, thetad, tau_l;                                                                    \
+  } prefix##_elastic;                                                                                               \
+  AXIAL_C_FUNCTION axial_status prefix##_elastic_feedforward(const prefix##_joints* q, const prefix##_joints* qd,   \
+                                                             const prefix##_joints* qdd, const prefix##_joints* q3, \
+                                                             const prefix##_joints* q4, prefix##_elastic* result)
+
 /** Declares the formats of a robot's derivatives in fixed32, behind AXIAL_C_DECLARE_DERIVATIVES: each entry is raw
  * 2^-exponent with the exponent at its place; efforts and accelerations are those of `<prefix>_formats`.
  * AXIAL_C_EXPORT_DERIVATIVE_FORMATS(my_arm, robots::MyArm) of <axial/fixed/c_interface/derivative_formats.hpp> defines
