@@ -11,6 +11,24 @@
 
 namespace counts {
 
+/// A robot with a spring behind every joint, and a motor where it declares none. How stiff and how heavy they are does
+/// not count.
+template <class R>
+struct Sprung {
+  static constexpr auto chain = [] {
+    auto chain = R::chain;
+    for (auto& link : chain.links) {
+      link.stiffness = 1e4;
+      if (!(link.rotor_inertia > 0.0)) link.rotor_inertia = 1e-4, link.gear = 100.0;
+    }
+    return chain;
+  }();
+};
+/// Scenes of elastic joints: those that a robot declares, or all where it declares none.
+template <class R, class... Features>
+using ElasticScene =
+    Bare<std::conditional_t<axial::elastic::is_elastic<R>(), R, Sprung<R>>, axial::ElasticJoints, Features...>;
+
 template <class R>
 class RobotRows {
  public:
@@ -30,6 +48,9 @@ class RobotRows {
     if constexpr (!shares_drives<R>) {
       both_parameters(axial::algorithm::inverse_dynamics_derivatives);
       both_parameters(axial::algorithm::forward_dynamics_derivatives);
+      both_parameters(axial::algorithm::torque_rates);
+      add<ElasticScene<R, axial::FullParameters>>(axial::algorithm::elastic_feedforward, "full");
+      add<ElasticScene<R>>(axial::algorithm::elastic_feedforward, "base");
     }
     return rows_;
   }

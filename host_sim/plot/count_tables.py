@@ -15,6 +15,7 @@ FORMS = [("articulated_body", "full"), ("articulated_body", "base"), ("split_art
          ("split_articulated_body", "base"), ("composite_body", "full"), ("composite_body", "base")]
 
 DERIVATIVES = ("inverse_dynamics_derivatives", "forward_dynamics_derivatives")
+RATES = ("torque_rates", "elastic_feedforward")
 
 
 class Data:
@@ -85,20 +86,29 @@ def counts_forms(data):
     return markdown(["robot, form, parameters", "M/A", "M + A", "error, float", "error, double", "forward_dynamics"], rows)
 
 
-def counts_derivatives(data):
-    """Both derivatives on base parameters, with how many times the inverse dynamics that is."""
+def times_inverse_dynamics(data, names):
+    """Algorithms on base parameters, with how many times the inverse dynamics that is."""
     rows = []
     for robot in data.robots:
-        of_robot = {name: data.counts.get((robot, name, "base")) for name in ("inverse_dynamics", *DERIVATIVES)}
+        of_robot = {name: data.counts.get((robot, name, "base")) for name in ("inverse_dynamics", *names)}
         if None in of_robot.values():
             continue
         plain, *derived = (total(row) for row in of_robot.values())
-        rows.append([robot, str(plain)] + [text for name, count in zip(DERIVATIVES, derived)
+        rows.append([robot, str(plain)] + [text for name, count in zip(names, derived)
                                            for text in (ours(of_robot[name]), str(count), f"{count / plain:.1f}")])
     header = ["robot", "inverse dynamics"]
-    for name in DERIVATIVES:
+    for name in names:
         header += [name.replace("_", " "), "M + A", "times inverse dynamics"]
     return markdown(header, rows)
+
+
+def counts_derivatives(data):
+    return times_inverse_dynamics(data, DERIVATIVES)
+
+
+def counts_rates(data):
+    """What follows a path with its third and fourth derivative."""
+    return times_inverse_dynamics(data, RATES)
 
 
 def counts_congruences(data):
@@ -117,7 +127,8 @@ def counts_provenance(data):
     return f"Counted at commit `{p['commit']}`; errors with {p['compiler']}, `{p['flags']}`.\n"
 
 
-TABLES = {table.__name__: table for table in (counts_bars, counts_plain, counts_forms, counts_derivatives, counts_congruences, counts_provenance)}
+TABLES = {table.__name__: table for table in (counts_bars, counts_plain, counts_forms, counts_derivatives, counts_rates,
+                                          counts_congruences, counts_provenance)}
 
 
 if __name__ == "__main__":
