@@ -13,9 +13,11 @@ namespace {
 
 template <class R>
 void print() {
-  axial::apps::fixed::all_golden<R>(property::WithoutCosts{}, [](const axial::apps::fixed::Golden& g) {
+  using namespace axial::apps::fixed;
+  const auto put = [](const Golden& g) {
     std::printf("fixed,%s,%s,%s,%016" PRIx64 ",%u,%u\n", g.kernel, R::name, g.arithmetic, g.hash, g.least, g.most);
-  });
+  };
+  all_golden<R>(property::WithoutCosts{}, put), all_golden_derivatives<R>(property::WithoutCosts{}, put);
 }
 
 }  // namespace

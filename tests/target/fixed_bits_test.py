@@ -8,6 +8,7 @@ import harness
 
 # Cycles at most, where the board counts them: 9 200 are 73.6 us at 125 MHz.
 PROMISED_CYCLES = {"inverse_dynamics,puma560,32_nearest": 9200}
+IMAGES = [f"{app}-{robot}" for app in ("fixed", "fixed-derivatives") for robot in ("scara", "puma560")]
 GOLDEN = pathlib.Path(__file__).resolve().parents[1] / "property" / "golden_bits.json"
 
 
@@ -15,8 +16,8 @@ class FixedBits(harness.BoardTest):
     def test_bits_and_constant_time(self):
         wanted = json.loads(GOLDEN.read_text())
         found = {}
-        for robot in ("scara", "puma560"):
-            code, text = emulator.run(self.board, "fixed-" + robot)
+        for image in IMAGES:
+            code, text = emulator.run(self.board, image)
             self.assertEqual(code, 0, text[-500:])
             self.assertTrue(text.endswith("end\n"), text[-500:])
             for row in (line.split(",") for line in text.splitlines() if line.startswith("fixed,")):

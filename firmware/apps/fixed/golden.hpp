@@ -109,6 +109,45 @@ struct ClosedForm {
   }
 };
 
+struct InverseDerivatives {
+  static constexpr const char* name = "inverse_dynamics_derivatives";
+  template <class S, class T>
+  static constexpr auto run(const Call<S, T>& c) {
+    return inverse_dynamics_derivatives<S>(c.q, c.qd, c.qdd);
+  }
+};
+struct ForwardDerivatives {
+  static constexpr const char* name = "certified_forward_dynamics_derivatives";
+  template <class S, class T>
+  static constexpr auto run(const Call<S, T>& c) {
+    return certified_forward_dynamics_derivatives<S>(c.q, c.qd, c.tau);
+  }
+};
+
+/// Every word of a result.
+///@{
+template <class Values>
+constexpr void add_words(Hash& hash, const Values& result) {
+  for (const auto& value : result.values)
+    hash.add(value.raw);
+}
+template <class S, class T>
+constexpr void add_words(Hash& hash, const InverseDynamicsDerivatives<S, T>& result) {
+  add_words(hash, result.tau), add_words(hash, result.M);
+  add_words(hash, result.dtau_dq), add_words(hash, result.dtau_dqd);
+}
+template <class S, class T>
+constexpr void add_words(Hash& hash, const ForwardDynamicsDerivatives<S, T>& result) {
+  add_words(hash, result.qdd), add_words(hash, result.M_inverse);
+  add_words(hash, result.dqdd_dq), add_words(hash, result.dqdd_dqd);
+}
+template <class S, class T>
+constexpr void add_words(Hash& hash, const CertifiedDerivatives<S, T>& result) {
+  add_words(hash, static_cast<const ForwardDynamicsDerivatives<S, T>&>(result)), add_words(hash, result.bound);
+  hash.add(static_cast<std::int32_t>(result.qdd.status.code)), hash.add(result.qdd.status.joint);
+}
+///@}
+
 /// What one kernel showed.
 struct Golden {
   const char* kernel;
@@ -131,8 +170,7 @@ Golden golden(const char* arithmetic, Count count) {
     auto code = [&] { result = Kernel::run(call); };
     const std::uint32_t cost = count(code);
     least = cost < least ? cost : least, most = cost > most ? cost : most;
-    for (const auto& value : result.values)
-      hash.add(value.raw);
+    add_words(hash, result);
   }
   return {Kernel::name, arithmetic, hash.value(), least, most};
 }
@@ -154,6 +192,14 @@ void all_golden(Count count, Put put) {
     put(golden<ClosedForm, High, Fixed32>("32_high_word", count));
     put(golden<ClosedForm, Exact, Fixed16>("16_nearest", count));
   }
+}
+
+/// Derivatives of a robot, likewise: an image of their own, which not every board has room for.
+template <class R, class Count, class Put>
+void all_golden_derivatives(Count count, Put put) {
+  using Exact = Scene<R, Gravity, RotorInertia>;
+  put(golden<InverseDerivatives, Exact, Fixed32>("32_nearest", count));
+  put(golden<ForwardDerivatives, Exact, Fixed32>("32_nearest", count));
 }
 
 }  // namespace axial::apps::fixed

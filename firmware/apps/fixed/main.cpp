@@ -1,4 +1,5 @@
-/// Prints the hash and the cost of every fixed-point kernel of one robot; README.md has the format.
+/// Prints the hash and the cost of fixed-point kernels of one robot, those that AXIAL_GOLDEN names; README.md has the
+/// format.
 
 #include <board.hpp>
 #include <robot.hpp>
@@ -35,7 +36,7 @@ void print(const apps::fixed::Golden& g) {
 
 int main() {
   Board::start();
-  axial::apps::fixed::all_golden<axial::apps::Robot>(Counter{}, print);
+  axial::apps::fixed::AXIAL_GOLDEN<axial::apps::Robot>(Counter{}, print);
   Board::print("end\n");
   Board::exit(0);
 }

@@ -118,8 +118,8 @@ AXIAL_INLINE constexpr bool requested(const CertifiedDynamics<S, T>& answer, typ
     const std::int64_t most = certificate_of<S, T>.inside[i];
     const std::int64_t raw = up > 0 ? std::int64_t{answer[i].raw} * (std::int64_t{1} << (up > 31 ? 31 : up))
                                     : std::int64_t{answer[i].raw >> (up < -31 ? 31 : -up)};
-    const bool below = is_less(raw, -most), above = is_less(most, raw);
-    const auto held = static_cast<std::int32_t>(below ? -most : above ? most : raw);
+    const bool below = is_less_wide(raw, -most), above = is_less_wide(most, raw);
+    const auto held = static_cast<std::int32_t>(select_wide(below, -most, select_wide(above, most, raw)));
     x.values[i] = {held};
     inside = inside & !below & !above;
   }
@@ -139,11 +139,11 @@ AXIAL_INLINE constexpr bool publish(CertifiedDynamics<S, T>& answer, const Syste
     const int right = down < 0 ? 0 : down > finest ? finest : down, left = down < 0 ? smaller(-down, finest) : 0;
     const std::int64_t bound = ((system.bound[i] >> right) + (right > 0 ? 2 : 0)) * (std::int64_t{1} << left);
     const std::int64_t value = ((x[i].raw + system.correction[i]) >> right) * (std::int64_t{1} << left);
-    const bool bound_fits = is_less(bound, most), value_fits = is_less(wide_magnitude(value), most);
+    const bool bound_fits = is_less_wide(bound, most), value_fits = is_less_wide(wide_magnitude(value), most);
     const bool fits = bound_fits & value_fits & known;
-    answer.bound.values[i] = {static_cast<std::int32_t>(fits ? bound : most)};
-    answer.values[i] = {static_cast<std::int32_t>(fits ? value : answer[i].raw)};
-    tight = tight & fits & !is_less(certificate_of<S, T>.tight[i], system.bound[i]);
+    answer.bound.values[i] = {static_cast<std::int32_t>(select_wide(fits, bound, most))};
+    answer.values[i] = {static_cast<std::int32_t>(select_wide(fits, value, answer[i].raw))};
+    tight = tight & fits & !is_less_wide(certificate_of<S, T>.tight[i], system.bound[i]);
   }
   return tight;
 }

@@ -13,7 +13,7 @@ template <class T>
 AXIAL_INLINE constexpr void put(T& value, T& bound, std::int64_t wide, std::int64_t off, bool known) {
   constexpr std::int32_t most = (std::numeric_limits<std::int32_t>::max)();
   value = {static_cast<std::int32_t>(wide & -static_cast<std::int64_t>(known))};
-  bound = {static_cast<std::int32_t>(select(known & fits_word(off), off, std::int64_t{most}))};
+  bound = {static_cast<std::int32_t>(select_wide(known & fits_word(off), off, most))};
 }
 
 /// One solve at a state: everything in the units of DerivativeUnits.
@@ -68,7 +68,7 @@ struct DerivativeSolve {
     for (int i = 0; i < size; ++i) {
       const std::int64_t apart = std::int64_t{tau[i].raw} - needs[i].raw;
       const std::int64_t wide = apart * (std::int64_t{1} << units.effort_up[i]);
-      const bool fits = is_less(wide_magnitude(wide), limit);
+      const bool fits = is_less_wide(wide_magnitude(wide), limit);
       known = known & fits;
       left[i] = static_cast<std::int32_t>(wide & -static_cast<std::int64_t>(fits));
       seen |= word_magnitude(left[i]);
@@ -79,17 +79,17 @@ struct DerivativeSolve {
       correction[i] = system.solved(i, left);
       bound[i] = system.off(i, units.effort_error, smaller(largest, 31));
       const std::int64_t apart = wide_magnitude(correction[i]) + bound[i];
-      const bool close = is_less(apart, largest_drift);
+      const bool close = is_less_wide(apart, largest_drift);
       known = known & close;
-      drift = select(is_less(drift, apart), apart, drift);
+      drift = select_wide(is_less_wide(drift, apart), apart, drift);
     }
-    drift = select(known, drift, largest_drift);
+    drift = select_wide(known, drift, largest_drift);
   }
   /// Whether what is left of M^-1 and of the accelerations is slight.
   [[nodiscard]] constexpr bool is_accurate() const {
-    bool all = is_less(drift, slight_drift + 1);
+    bool all = is_less_wide(drift, slight_drift + 1);
     for (int i = 0; i < size; ++i)
-      all = all & is_less(system.spread[i], slight_spread + 1);
+      all = all & is_less_wide(system.spread[i], slight_spread + 1);
     return all;
   }
   /// M^-1 is B.
@@ -101,7 +101,7 @@ struct DerivativeSolve {
         bool fits = true, bounded = true;
         const std::int64_t value = moved_wide(system.inverse[i][j], system.shift[j] - finer, fits);
         const std::int64_t off = moved_wide(system.loss[i], MassInverse<size>::loss_bits - 1 - finer, bounded) + 2;
-        finish(i, values(i, j), bounds(i, j), value, select(bounded, off, std::int64_t{1} << 40), fits, answered);
+        finish(i, values(i, j), bounds(i, j), value, select_wide(bounded, off, std::int64_t{1} << 40), fits, answered);
       }
   }
   /// A Jacobian of forward dynamics: -B times that of inverse dynamics, whose accelerations are off by `apart`.
@@ -113,16 +113,17 @@ struct DerivativeSolve {
       std::int32_t right[size] = {};
       for (int i = 0; i < size; ++i)
         right[i] = -(from(i, j).raw >> sides.down[i][j]);
-      const std::int64_t error = select(sides.filled[j], derivative_units<S, T>.error(by, j) + apart, std::int64_t{0});
-      const bool bounded = is_less(error, std::int64_t{1} << 30);
+      const std::int64_t error = select_wide(sides.filled[j], derivative_units<S, T>.error(by, j) + apart, 0);
+      const bool bounded = is_less_wide(error, std::int64_t{1} << 30);
       for (int i = 0; i < size; ++i) {
         const int coarser = C::Requests::exponent(i) + sides.scale[j] - Matrix::exponent(i, j);
         bool fits = true;
         const std::int64_t value = moved_wide(system.solved(i, right), coarser, fits);
         const std::int64_t off =
             moved_wide(system.off(i, error & ((std::int64_t{1} << 30) - 1), 30), coarser, fits) + 2;
-        const std::int64_t exact = select(sides.filled[j], off, std::int64_t{0});
-        finish(i, values(i, j), bounds(i, j), value, select(bounded, exact, std::int64_t{1} << 40), fits, answered);
+        const std::int64_t exact = select_wide(sides.filled[j], off, 0);
+        finish(i, values(i, j), bounds(i, j), value, select_wide(bounded, exact, std::int64_t{1} << 40), fits,
+               answered);
       }
     }
   }

@@ -12,13 +12,23 @@ namespace detail {
 /// x / 2^shift, rounded down, for 0 <= shift < 64; the same instructions for every shift.
 AXIAL_INLINE constexpr std::int64_t wide_shifted_by(std::int64_t x, int shift) {
   const auto low = static_cast<std::uint32_t>(shifted_by(x, shift));
-  const auto sign = static_cast<std::int32_t>(x >> 63);
-  const std::int32_t high = select(is_less(shift, 32), shifted_by(x, (shift + 32) & 63), sign);
+  const int sign = static_cast<int>(x >> 63), far = static_cast<int>(shifted_by(x, (shift + 32) & 63));
+  const int high = select(is_less(shift, 32), far, sign);  // of int: a long, as newlib's words are, would be a branch
   return static_cast<std::int64_t>((std::uint64_t{static_cast<std::uint32_t>(high)} << 32) | low);
 }
 AXIAL_INLINE constexpr std::int64_t wide_magnitude(std::int64_t x) {
   const std::int64_t sign = x >> 63;
   return (x ^ sign) - sign;
+}
+
+/// a < b where the difference fits, by its sign; modulo 2^64, for a compiler compares 64 bits by branches where it sees
+/// what is_less() means.
+AXIAL_INLINE constexpr bool is_less_wide(std::int64_t a, std::int64_t b) {
+  return ((static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b)) >> 63) != 0;
+}
+/// yes or no by a mask: of 64 bits a conditional expression becomes a branch.
+AXIAL_INLINE constexpr std::int64_t select_wide(bool condition, std::int64_t yes, std::int64_t no) {
+  return no ^ ((yes ^ no) & -static_cast<std::int64_t>(condition));
 }
 
 /// A linear system of up to 8 unknowns in words, each unknown and each equation in a unit of its own. Where enclose()
@@ -48,7 +58,7 @@ struct Enclosure {
     for (int i = 0; i < N; ++i) {
       const std::int64_t wanted = i == j ? std::int64_t{1} << (shift[j] & 63) : 0;
       const std::int64_t off = wide_magnitude(wanted - made[i]) + error[i];
-      const bool fits = is_less(off, std::int64_t{1} << (62 - room));
+      const bool fits = is_less_wide(off, std::int64_t{1} << (62 - room));
       const std::int64_t kept = off & -static_cast<std::int64_t>(fits);
       proved = proved & fits;
       defect[i][j] = wide_shifted_by(kept << room, (shift[j] - least_shift) & 63) + 1;
@@ -60,15 +70,15 @@ struct Enclosure {
     std::int64_t weight[N] = {}, unknown[N] = {};
     for (int i = 0; i < N; ++i) {
       weight[i] = wide_magnitude(residual[i]) + residual_error[i] + least_weight;
-      proved = proved & is_less(weight[i], weights);
+      proved = proved & is_less_wide(weight[i], weights);
     }
     for (int i = 0; i < N; ++i) {
       std::int64_t sum = 0;
       for (int k = 0; k < N; ++k) {
-        proved = proved & is_less(defect[i][k], defects);
+        proved = proved & is_less_wide(defect[i][k], defects);
         sum += (defect[i][k] & (defects - 1)) * (weight[k] & (weights - 1));
       }
-      proved = proved & !is_less((weight[i] & (weights - 1)) << (defect_bits - 1), sum);
+      proved = proved & !is_less_wide((weight[i] & (weights - 1)) << (defect_bits - 1), sum);
       unknown[i] = residual_error[i] + (sum >> (defect_bits - 1)) + 1;
     }
     for (int i = 0; i < N; ++i)

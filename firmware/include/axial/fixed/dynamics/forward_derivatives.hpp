@@ -28,7 +28,7 @@ AXIAL_INLINE constexpr int first_beyond(const CertifiedDynamics<S, T>& answer) {
     const int up = C::Requests::exponent(i) - C::Answers::exponent(i);
     const std::int64_t raw = up > 0 ? std::int64_t{answer[i].raw} * (std::int64_t{1} << smaller(up, finest))
                                     : std::int64_t{answer[i].raw >> smaller(-up, finest)};
-    first = first_found(first, is_less(certificate_of<S, T>.inside[i], wide_magnitude(raw)), i);
+    first = first_found(first, is_less_wide(certificate_of<S, T>.inside[i], wide_magnitude(raw)), i);
   }
   return first;
 }

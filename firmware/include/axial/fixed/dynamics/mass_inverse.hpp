@@ -13,7 +13,8 @@ namespace detail {
 AXIAL_INLINE constexpr std::int64_t moved_wide(std::int64_t x, int shift, bool& fits) {
   const int left = select(is_negative(shift), -shift, 0), right = shift + left;
   const std::int64_t down = wide_shifted_by(x, select(is_less(right, 64), right, 63));
-  const bool slight = is_less(wide_magnitude(down), std::int64_t{1} << 31), close = is_less(left, 32), none = left == 0;
+  const bool slight = is_less_wide(wide_magnitude(down), std::int64_t{1} << 31), close = is_less(left, 32),
+             none = left == 0;
   fits = fits & close & (slight | none);
   return down * (std::int64_t{1} << select((slight & close) | none, left & 31, 0));
 }
@@ -23,7 +24,7 @@ AXIAL_INLINE constexpr std::int32_t word_magnitude(std::int32_t x) {
 }
 /// Whether |x| is at most what a word holds.
 AXIAL_INLINE constexpr bool fits_word(std::int64_t x) {
-  return is_less(wide_magnitude(x), (std::int64_t{1} << 31) - 1);
+  return is_less_wide(wide_magnitude(x), (std::int64_t{1} << 31) - 1);
 }
 
 /// What of a mass matrix no state changes: how its words become a matrix of accelerations and efforts, each joint's in
@@ -67,7 +68,7 @@ struct MassInverse {
         const bool below = is_negative(down), beyond = !is_less(down, 64);
         const std::int64_t one = i == j ? std::int64_t{1} << defect_bits : 0;
         const std::int64_t left = one - wide_shifted_by(made, down & 63);
-        const bool fits = is_less(wide_magnitude(left), limit) & !below & !beyond;
+        const bool fits = is_less_wide(wide_magnitude(left), limit) & !below & !beyond;
         proved = proved & fits;
         defect[i][j] = left & -static_cast<std::int64_t>(fits);
         spread[i] += wide_magnitude(defect[i][j]) + wide_shifted_by(error, down & 63) + 2;
@@ -82,7 +83,7 @@ struct MassInverse {
       bool fits = true;
       for (int k = 0; k < N; ++k) {
         const std::int64_t wide = moved_wide(defect[k][j], shift[k] - shift[j], fits);
-        fits = fits & is_less(wide_magnitude(wide), limit);
+        fits = fits & is_less_wide(wide_magnitude(wide), limit);
         moved[k] = static_cast<std::int32_t>(wide & -static_cast<std::int64_t>(fits));
       }
       std::int64_t column[N] = {};
@@ -91,7 +92,7 @@ struct MassInverse {
         for (int k = 0; k < N; ++k)
           sum += integer::multiply(inverse[i][k], moved[k]);
         column[i] = inverse[i][j] + (sum >> defect_bits);
-        fits = fits & is_less(wide_magnitude(column[i]), most);
+        fits = fits & is_less_wide(wide_magnitude(column[i]), most);
       }
       proved = proved & fits;
       for (int i = 0; i < N; ++i)
@@ -106,7 +107,7 @@ struct MassInverse {
   constexpr void bound() {
     constexpr std::int64_t half = std::int64_t{1} << (defect_bits - 1), largest_reach = std::int64_t{1} << 31;
     for (int k = 0; k < N; ++k) {
-      const bool within = is_less(spread[k], half + 1);
+      const bool within = is_less_wide(spread[k], half + 1);
       proved = proved & within;
       spread[k] &= -static_cast<std::int64_t>(within);
     }
@@ -117,7 +118,7 @@ struct MassInverse {
         reach[i] += wide_shifted_by(word << reach_bits, shift[k] & 63);
         loss[i] += wide_shifted_by((word * spread[k]) << (loss_bits - defect_bits), shift[k] & 63);
       }
-      const bool within = is_less(reach[i], largest_reach);
+      const bool within = is_less_wide(reach[i], largest_reach);
       proved = proved & within;
       reach[i] &= -static_cast<std::int64_t>(within);
     }
