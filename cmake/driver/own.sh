@@ -20,22 +20,45 @@ take_own_robot() {
   OWN_NAME=${OWN_NAME:-$(basename "${OWN_HEADER%.*}")}
 }
 
-# The last struct before the last chain, in the namespace that is open there.
+# The struct that holds the last chain, with the namespaces and structs around it.
 robot_type() {
-  awk '/^namespace [a-z_:]+ *\{/ { space = $2 "::" }
-       /^(struct|class) [A-Za-z_0-9]+/ { name = $2 }
-       /static constexpr auto chain/ { found = space name }
+  awk '{ line = $0; sub(/\/\/.*/, "", line); gsub(/"[^"]*"/, "", line)
+         while (match(line, /namespace +[A-Za-z_0-9:]+|(struct|class) +[A-Za-z_0-9]+|(static constexpr|constexpr static)( const)? auto chain|[{};]/)) {
+           word = substr(line, RSTART, RLENGTH); line = substr(line, RSTART + RLENGTH)
+           if (word == "{") { around[++depth] = name; name = "" }
+           else if (word == "}") { if (depth > 0) --depth }
+           else if (word == ";") name = ""
+           else if (word ~ /chain$/) {
+             found = ""
+             for (i = 1; i <= depth; ++i) if (around[i] != "") found = found (found == "" ? "" : "::") around[i]
+           } else { sub(/^[a-z]+ +/, "", word); name = word }
+         } }
        END { print found }' "$1"
 }
 
 # write_own_robot PRESET: only when something changes, so that nothing is compiled twice. The type is a name for what the header has, and
-# has a name where the header gives none.
+# has a name where the header gives none. A header that no compiler takes ends here.
 write_own_robot() {
   local folder=$AXIAL_ROOT/build/$1/own text
   text=$(printf '#pragma once\n// Written by ./axial.\n#include "%s"\n\nnamespace axial::apps {\nstruct Robot : %s {\n  static constexpr const char* name = "%s";\n};\n}\n' \
     "$OWN_HEADER" "$OWN_TYPE" "$OWN_NAME")
   mkdir -p "$folder"
   [[ -f $folder/robot.hpp && $(<"$folder/robot.hpp") == "$text" ]] || printf '%s\n' "$text" >"$folder/robot.hpp"
+  require_own_robot_compiles "$folder/robot.hpp"
+}
+
+# require_own_robot_compiles FILE: what stands wrong in the user's header is said once, not by every program that includes it: the
+# compiler's errors, and which link breaks which rule of descriptions.
+require_own_robot_compiles() {
+  local said
+  said=$(LC_ALL=C "${CXX:-g++}" -std=c++17 -fsyntax-only -w -I"$AXIAL_ROOT/firmware/include" -I"$AXIAL_ROOT" -x c++ "$1" 2>&1) && return
+  if grep -q "^$1:.* error: " <<<"$said"; then fail "$OWN_HEADER: there is no struct '$OWN_TYPE' in it; name one: --type robots::MyArm"; fi
+  {
+    echo "axial: $OWN_HEADER does not compile:"
+    sed -nE -e 's/.*call to non-.*malformed::.*Of = ([^]]*)\].*/  \1:/p' -e 's/.*< (axial: .*)/  \1/p' \
+      -e '/malformed::/!s/^([^ ]+: (fatal )?error: .*)/  \1/p' <<<"$said" | head -n 6
+  } >&2
+  exit 1
 }
 
 # prepare_own_images BOARD: after take_own_robot. Images of another robot are removed, lest one that does not build now is measured.

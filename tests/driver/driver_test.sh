@@ -93,6 +93,47 @@ OptionsAreCheckedBeforeAnythingIsBuilt() {
   expect_refused "unknown argument 'all'" test all
 }
 
+# A header that no compiler takes is said by its own error, before anything is built.
+HeadersThatDoNotCompileAreSaid() {
+  local folder verb
+  folder=$(mktemp -d)
+  header() { sed "$1" "$(dirname "$AXIAL")/tests/driver/two_links.hpp" >"$folder/arm.hpp"; }
+  require() { bash -c 'set -euo pipefail; AXIAL_ROOT=$1; . "$1/cmake/driver/progress.sh"; . "$1/cmake/driver/own.sh"
+    mkdir -p "$2/build"; take_own_robot "$2/arm.hpp" "${3:-}"; AXIAL_ROOT=$2; mkdir -p "$2/firmware"
+    ln -sfn "$1/firmware/include" "$2/firmware/include"; write_own_robot preset' - "$(dirname "$AXIAL")" "$folder" "${1:-}"; }
+  header ''
+  expect 0 require
+  header 's/mass(/wieght(/'
+  expect 1 require
+  [[ $err == *"arm.hpp does not compile:"*"error: "*"wieght"* && $(wc -l <<<"$err") -le 7 ]] || fail "said: $err"
+  header '0,/mass(/s/mass([^)]*)/mass(-1.0)/'
+  expect 1 require
+  [[ $err == *"link_index<0>:"*"axial: the mass of a link is negative"* && $(wc -l <<<"$err") -le 4 ]] || fail "said: $err"
+  header ''
+  expect 1 require Nobody
+  [[ $err == *"there is no struct 'Nobody' in it"* ]] || fail "said: $err"
+  rm -rf "$folder"
+}
+
+# The struct of a header is found in whatever namespaces and structs it stands.
+StructsOfHeadersAreFound() {
+  local header found
+  header=$(mktemp)
+  cat >"$header" <<'END'
+namespace my { namespace arms {  // struct Other { static constexpr auto chain = 0; };
+enum class Kind { a, b };
+struct First { static constexpr auto chain = axial::chain(axial::revolute()); };
+  template <class T> struct Twin : Base<T> {
+    struct Second { constexpr static auto chain = axial::chain(axial::revolute()); };
+  };
+}  // namespace arms
+struct Unlike { double chain[2] = {1.0, 2.0}; }; }
+END
+  found=$(bash -c '. "$1/cmake/driver/own.sh"; robot_type "$2"' - "$(dirname "$AXIAL")" "$header")
+  rm -f "$header"
+  [[ $found == my::arms::Twin::Second ]] || fail "found: $found"
+}
+
 ValuesAreChecked() {
   expect_refused "unknown robot 'pumma'; there are panda" demo --robot pumma
   expect_refused "unknown board 'stm32f4'; there are" run x.hpp --board stm32f4
