@@ -40,14 +40,21 @@ Values geometry_scales(const Values& largest, Predicate is_length) {
   return scales;
 }
 
+std::size_t numbers_of(const std::vector<ResultBlock>& blocks) {
+  std::size_t sum = 0;
+  for (const ResultBlock& block : blocks)
+    sum += block.count;
+  return sum;
+}
+
 /// Every number of a block is relative to its largest.
-Values derivative_scales(const std::string& kernel, const Values& largest) {
-  std::size_t n = 0;
-  while (n * (5 * n + 3) / 2 < largest.size())
+Values block_scales(const std::string& kernel, const Values& largest) {
+  std::size_t n = 1;
+  while (numbers_of(blocks_of(kernel, n)) < largest.size())
     ++n;
   Values scales;
   auto begin = largest.begin();
-  for (const DerivativeBlock& block : derivative_blocks(kernel, n)) {
+  for (const ResultBlock& block : blocks_of(kernel, n)) {
     const auto end = begin + static_cast<std::ptrdiff_t>(block.count);
     scales.insert(scales.end(), block.count, *std::max_element(begin, end));
     begin = end;
@@ -57,12 +64,13 @@ Values derivative_scales(const std::string& kernel, const Values& largest) {
 
 }  // namespace
 
-std::vector<DerivativeBlock> derivative_blocks(const std::string& kernel, std::size_t joints) {
+std::vector<ResultBlock> blocks_of(const std::string& kernel, std::size_t joints) {
   const std::size_t n = joints, triangle = n * (n + 1) / 2;
   if (kernel == "inverse_dynamics_derivatives")
     return {{"tau", n}, {"M", triangle}, {"dtau_dq", n * n}, {"dtau_dqd", n * n}};
   if (kernel == "forward_dynamics_derivatives")
     return {{"M_inverse", triangle}, {"dqdd_dq", n * n}, {"dqdd_dqd", n * n}, {"qdd", n}};
+  if (kernel == "elastic_feedforward") return {{"tau_m", n}, {"theta", n}, {"thetad", n}, {"tau_l", n}};
   return {};
 }
 
@@ -71,7 +79,7 @@ Values error_scales(const std::string& kernel, const std::vector<Values>& exact)
   if (kernel == "mass_matrix") return mass_matrix_scales(largest);
   if (kernel == "jacobian") return geometry_scales(largest, [](std::size_t i) { return i % 6 >= 3; });
   if (kernel == "forward_kinematics") return geometry_scales(largest, [](std::size_t i) { return i >= 9; });
-  if (!derivative_blocks(kernel, 1).empty()) return derivative_scales(kernel, largest);
+  if (!blocks_of(kernel, 1).empty()) return block_scales(kernel, largest);
   return joint_scales(largest);
 }
 

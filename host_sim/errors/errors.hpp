@@ -12,7 +12,7 @@ struct Kernel {
   std::string robot, scene, algorithm, variant, scalar;
 };
 
-/// A vector or a matrix among the results of derivatives.
+/// A vector or a matrix among the results of a kernel that has several.
 struct Block {
   std::string name;       ///< as the library's member
   double error;           ///< relative to its largest entry over all states
@@ -27,7 +27,7 @@ struct Row {
   std::optional<double>
       error_torque;  ///< of accelerations: M(q) times their error, relative to the joint's largest torque
   std::optional<double> certified;  ///< what the analysis proves of any state, of a torque in fixed point
-  std::vector<Block> blocks;        ///< of derivatives
+  std::vector<Block> blocks;        ///< of derivatives, and of motors behind springs
 };
 
 /// Empty: all.

@@ -172,7 +172,13 @@ class States {
       drawn_.push_back(draw.next());
       inputs.push_back(exactly<R, Words>(in_numbers<R, Words>(drawn_.back())));
     }
-    reference_ = Reference(host_sim::driven_robot<quad, R>(), std::move(inputs));
+    reference_ = Reference(host_sim::driven_robot<quad, R>(), std::move(inputs), compliance());
+  }
+  static Vector compliance() {
+    Vector all;
+    for (const auto& link : R::chain.links)
+      all.push_back(link.stiffness < axial::LinkParameters::unlimited ? quad(1) / quad(link.stiffness) : quad(0));
+    return all;
   }
   std::vector<Given<R, double>> drawn_;
   Reference reference_{{}, {}};

@@ -14,12 +14,15 @@ enum class Job {
   pose,
   jacobian,
   torque_derivatives,
-  acceleration_derivatives
+  acceleration_derivatives,
+  motors
 };
 
 constexpr bool is_derivatives(Job job) {
   return job == Job::torque_derivatives || job == Job::acceleration_derivatives;
 }
+/// Whether results are vectors and matrices of several kinds.
+constexpr bool has_blocks(Job job) { return is_derivatives(job) || job == Job::motors; }
 
 /// The name by which errors are scaled (host_sim::error_scales).
 constexpr const char* scaled_as(Job job) {
@@ -28,6 +31,7 @@ constexpr const char* scaled_as(Job job) {
          : job == Job::jacobian                 ? "jacobian"
          : job == Job::torque_derivatives       ? "inverse_dynamics_derivatives"
          : job == Job::acceleration_derivatives ? "forward_dynamics_derivatives"
+         : job == Job::motors                   ? "elastic_feedforward"
                                                 : "joints";
 }
 
@@ -53,6 +57,9 @@ template <>
 inline constexpr Job job_of<algorithms::inverse_dynamics_derivatives> = Job::torque_derivatives;
 template <>
 inline constexpr Job job_of<algorithms::forward_dynamics_derivatives> = Job::acceleration_derivatives;
+
+template <>
+inline constexpr Job job_of<algorithms::elastic_feedforward> = Job::motors;
 
 /// The scene that a kernel runs: some algorithms name a route.
 template <class Algorithm, class S>

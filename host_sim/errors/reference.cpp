@@ -79,6 +79,25 @@ Vector Reference::acceleration_derivatives(const Inputs& in) const {
   return values;
 }
 
+/// Spong's equations, with what the kernel takes for the third and fourth derivative: accelerations and efforts.
+Vector Reference::motors(const Inputs& in) const {
+  const auto& robot = chain_.chain();
+  const auto link = oracle::rates_in_time(
+      oracle::Path{in.q, in.qd, in.qdd, in.qdd, in.tau}, [&](const Vector& q, const Vector& qd, const Vector& qdd) {
+        return oracle::recursive_inverse_dynamics(oracle::without_rotors(robot), q, qd, qdd);
+      });
+  Vector torque = link.value, position = in.q, velocity = in.qd;
+  for (std::size_t i = 0; i < torque.size(); ++i) {
+    const auto& motor = robot.links[i];
+    const quad& c = compliance_[i];
+    position[i] += c * link.value[i], velocity[i] += c * link.first[i];
+    torque[i] += motor.gear * motor.gear * motor.rotor_inertia * (in.qdd[i] + c * link.second[i]);
+  }
+  Vector values = torque;
+  append(values, position), append(values, velocity), append(values, link.value);
+  return values;
+}
+
 Vector Reference::result(Job job, const Inputs& in) const {
   const Vector rest(in.q.size(), quad(0));
   switch (job) {
@@ -100,6 +119,8 @@ Vector Reference::result(Job job, const Inputs& in) const {
       return torque_derivatives(in);
     case Job::acceleration_derivatives:
       return acceleration_derivatives(in);
+    case Job::motors:
+      return motors(in);
   }
   return {};
 }

@@ -19,8 +19,9 @@ struct Inputs {
 
 class Reference {
  public:
-  Reference(oracle::DrivenChain<quad> chain, std::vector<Inputs> states)
-      : chain_(std::move(chain)), states_(std::move(states)) {}
+  /// `compliance`: 1/K of every joint, 0 of a rigid one; read for motors alone.
+  Reference(oracle::DrivenChain<quad> chain, std::vector<Inputs> states, Vector compliance = {})
+      : chain_(std::move(chain)), states_(std::move(states)), compliance_(std::move(compliance)) {}
 
   std::size_t size() const { return states_.size(); }
   const Inputs& inputs(std::size_t state) const { return states_[state]; }
@@ -37,9 +38,11 @@ class Reference {
   Vector inverse_mass_matrix(const Vector& q) const;
   Vector torque_derivatives(const Inputs& in) const;
   Vector acceleration_derivatives(const Inputs& in) const;
+  Vector motors(const Inputs& in) const;
 
   oracle::DrivenChain<quad> chain_;
   std::vector<Inputs> states_;
+  Vector compliance_;
   std::map<Job, std::vector<Vector>> results_;
   std::map<Job, std::vector<double>> scales_;
 };

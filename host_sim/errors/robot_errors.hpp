@@ -29,6 +29,9 @@ class Numbers {
       numbers.add_joints(result.tau), numbers.add_matrices(result.M, result.dtau_dq, result.dtau_dqd);
     else if constexpr (job == Job::acceleration_derivatives)
       numbers.add_matrices(result.M_inverse, result.dqdd_dq, result.dqdd_dqd), numbers.add_joints(result.qdd);
+    else if constexpr (job == Job::motors)
+      numbers.add_joints(result.tau_m), numbers.add_joints(result.theta), numbers.add_joints(result.thetad),
+          numbers.add_joints(result.tau_l);
     else
       numbers.add_joints(result);
     return numbers.all_;
@@ -108,11 +111,11 @@ class Relative {
   host_sim::ErrorStatistics errors_;
 };
 
-/// The blocks of derivatives apart.
+/// The blocks of a result apart.
 class Blocks {
  public:
   Blocks(Job job, std::size_t joints, const std::vector<double>& scales) : scales_(scales) {
-    for (const auto& block : host_sim::derivative_blocks(scaled_as(job), joints)) {
+    for (const auto& block : host_sim::blocks_of(scaled_as(job), joints)) {
       ends_.push_back((ends_.empty() ? 0 : ends_.back()) + block.count);
       blocks_.push_back({block.name, 0.0, 0.0});
     }
@@ -174,12 +177,13 @@ inline void refuse_bad(const axial::Status& status, const Kernel& kernel) {
                            std::to_string(static_cast<int>(status.code)));
 }
 
-/// What the library does not offer where joints share drives: derivatives; in fixed point forward dynamics, and loops.
+/// What the library does not offer where joints share drives: derivatives, elastic joints; in fixed point forward
+/// dynamics, and loops.
 template <class Algorithm, class S, class T>
 constexpr bool is_offered() {
   constexpr bool fixed = axial::is_stored_v<T>;
   if (!axial::detail::shares_drives_in<typename axial::scene_of<S>::Robot>) return true;
-  return !is_derivatives(job_of<Algorithm>) && !(fixed && job_of<Algorithm> == Job::acceleration) &&
+  return !has_blocks(job_of<Algorithm>) && !(fixed && job_of<Algorithm> == Job::acceleration) &&
          !(fixed && axial::scene_of<S>::template has<axial::Looped>);
 }
 
@@ -203,12 +207,12 @@ Row row_of(const Kernel& kernel) {
     const Vector off = difference(Numbers<Run, T>::template of<job>(result), wanted[k]);
     errors.add(off), ++judged;
     if constexpr (job == Job::acceleration) torques.add(reference.torque_of(k, off));
-    if constexpr (is_derivatives(job)) blocks.add(off, wanted[k]);
+    if constexpr (has_blocks(job)) blocks.add(off, wanted[k]);
   }
   const auto proved = certified<job, Algorithm, Run, T>(reference.scales(job));
   Row row{kernel, judged, errors.largest(), errors.rms(), {}, proved, {}};
   if (job == Job::acceleration) row.error_torque = torques.largest();
-  if (is_derivatives(job)) row.blocks = blocks.all();
+  if (has_blocks(job)) row.blocks = blocks.all();
   return row;
 }
 

@@ -163,7 +163,15 @@ def size_of(data, board, contract="off"):
 
 def size_fixed(data):
     """Everything in fixed point; boards beside each other."""
-    rows = [row for row in data.size if row["scalar"].startswith("fixed")]
+    return size_of_kernels([row for row in data.size if row["scalar"].startswith("fixed")])
+
+
+def size_elastic(data):
+    """Motors behind springs; boards beside each other."""
+    return size_of_kernels([row for row in data.size if row["scene"] == "elastic"])
+
+
+def size_of_kernels(rows):
     header = ["robot, algorithm, numbers", "board", "instructions", "cycles", "us", "flash", "RAM", "stack"]
     figures = ("instructions", "cycles", "microseconds", "flash_bytes", "ram_bytes", "stack_bytes")
     form = lambda row: "" if row["variant"] == "unrolled" else ", " + row["variant"]
@@ -193,10 +201,10 @@ def fixed_overflows(data):
 
 
 def derivatives(data):
-    """Every block of derivatives in float and double: of its largest entry over the states, and of the state's own."""
+    """Every block of derivatives, and of motors behind springs, in float and double: of its largest entry over the states, and of the state's own."""
     unrolled = [row for row in data.derivatives if row["variant"] == "unrolled"]
     scalars = unique(row["scalar"] for row in unrolled)
-    header = ["robot, derivatives of, block"] + [f"{scalar}{of}" for scalar in scalars for of in ("", ", of the state's own")]
+    header = ["robot, derivatives or motors of, block"] + [f"{scalar}{of}" for scalar in scalars for of in ("", ", of the state's own")]
     rows = []
     for robot, algorithm, block in unique((row["robot"], row["algorithm"], row["block"]) for row in unrolled):
         found = {row["scalar"]: row for row in unrolled if (row["robot"], row["algorithm"], row["block"]) == (robot, algorithm, block)}
@@ -210,7 +218,7 @@ def size_scenes(data):
     header = ["board, robot, algorithm", "figure"]
     bare = [row for row in size_rows(data, scene="bare", contract="off", variant="unrolled")
             if row["board"] in ("stm32f405", "stm32f100") and row["algorithm"] in ("inverse_dynamics", "forward_dynamics")]
-    scenes = [scene for scene in unique(row["scene"] for row in data.size) if scene != "bare"]
+    scenes = [scene for scene in unique(row["scene"] for row in data.size) if scene not in ("bare", "elastic")]
     rows = []
     for row in sorted(bare, key=lambda row: (row["robot"], row["board"], row["algorithm"])):
         same = {name: row[name] for name in ("board", "robot", "algorithm", "contract", "variant")}
@@ -278,7 +286,7 @@ def flag_cell(number):
 
 
 TABLES = {"prove_provenance": lambda data: f"Proved at commit `{data.proved_at}`.\n", "size_flags": size_flags, "fixed_overflows": fixed_overflows, "proved": proved,
-          "size_provenance": size_provenance, "size_scenes": size_scenes, "size_fixed": size_fixed, "size_contract": size_contract,
+          "size_provenance": size_provenance, "size_scenes": size_scenes, "size_fixed": size_fixed, "size_elastic": size_elastic, "size_contract": size_contract,
           "size_stm32f405": lambda data: size_of(data, "stm32f405"),
           "size_mps2_an500": lambda data: size_of(data, "mps2_an500", "fast"),
           "size_stm32f100": lambda data: size_of(data, "stm32f100"),

@@ -16,7 +16,7 @@ from number_systems import NAMES
 
 JOBS = {"inverse_dynamics": "Inverse dynamics", "forward_dynamics": "Forward dynamics", "mass_matrix": "Mass matrix", "bias": "Bias torque",
         "gravity": "Gravity torque", "forward_kinematics": "Forward kinematics", "jacobian": "Jacobian",
-        "inverse_dynamics_derivatives": "ID derivatives", "forward_dynamics_derivatives": "FD derivatives"}
+        "inverse_dynamics_derivatives": "ID derivatives", "forward_dynamics_derivatives": "FD derivatives", "elastic_feedforward": "Elastic joints"}
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "h"]  # robots
 FLOOR = 1e-17  # of the error axis; exact results are drawn there
 CLOSED = ("closed_form",)

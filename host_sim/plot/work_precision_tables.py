@@ -10,7 +10,7 @@ from number_systems import NAMES
 from tables import fill, grouped, load, markdown
 
 JOBS = ["inverse_dynamics", "inverse_dynamics_of_pairs", "gravity", "bias", "mass_matrix", "forward_dynamics", "forward_kinematics", "jacobian",
-        "inverse_dynamics_derivatives", "forward_dynamics_derivatives"]
+        "inverse_dynamics_derivatives", "forward_dynamics_derivatives", "elastic_feedforward"]
 
 
 def identity(row):

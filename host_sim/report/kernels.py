@@ -14,7 +14,8 @@ ERRORS = ("states", "error", "error_rms", "error_torque", "error_certified")
 COSTS = ("instructions_min", *CYCLES, "flash_bytes", "ram_bytes", "stack_bytes")
 FIELDS = ("subject", "robot", "scalar", "variant", "board", "error", "work", "unit_of_work", "pareto", "job", "scene", "algorithm", "form",
           *ERRORS[:1], *ERRORS[2:], "instructions", *COSTS)
-SCENES = {"sine_cosines": "given sine-cosine pairs", "full_parameters": "full parameters", "base_parameters": "base parameters"}
+SCENES = {"sine_cosines": "given sine-cosine pairs", "full_parameters": "full parameters", "base_parameters": "base parameters",
+          "elastic": "12 Hz"}
 SUBJECTS = {"torque_by_separation": "separation"}
 
 

@@ -15,17 +15,19 @@ import kernels
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "size"))
 import measure  # noqa: E402
 
+ALONE = {"feedforward", "elastic_feedforward"}  # one of a kind: nothing to choose from
+
 
 def chosen(board, algorithm):
     """Every way to compute what the algorithm computes."""
-    return [probe for probe in measure.own_probes(board) if kernels.subject_of(probe.algorithm) == algorithm]
+    return [probe for probe in measure.own_probes(board) if kernels.subject_of(probe.algorithm) == algorithm and algorithm not in ALONE]
 
 
 def targets(options):
     found = chosen(options.board, options.algorithm)
     if not found:
         sys.exit(f"axial choose: unknown algorithm '{options.algorithm}' for a header; there are: "
-                 f"{', '.join(sorted({kernels.subject_of(probe.algorithm) for probe in measure.own_probes(options.board)} - {'feedforward'}))}")
+                 f"{', '.join(sorted({kernels.subject_of(probe.algorithm) for probe in measure.own_probes(options.board)} - ALONE))}")
     print(*sorted({f"size-{name}" for probe in found for name in (probe.name, probe.empty)}))
 
 

@@ -9,7 +9,8 @@ import routes  # noqa: E402
 NUMBERS = {"float": ("float", ()), "double": ("double", ()), "fixed32": ("axial::Fixed32", ()),
            "fixed32_down": ("axial::Fixed32", ("RoundDown",)), "fixed32_high": ("axial::Fixed32", ("HighWord",)),
            "fixed16": ("axial::Fixed16", ())}
-SCENES = {"bare": (), "sine_cosines": ("SineCosines",), "full_parameters": ("FullParameters",), "base_parameters": ("BaseParameters",)}
+SCENES = {"bare": (), "sine_cosines": ("SineCosines",), "full_parameters": ("FullParameters",), "base_parameters": ("BaseParameters",), "elastic": ("ElasticJoints",)}
+ELASTIC = "axial::apps::Elastic<{}, 12>"  # firmware/apps/elastic/elastic_robot.hpp
 CALLS = {"inverse_dynamics": "auto tau = axial::inverse_dynamics<Scene>(q, qd, qdd{in})",
          "closed_form": "auto tau = axial::closed_form::scara_torque<Scene>(q, qd, qdd)",
          "torque_by_separation": "auto tau = axial::torque(axial::separate<Scene>(q{in}), qd, qdd)",
@@ -19,6 +20,7 @@ CALLS = {"inverse_dynamics": "auto tau = axial::inverse_dynamics<Scene>(q, qd, q
          "forward_dynamics": "auto qdd = axial::forward_dynamics<Scene>(q, qd, tau{in})",
          "inverse_dynamics_derivatives": "auto d = axial::inverse_dynamics_derivatives<Scene>(q, qd, qdd{in})",
          "forward_dynamics_derivatives": "auto f = axial::forward_dynamics_derivatives<Scene>(q, qd, tau{in})",
+         "elastic_feedforward": "auto motors = axial::elastic_feedforward<Scene>(q, qd, qdd, q3, q4)",
          "forward_kinematics": "auto poses = axial::forward_kinematics<Scene>(q)",
          "jacobian": "auto J = axial::jacobian<Scene>(q)"}
 
@@ -29,6 +31,11 @@ def robot_type(robot):
 
 def type_of(row):
     return row.get("type") or robot_type(row["robot"])
+
+
+def scene_robot(row):
+    """The robot that the scene names: behind springs it is another."""
+    return ELASTIC.format(type_of(row)) if row["scene"] == "elastic" else type_of(row)
 
 
 def included(row):
@@ -45,7 +52,7 @@ def scene(row):
     tags = ["Gravity", "RotorInertia", *SCENES[row["scene"]], *NUMBERS[row["scalar"]][1]]
     tags += ["Looped"] if row["form"] == "compact" else []
     tags += [tag_of(row["algorithm"])] if tag_of(row["algorithm"]) else []
-    return f"axial::Scene<{type_of(row)}, {', '.join('axial::' + tag for tag in tags)}>"
+    return f"axial::Scene<{scene_robot(row)}, {', '.join('axial::' + tag for tag in tags)}>"
 
 
 def call(row):
@@ -73,6 +80,7 @@ void chosen() {{
   [[maybe_unused]] axial::Positions<Robot, T> q{{}};
   [[maybe_unused]] axial::Velocities<Robot, T> qd{{}};
   [[maybe_unused]] {"axial::EffortsOf<Scene, T> tau" if "tau" in calling.partition("(")[2] else "axial::Accelerations<Robot, T> qdd"}{{}};
+  {"axial::Joints<Robot, T> q3{}, q4{};" if "q3" in calling else ""}
   [[maybe_unused]] axial::Inputs<Scene, T> in{{}};
   {calling}
   static_cast<void>({calling.split()[2]});

@@ -5,7 +5,8 @@ usage: size.py boards [choice]      prints the chosen boards
        size.py measure [choice] [--output FOLDER] [--json FILE]
        size.py budgets FILE         writes budgets from measurements, a little above them
        size.py provenance FILE      writes compiler, flags and commit
-       size.py anew FOLDER --board NAME   measures one board again: its rows and its commit into the data of FOLDER
+       size.py anew FOLDER --board NAME [--algorithm NAME]   measures one board again, or an algorithm there: its rows and its commit into
+                                                             the data of FOLDER
 choice: [--quick] [--robot NAME] [--board NAME] [--scene NAME] [--algorithm NAME] [--scalar NAME]
         [--variant NAME] [--contract NAME]; but for the board each may be a list, separated by commas
 """
@@ -147,18 +148,20 @@ def run_budgets(options):
 
 
 def run_anew(options):
-    """The other boards' rows stay, with the commit that they have."""
+    """The other boards' rows stay, and of the board those of other algorithms, with the commit that they have."""
     folder = pathlib.Path(options.file)
     file, made = folder / "size.json", folder / "size_provenance.json"
-    kept = [row for row in json.loads(file.read_text(encoding="utf-8")) if row["board"] != options.board]
+    again = lambda row: row["board"] == options.board and options.algorithm in (None, row["algorithm"])
+    kept = [row for row in json.loads(file.read_text(encoding="utf-8")) if not again(row)]
     rows = sorted(kept + measure_all(some_work_of(options)), key=lambda row: row["board"])
     write_json(file, rows)
     write_csv(folder / "size.csv", rows)
     own = provenance({options.board: cached(options.board, "CMAKE_CXX_FLAGS")})
     known = json.loads(made.read_text(encoding="utf-8"))
+    what = options.board + (f", {options.algorithm}" if options.algorithm else "")
     flags = {**known["flags"], **own["flags"]}
-    write_json(made, {**known, "flags": dict(sorted(flags.items())), "anew": {**known.get("anew", {}), options.board: own["commit"]}})
-    print(f"written: {options.board} into {file}")
+    write_json(made, {**known, "flags": dict(sorted(flags.items())), "anew": {**known.get("anew", {}), what: own["commit"]}})
+    print(f"written: {what} into {file}")
 
 
 def write_csv(path, rows):

@@ -119,6 +119,24 @@ TEST_P(ErrorsOfDerivatives, OverTwoThousandStates) {
 INSTANTIATE_TEST_SUITE_P(Robots, ErrorsOfDerivatives, testing::Values("scara", "puma560", "panda"),
                          [](const auto& robot) { return std::string(robot.param); });
 
+// Against Spong's equations: motors of an arm behind harmonic drives.
+TEST(Errors, OfMotorsBehindSpringsAreThoseOfTheNumberSystem) {
+  std::set<std::string> robots;
+  for (const Row& row : errors::rows({"", "elastic_feedforward", ""})) {
+    EXPECT_EQ(row.kernel.scene, "elastic");
+    EXPECT_EQ(row.states, 2000);
+    ASSERT_EQ(row.blocks.size(), 4U);
+    robots.insert(row.kernel.robot + ", " + row.kernel.scalar + ", " + row.kernel.variant);
+    for (const errors::Block& block : row.blocks) {
+      SCOPED_TRACE(row.kernel.robot + ", " + row.kernel.variant + ", " + row.kernel.scalar + ", " + block.name);
+      const double unit = row.kernel.scalar == "double" ? last_bit_of_double : 1.2e-7;
+      EXPECT_LT(block.error, 8 * unit);
+      EXPECT_GT(block.error, 0.01 * unit);
+    }
+  }
+  EXPECT_EQ(robots.size(), 3U * 3U) << "scara, puma560, panda: float in both forms, double";
+}
+
 TEST(Errors, UnknownNamesAreListed) {
   const auto error_of = [](const errors::Choice& choice) -> std::string {
     try {

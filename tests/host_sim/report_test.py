@@ -205,6 +205,11 @@ class Choose(unittest.TestCase):
                 for of in ("inverse", "forward") for scalar, form in (("float", "unrolled"), ("double", "compact"))]
         verify.compile_lines(rows)
 
+    def test_lines_of_elastic_joints_compile(self):
+        rows = [dict(error_row("elastic_feedforward", scalar, "elastic"), form=form) for scalar, form in (("float", "unrolled"), ("double", "compact"))]
+        self.assertIn("axial::Scene<axial::apps::Elastic<robots::Scara, 12>, axial::Gravity", snippet.lines(rows[0])[0])
+        verify.compile_lines(rows)
+
     def test_lines_of_another_scene_do_not_pass(self):
         row = next(row for row in COMMITTED if row.get("scalar") == "fixed32_high" and row["robot"] == "scara")
         for printed, other in (("axial::HighWord", "axial::RoundDown"), ("<Scene>(q", "<Scene>(qq")):

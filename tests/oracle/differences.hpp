@@ -43,4 +43,39 @@ Jacobians differences(const Vector<quad>& q, const Vector<quad>& qd, const F& f,
   return result;
 }
 
+/// A motion at an instant: positions and their four derivatives by time.
+struct Path {
+  Vector<quad> q, qd, qdd, q3, q4;
+
+  /// k-th derivative at time t of the polynomial that these are of.
+  Vector<quad> at(int k, const quad& t) const {
+    const Vector<quad>* all[] = {&q, &qd, &qdd, &q3, &q4};
+    Vector<quad> result(q.size(), quad(0));
+    quad term = 1;
+    for (int order = k; order <= 4; ++order) {
+      for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] += term * (*all[order])[i];
+      term = term * t / quad(order - k + 1);
+    }
+    return result;
+  }
+};
+/// A vector with both its derivatives by time.
+struct RatesInTime {
+  Vector<quad> value, first, second;
+};
+/// Of f(q, qd, qdd) along a path: central differences of second order, exact to some 17 digits.
+template <class F>
+RatesInTime rates_in_time(const Path& path, const F& f) {
+  const quad h = quad(1) / quad(1LL << 29);
+  const auto at = [&](const quad& t) { return f(path.at(0, t), path.at(1, t), path.at(2, t)); };
+  const Vector<quad> before = at(-h), now = at(quad(0)), after = at(h);
+  RatesInTime result{now, now, now};
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    result.first[i] = (after[i] - before[i]) / (h + h);
+    result.second[i] = (after[i] - now[i] - (now[i] - before[i])) / (h * h);
+  }
+  return result;
+}
+
 }  // namespace oracle

@@ -2,6 +2,7 @@
 // arithmetic.
 #include <axial/batch.hpp>
 #include <cases/to_axial.hpp>
+#include <oracle/differences.hpp>
 #include <robots/indy7.hpp>
 #include <robots/panda.hpp>
 #include <robots/puma560.hpp>
@@ -38,18 +39,9 @@ struct Path {
   Joints<R, T> q, qd, qdd, q3, q4;
   int n = joint_count<R>;
 
-  /// k-th derivative of the path at time t, of the polynomial that these are of.
-  QuadVector at(int k, quad t) const {
-    const Joints<R, T>* all[] = {&q, &qd, &qdd, &q3, &q4};
-    QuadVector result(static_cast<std::size_t>(n), quad(0));
-    quad term = 1;
-    for (int order = k; order <= 4; ++order) {
-      const auto value = oracle::convert<quad>(property::vector(*all[order], n));
-      for (std::size_t i = 0; i < result.size(); ++i)
-        result[i] += term * value[i];
-      term = term * t / quad(order - k + 1);
-    }
-    return result;
+  oracle::Path exact() const {
+    const auto values = [&](const Joints<R, T>& of) { return oracle::convert<quad>(property::vector(of, n)); };
+    return {values(q), values(qd), values(qdd), values(q3), values(q4)};
   }
 };
 template <class R, class T>
@@ -58,23 +50,12 @@ Path<R, T> random_path(oracle::RandomChains& random, int n = joint_count<R>) {
   return {values(3.0), values(2.0), values(4.0), values(8.0), values(16.0), n};
 }
 
-/// Torque along a path with both its rates: differences of second order, exact to some 17 digits.
-struct Exact {
-  QuadVector tau, taud, taudd;
-};
+/// Torque along a path with both its rates.
 template <class P>
-Exact exact_rates(const P& path, const oracle::Chain<quad>& chain, const oracle::Load<quad>& load = {}) {
-  const quad h = quad(1) / quad(1LL << 29);
-  const auto torque = [&](quad t) {
-    return oracle::inverse_dynamics(chain, path.at(0, t), path.at(1, t), path.at(2, t), load);
-  };
-  const QuadVector before = torque(-h), now = torque(quad(0)), after = torque(h);
-  Exact result{now, now, now};
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    result.taud[i] = (after[i] - before[i]) / (h + h);
-    result.taudd[i] = (after[i] - now[i] - (now[i] - before[i])) / (h * h);
-  }
-  return result;
+oracle::RatesInTime exact_rates(const P& path, const oracle::Chain<quad>& chain, const oracle::Load<quad>& load = {}) {
+  return oracle::rates_in_time(path.exact(), [&](const QuadVector& q, const QuadVector& qd, const QuadVector& qdd) {
+    return oracle::inverse_dynamics(chain, q, qd, qdd, load);
+  });
 }
 
 // The largest difference over the largest exact value.
@@ -98,16 +79,16 @@ Motors exact_motors(const P& path) {
   const auto motors = Fill::chain<S, Robot>();
   auto load = Fill::load<S>();
   load.friction = false;
-  const Exact link = exact_rates(path, oracle::without_rotors(motors), load);
-  Motors result{link.tau, path.at(0, quad(0)), path.at(1, quad(0)), link.tau};
-  const QuadVector acceleration = path.at(2, quad(0));
-  for (std::size_t i = 0; i < link.tau.size(); ++i) {
+  const oracle::RatesInTime link = exact_rates(path, oracle::without_rotors(motors), load);
+  const oracle::Path given = path.exact();
+  Motors result{link.value, given.q, given.qd, link.value};
+  for (std::size_t i = 0; i < link.value.size(); ++i) {
     const double k = Robot::chain.links[i].stiffness;
     const quad c = k < LinkParameters::unlimited ? quad(1) / quad(k) : quad(0);
     const auto& drive = motors.links[i];
-    result.theta[i] += c * link.tau[i];
-    result.thetad[i] += c * link.taud[i];
-    result.tau_m[i] += drive.gear * drive.gear * drive.rotor_inertia * (acceleration[i] + c * link.taudd[i]);
+    result.theta[i] += c * link.value[i];
+    result.thetad[i] += c * link.first[i];
+    result.tau_m[i] += drive.gear * drive.gear * drive.rotor_inertia * (given.qdd[i] + c * link.second[i]);
   }
   if (scene_of<S>::template has<Friction>) {
     const QuadVector friction = oracle::friction_torque(motors, result.thetad);
@@ -119,14 +100,14 @@ Motors exact_motors(const P& path) {
 
 template <class S, class P, class T>
 void expect_rates(const P& p, const oracle::Chain<quad>& chain, const Inputs<S, T>& in, double most) {
-  const Exact exact = exact_rates(p, chain, Fill::load<S>());
+  const oracle::RatesInTime exact = exact_rates(p, chain, Fill::load<S>());
   const auto second = torque_rates<S>(p.q, p.qd, p.qdd, p.q3, p.q4, in);
   const auto first = torque_rates<S>(p.q, p.qd, p.qdd, p.q3, in);
-  EXPECT_LE(error(second.tau, exact.tau), most);
-  EXPECT_LE(error(second.taud, exact.taud), most);
-  EXPECT_LE(error(second.taudd, exact.taudd), most);
-  EXPECT_LE(error(first.tau, exact.tau), most);
-  EXPECT_LE(error(first.taud, exact.taud), most);
+  EXPECT_LE(error(second.tau, exact.value), most);
+  EXPECT_LE(error(second.taud, exact.first), most);
+  EXPECT_LE(error(second.taudd, exact.second), most);
+  EXPECT_LE(error(first.tau, exact.value), most);
+  EXPECT_LE(error(first.taud, exact.first), most);
 }
 template <class S, class P, class T>
 void expect_motors(const P& p, const Inputs<S, T>& in, double most) {
@@ -218,13 +199,13 @@ TEST(TorqueRates, RandomChainsAndTreesAreTheOracles) {
   using M = Model<12, Gravity, RotorInertia>;
   property::expect_on_random_models<M>(47, 24, 8, [](auto& random, const M& model, const auto& chain, int n) {
     const auto p = random_path<M, double>(random, n);
-    const Exact exact = exact_rates(p, chain);
+    const oracle::RatesInTime exact = exact_rates(p, chain);
     const auto second = torque_rates(model, p.q, p.qd, p.qdd, p.q3, p.q4);
     const auto first = torque_rates(model, p.q, p.qd, p.qdd, p.q3);
-    EXPECT_LE(error(second.tau, exact.tau), 2e-14);
-    EXPECT_LE(error(second.taud, exact.taud), 2e-14);
-    EXPECT_LE(error(second.taudd, exact.taudd), 2e-14);
-    EXPECT_LE(error(first.taud, exact.taud), 2e-14);
+    EXPECT_LE(error(second.tau, exact.value), 2e-14);
+    EXPECT_LE(error(second.taud, exact.first), 2e-14);
+    EXPECT_LE(error(second.taudd, exact.second), 2e-14);
+    EXPECT_LE(error(first.taud, exact.first), 2e-14);
     return true;
   });
 }

@@ -67,7 +67,7 @@ report_work_precision() {
 # measure_and_report FOLDER: of choice, into files.
 measure_and_report() {
   if [[ -z ${AXIAL_SIZES:-} ]]; then
-    "$AXIAL_ROOT/axial" size "${choice[@]}" --contract off --scene bare,sine_cosines,full_parameters,base_parameters \
+    "$AXIAL_ROOT/axial" size "${choice[@]}" --contract off --scene bare,sine_cosines,full_parameters,base_parameters,elastic \
       --output "$1/size" >"$1/size.log" || return
   fi
   "$AXIAL_ROOT/axial" compare --output "$1/separation" >"$1/separation.log" || return

@@ -3,8 +3,10 @@
 /// with the members that it reads (argument.hpp has them all), so that a host can judge the very same calls.
 
 #include <cstddef>
+#include <type_traits>
 
 #include <axial/axial.hpp>
+#include <firmware/apps/elastic/elastic_robot.hpp>
 
 namespace axial::apps::size {
 
@@ -33,6 +35,12 @@ template <class Robot, class... Tags>
 using full_parameters = Scene<Robot, Gravity, RotorInertia, FullParameters, Tags...>;
 template <class Robot, class... Tags>
 using base_parameters = Scene<Robot, Gravity, RotorInertia, BaseParameters, Tags...>;
+/// Behind harmonic drives of 12 Hz, but for robots that declare a stiffness themselves. Joints that share drives are
+/// refused as they are.
+template <class Robot, class... Tags>
+using elastic = Scene<
+    std::conditional_t<axial::elastic::is_elastic<Robot>() || Robot::chain.shares_drives(), Robot, Elastic<Robot, 12>>,
+    Gravity, RotorInertia, ElasticJoints, Tags...>;
 }  // namespace scenes
 
 /// The scene's run-time inputs, taken from the argument.
@@ -48,9 +56,9 @@ constexpr auto inputs_of(const A& a) {
   return in;
 }
 
-/// The integers of the bare robot's efforts stand for the scene's; other numbers have one type for all scenes. No copy,
-/// which would be counted; what reads this view is compiled apart from what wrote the integers, or without assumptions
-/// about types (-Og).
+/// The integers of the bare robot's efforts stand for the scene's, and joint values of a robot for those of the same
+/// one with springs; other numbers have one type for all scenes. No copy, which would be counted; what reads this view
+/// is compiled apart from what wrote the numbers, or without assumptions about types (-Og).
 template <class To, class From>
 const To& same_words(const From& efforts) {
   static_assert(sizeof(To) == sizeof(From));
@@ -136,6 +144,16 @@ struct forward_dynamics_derivatives {
   static auto run(const A& a) {
     using Number = typename A::Number;
     return axial::forward_dynamics_derivatives<S>(a.q, a.qd, same_words<EffortsOf<S, Number>>(a.tau), inputs_of<S>(a));
+  }
+};
+
+/// What the motors do behind springs; accelerations and efforts stand for the motion's third and fourth derivative.
+struct elastic_feedforward {
+  template <class S, class A>
+  static auto run(const A& a) {
+    using Values = Joints<robot_of<S>, typename A::Number>;
+    const auto of = [](const auto& values) -> const Values& { return same_words<Values>(values); };
+    return axial::elastic_feedforward<S>(of(a.q), of(a.qd), of(a.qdd), of(a.qdd), of(a.tau), inputs_of<S>(a));
   }
 };
 

@@ -3,7 +3,7 @@
 # alone: an algorithm and one that calls it, unrolled and compact forms, and on RISC-V all that has real constants, which a
 # source keeps in one pool. Of a user's robot each kernel is in its own: only those asked for are compiled.
 
-set(calling_algorithms "^(forward_dynamics|feedforward|torque_by_separation|separated_torque)|_(derivatives|along)$")
+set(calling_algorithms "^(forward_dynamics|feedforward|torque_by_separation|separated_torque)|_(derivatives|along|feedforward)$")
 
 # unit_of(<variable> <set> <robot> <scene> <algorithm> <variant> <contract> <numbers>): the name of its source
 function(unit_of variable set robot scene algorithm variant contract numbers)
