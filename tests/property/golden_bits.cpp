@@ -1,6 +1,8 @@
-// What firmware/apps/fixed prints on a board, on the host; costs are 0.
+// What firmware/apps/fixed prints on a board, on the host, and robots whose joints share drives; costs are 0.
+#include <robots/palletiser.hpp>
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>
+#include <robots/wrist_arm.hpp>
 
 #include <cinttypes>
 #include <cstdio>
@@ -11,13 +13,23 @@
 
 namespace {
 
+using namespace axial::apps::fixed;
+
+template <class R>
+void put(const Golden& g) {
+  std::printf("fixed,%s,%s,%s,%016" PRIx64 ",%u,%u\n", g.kernel, R::name, g.arithmetic, g.hash, g.least, g.most);
+}
 template <class R>
 void print() {
-  using namespace axial::apps::fixed;
-  const auto put = [](const Golden& g) {
-    std::printf("fixed,%s,%s,%s,%016" PRIx64 ",%u,%u\n", g.kernel, R::name, g.arithmetic, g.hash, g.least, g.most);
-  };
-  all_golden<R>(property::WithoutCosts{}, put), all_golden_derivatives<R>(property::WithoutCosts{}, put);
+  all_golden<R>(property::WithoutCosts{}, put<R>), all_golden_derivatives<R>(property::WithoutCosts{}, put<R>);
+}
+template <class R>
+void print_drives() {
+  using S = axial::Scene<R, axial::Gravity, axial::RotorInertia, axial::Friction>;
+  constexpr property::WithoutCosts costs;
+  put<R>(golden<InverseDynamics, S, axial::Fixed32>("32_nearest", costs));
+  put<R>(golden<ForwardDynamics, S, axial::Fixed32>("32_nearest", costs));
+  put<R>(golden<CertifiedForwardDynamics, S, axial::Fixed32>("32_nearest", costs));
 }
 
 }  // namespace
@@ -25,5 +37,7 @@ void print() {
 int main() {
   print<robots::Scara>();
   print<robots::Puma560>();
+  print_drives<robots::WristArm>();
+  print_drives<robots::Palletiser>();
   std::puts("end");
 }

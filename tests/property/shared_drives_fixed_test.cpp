@@ -1,15 +1,18 @@
 // Joints that share drives in fixed point: nothing overflows and no certified error is exceeded, at corners of the
 // drives' limits and of the joints', and where searches climb; power on either side.
 #include <gtest/gtest.h>
-#include <axial/fixed.hpp>
-#include <cmath>
 #include <cstdlib>
-#include <host_sim/exhaustive/fixed_search.hpp>
 #include <robots/robots.hpp>
+
+#include "driven_robots.hpp"
+#include "driven_states.hpp"
 
 namespace {
 
 using namespace axial;
+using property::Followers;
+using property::hold_joints;
+using property::real;
 
 std::uint64_t states_asked() {
   const char* asked = std::getenv("AXIAL_UNTUNED_STATES");
@@ -33,7 +36,7 @@ class SharedKernels {
 
   /// Every kernel at one state.
   void see(State state) {
-    hold_joints(state);
+    hold_joints<R>(state);
     Values u{}, ud{}, udd{};
     for (int k = 0; k < drives; ++k)
       u[k] = real(state.q, k), ud[k] = real(state.qd, k), udd[k] = real(state.qdd, k);
@@ -44,32 +47,6 @@ class SharedKernels {
     constexpr auto p = error_bound<Checked, T>(algorithm::Momentum{}),
                    d = error_bound<Checked, T>(algorithm::MomentumDrift{});
     see_drives(momenta, got.momentum, exact.momentum, p), see_drives(drifts, got.drift, exact.drift, d);
-  }
-  /// Joints as drives take them, inside their limits too: rates are scaled back, slides by the drive that moves them.
-  static void hold_joints(State& state) {
-    constexpr const auto& g = detail::drive_matrix<R>;
-    double speed = 1.0, acceleration = 1.0;
-    for (int i = 0; i < joints; ++i) {
-      const auto& limit = JointCoordinates<R>::chain.links[i];
-      double q = g.offset[i], qd = 0.0, qdd = 0.0;
-      for (int k = 0; k < drives; ++k)
-        q += g.ratio[i][k] * real(state.q, k), qd += g.ratio[i][k] * real(state.qd, k),
-            qdd += g.ratio[i][k] * real(state.qdd, k);
-      speed = std::fmin(speed, limit.speed_limit / std::fabs(qd));
-      acceleration = std::fmin(acceleration, limit.acceleration_limit / std::fabs(qdd));
-      if (limit.type == JointType::revolute) continue;
-      const int k = g.mover_of(i);
-      const double to = std::fmin(limit.position_max, std::fmax(limit.position_min, q));
-      state.q[k].raw += static_cast<std::int32_t>((to - q) / g.ratio[i][k] * detail::power_of_two(state.q.exponent(k)));
-    }
-    for (int k = 0; k < drives; ++k) {
-      state.qd[k].raw = static_cast<typename T::Word>(state.qd[k].raw * speed);
-      state.qdd[k].raw = static_cast<typename T::Word>(state.qdd[k].raw * acceleration);
-    }
-  }
-  template <class From>
-  static double real(const From& from, int i) {
-    return from[i].raw * detail::power_of_two(-from.exponent(i));
   }
 
  private:
@@ -175,22 +152,6 @@ void expect_kernels_inside_their_bounds(double looseness) {
   EXPECT_LE(loosest, looseness);
 }
 
-/// A belt with a ratio that no word holds, an offset, a slide that follows a turn.
-struct Followers {
-  static constexpr const char* name = "followers";
-  // A line a group of values.
-  // clang-format off
-  static constexpr auto chain = axial::chain(gravity(1.0, -2.0, -9.0),
-      revolute().mass(4).com(0.1, 0.02, 0.05).inertia_com(0.2, 0.25, 0.3, 0.01, 0.0, 0.02).rotor_inertia(5e-4, 20)
-          .viscous(0.5).coulomb(0.25).position_limits(-3, 3).speed_limit(3).acceleration_limit(20),
-      revolute().alpha_deg(-90).a(0.2).mass(2).com(0.1, 0, 0.01).inertia_com(0.05, 0.06, 0.07).mimic(0, -0.3, 0.25),
-      prismatic().alpha(0.7).d(0.1).mass(1.5).com(0.02, 0.1, 0).inertia_com(0.02, 0.03, 0.04).mimic(1, 0.125, -0.5),
-      revolute().parent(0).alpha_deg(90).a(0.3).mass(1).com(0.1, 0.01, 0.05).inertia_com(0.01, 0.01, 0.005)
-          .rotor_inertia(1e-4, 40).viscous(0.125).driven_by(0, 0.75).driven_by(3, 2.0).speed_limit(6)
-          .drive_limits(-20, 40, 5, 40));
-  // clang-format on
-};
-
 }  // namespace
 
 TEST(SharedDrivesInFixedPoint, StayInsideTheirBounds) {
@@ -269,5 +230,5 @@ TEST(SharedDrivesInFixedPoint, ObserversSeeWhatPushesADrive) {
     ASSERT_TRUE(observe(state, at, Velocities<R, T>{}, applied).ok());
   constexpr auto bound = error_bound<S, T>(algorithm::MomentumObserver<Tuning>{});
   for (int k = 0; k < joint_count<R>; ++k)
-    EXPECT_NEAR((SharedKernels<R, T>::real(state.residual, k)), k == 3 ? 0.5 : 0.0, bound[k] + 1e-6) << k;
+    EXPECT_NEAR(real(state.residual, k), k == 3 ? 0.5 : 0.0, bound[k] + 1e-6) << k;
 }

@@ -35,17 +35,21 @@ class Random {
   std::uint32_t state_ = 0x20240920;
 };
 
+/// Whose values a scene's are: the robot's joints, or the drives that they share.
+template <class S>
+using ValuesOf = typename scene_of<S>::Robot;
+
 /// The limits of one role as raw words.
 template <class S>
 struct RawLimits {
-  std::int32_t of[robot_of<S>::chain.size];
+  std::int32_t of[ValuesOf<S>::chain.size];
 };
 template <class S, class Values, class Get>
 constexpr RawLimits<S> raw_limits(Get get) {
   RawLimits<S> limits{};
-  for (int i = 0; i < robot_of<S>::chain.size; ++i)
+  for (int i = 0; i < ValuesOf<S>::chain.size; ++i)
     limits.of[i] =
-        static_cast<std::int32_t>(get(robot_of<S>::chain.links[i]) * detail::power_of_two(Values::exponent(i)));
+        static_cast<std::int32_t>(get(ValuesOf<S>::chain.links[i]) * detail::power_of_two(Values::exponent(i)));
   return limits;
 }
 
@@ -75,8 +79,8 @@ constexpr Call<S, T> next_call(Random& random, int index) {
     return static_cast<Word>(!corner ? any : side == 0 ? 0 : side < 0 ? -limit : limit);
   };
   C call{};
-  for (int i = 0; i < robot_of<S>::chain.size; ++i) {
-    const bool turns = robot_of<S>::chain.links[i].type == JointType::revolute;
+  for (int i = 0; i < ValuesOf<S>::chain.size; ++i) {
+    const bool turns = ValuesOf<S>::chain.links[i].type == JointType::revolute;
     const std::int32_t angle = random.next(), depth = random.next();
     const auto eighth = static_cast<std::int32_t>(static_cast<std::uint32_t>(angle) & 0xe0000000U);
     const std::int32_t shift = static_cast<std::int32_t>(static_cast<std::uint32_t>(depth) >> 1);
@@ -99,6 +103,13 @@ struct ForwardDynamics {
   template <class S, class T>
   static constexpr auto run(const Call<S, T>& c) {
     return forward_dynamics<S>(c.q, c.qd, c.tau);
+  }
+};
+struct CertifiedForwardDynamics {
+  static constexpr const char* name = "certified_forward_dynamics";
+  template <class S, class T>
+  static constexpr auto run(const Call<S, T>& c) {
+    return certified_forward_dynamics<S, T>(c.q, c.qd, c.tau);
   }
 };
 struct ClosedForm {

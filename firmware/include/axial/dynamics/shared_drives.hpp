@@ -13,6 +13,25 @@
 
 namespace axial {
 
+namespace driven {
+/// Forward dynamics by composite bodies; a number system with formats has its own.
+template <class Links>
+struct Composites {
+  /// Accelerations of the drives.
+  template <class Input, class Q, class V, class Tau, class A>
+  AXIAL_INLINE static constexpr auto accelerations(const Links& links, const Input& in, const Q& u, const V& ud,
+                                                   const Tau& tau, A& udd) {
+    using Kernels = DrivenKernels<Links>;
+    const auto q = links.positions(u);
+    auto screws = joint_screws(links.joints(), in, q);
+    Kernels::left_efforts(links, in, q, screws, links.rates(ud), ud, tau, udd);
+    typename Kernels::Matrix m{};
+    Kernels::matrix(links, in, screws, m);
+    return crba::solve(links.drives(), m, udd);
+  }
+};
+}  // namespace driven
+
 /// Kernels in values of drives: joints by q = G u + q0, efforts of the drives by tau_u = G^T tau_q, rotors and friction
 /// of the drives themselves.
 template <class Links>
@@ -63,12 +82,7 @@ struct DrivenKernels {
   template <class Input, class Q, class V, class Tau, class A>
   AXIAL_INLINE static constexpr auto accelerations(const Links& links, const Input& in, const Q& u, const V& ud,
                                                    const Tau& tau, A& udd) {
-    const auto q = links.positions(u);
-    auto screws = joint_screws(links.joints(), in, q);
-    left_efforts(links, in, q, screws, links.rates(ud), ud, tau, udd);
-    Matrix m{};
-    matrix(links, in, screws, m);
-    return crba::solve(links.drives(), m, udd);
+    return driven::Composites<Links>::accelerations(links, in, u, ud, tau, udd);
   }
 
   /// Accelerations of the drives by articulated bodies over clusters; `bias_links` are those of the bias effort.

@@ -3,6 +3,7 @@
 
 #include <axial/algorithm.hpp>
 #include <axial/fixed/closed_form/scara.hpp>
+#include <axial/fixed/driven_forward_error.hpp>
 #include <axial/fixed/links/fixed_links.hpp>
 #include <axial/fixed/shared_drives_error.hpp>
 
@@ -243,10 +244,14 @@ template <class S, class T = Fixed32>
 /// Error bounds of accelerations, rad/s^2 or m/s^2.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::ForwardDynamics) {
-  static_assert((detail::check_bound<S, recursion::ArticulatedBodiesAtRest>(), true));
-  return detail::bounds_of(
-      detail::ranges_for<scene_of<S>, typename T::Word, FullParameters, recursion::ArticulatedBodiesAtRest>,
-      [](const LinkRange& r) { return r.joint_acceleration.error; });
+  if constexpr (detail::has_shared_drives<S>) {
+    return detail::all_of(detail::DrivenForwardError<S, T>::accelerations());
+  } else {
+    static_assert((detail::check_bound<S, recursion::ArticulatedBodiesAtRest>(), true));
+    return detail::bounds_of(
+        detail::ranges_for<scene_of<S>, typename T::Word, FullParameters, recursion::ArticulatedBodiesAtRest>,
+        [](const LinkRange& r) { return r.joint_acceleration.error; });
+  }
 }
 
 }  // namespace axial

@@ -158,14 +158,14 @@ class DriveErrors {
           [](int i) { return MomentumRatesOf<Joint, T>::exponent(i); }, true, 0.0, 0, 0.0, 0.0);
     });
   }
-  /// Errors of M, row by row.
-  static constexpr auto rows() {
+  /// Errors of M's entries up to the diagonal.
+  static constexpr auto entries() {
     using Links = decltype(links_of<S, T, BaseParameters, recursion::CompositeBodies>());
     const auto m = mechanism<Parameters>(0.0, role::Effort{});
     const auto& ranges = ranges_of<Joint, Parameters, A, recursion::CompositeBodies>;
     const auto exponent = [](int i, int j) { return MassMatrixOf<Joint, T>::exponent(i, j); };
     const auto found = bounds::mass_matrix_errors(m, rounding, ranges, exponent);
-    Row<double, drives> errors{};
+    Row<Row<double, drives>, drives> errors{};
     for (int k = 0; k < drives; ++k)
       for (int l = 0; l <= k; ++l) {
         Terms terms;
@@ -178,9 +178,17 @@ class DriveErrors {
           add(terms, share.factor, exponent(share.i, share.j), size);
         });
         if (k == l && Sizes::rotor(k) > 0.0) terms.add_literal();
-        error += terms.rounding(MassMatrixOf<S, T>::exponent(k, l), rounding);
-        if (error > errors[k]) errors[k] = error;
+        errors[k][l] = error + terms.rounding(MassMatrixOf<S, T>::exponent(k, l), rounding);
       }
+    return errors;
+  }
+  /// Errors of M, row by row.
+  static constexpr auto rows() {
+    const auto all = entries();
+    Row<double, drives> errors{};
+    for (int k = 0; k < drives; ++k)
+      for (int l = 0; l <= k; ++l)
+        if (all[k][l] > errors[k]) errors[k] = all[k][l];
     return errors;
   }
   /// Errors of the origins of the links' frames, m.

@@ -2,6 +2,7 @@
 // structure's answers to one drive per joint as an approximate inverse of the mass matrix.
 #pragma once
 
+#include <axial/fixed/dynamics/driven_certificate.hpp>
 #include <axial/fixed/dynamics/enclosure.hpp>
 #include <axial/fixed/dynamics/forward_dynamics.hpp>
 #include <axial/fixed/dynamics/inverse_dynamics.hpp>
@@ -11,12 +12,6 @@
 #include <axial/options/begin.hpp>
 
 namespace axial {
-
-/// Accelerations, how far each can be from the exact one, and what there is to say about them.
-template <class S, class T>
-struct CertifiedDynamics : ForwardDynamics<S, T> {
-  FreeAccelerations<S, T> bound{};  ///< of each acceleration, in its format; the largest word where nothing is known
-};
 
 namespace detail {
 
@@ -89,23 +84,10 @@ AXIAL_INLINE constexpr int unit_response(const Links& links, const Screws& screw
   return start + magnified;
 }
 
-/// Column j of the approximate inverse from such an answer: accelerations inside the limits, for their words have 31
-/// bits there.
+/// Column j of the approximate inverse of a scene's mass matrix.
 template <class S, class T, class System>
 AXIAL_INLINE constexpr void set_column(System& system, int j, const std::int32_t* answer, int drive) {
-  constexpr const auto& c = certificate_of<S, T>;
-  constexpr int size = joint_count<S>, bits = 30;
-  std::int64_t wide[size] = {}, seen = 0;
-  for (int i = 0; i < size; ++i) {
-    const int behind = c.widest - c.column_shift[i], right = behind > bits ? smaller(behind - bits, 31) : 0;
-    wide[i] = integer::multiply(answer[i] >> right, std::int32_t{1} << (behind > bits ? 0 : bits - behind));
-    seen |= wide[i] ^ (wide[i] >> 63);
-  }
-  const auto top = static_cast<std::uint32_t>(seen >> bits);
-  const int down = 31 - integer::detail::leading_zeros((top << 1) | 1U);
-  for (int i = 0; i < size; ++i)
-    system.inverse[i][j] = static_cast<std::int32_t>(wide_shifted_by(wide[i], down));
-  system.shift[j] = drive + c.drive_shift[j] + bits - c.widest - down;
+  set_shifted_column<joint_count<S>>(certificate_of<S, T>, system, j, answer, drive);
 }
 
 /// The answer in the words of requests, held within what is declared; false where it was beyond.
@@ -146,19 +128,6 @@ AXIAL_INLINE constexpr bool publish(CertifiedDynamics<S, T>& answer, const Syste
     tight = tight & fits & !is_less_wide(certificate_of<S, T>.tight[i], system.bound[i]);
   }
   return tight;
-}
-
-/// Whether the plain solve came to an answer, which may be beyond what is declared.
-AXIAL_INLINE constexpr bool is_answer(Status::Code plain) {
-  return (plain == Status::Code::ok) | (plain == Status::Code::rescaled) | (plain == Status::Code::acceleration_limit);
-}
-/// What status an answer has that the plain solve calls `plain`.
-AXIAL_INLINE constexpr Status certified_status(Status plain, bool inside, bool tight) {
-  const int short_of =
-      select(inside, static_cast<int>(Status::Code::inaccurate), static_cast<int>(Status::Code::acceleration_limit));
-  const int found = select(tight, static_cast<int>(plain.code), short_of);
-  return {static_cast<Status::Code>(select(is_answer(plain.code), found, static_cast<int>(plain.code))),
-          select(is_answer(plain.code) & (plain.code != Status::Code::acceleration_limit), -1, plain.joint)};
 }
 
 /// The system at a state: columns by the structure; what the mass matrix makes of them, and of x, by inverse dynamics,
@@ -213,25 +182,31 @@ AXIAL_INLINE constexpr void fill(Enclosure<joint_count<S>>& system, const Positi
 /// declares and the inputs are what their words say. Status: that of the plain answer; else inaccurate where a bound is
 /// above a 128th of the largest declared acceleration, and acceleration_limit where it is so because the answer is
 /// beyond what is declared. The largest word stands for a bound that is not known.
-/// Cost: forward dynamics, and for each joint an inverse dynamics and three solves.
+/// Cost: forward dynamics, and for each joint an inverse dynamics and three solves. Where joints share drives M in
+/// words takes the place of inverse dynamics, answers may be of any size, and what a bound is compared with is the
+/// drive's own declared acceleration.
 template <class S, class T>
 [[nodiscard]] constexpr CertifiedDynamics<S, T> certified_forward_dynamics(const Positions<robot_of<S>, T>& q,
                                                                            const Velocities<robot_of<S>, T>& qd,
                                                                            const EffortsOf<S, T>& tau,
                                                                            const Inputs<S, T>& in = {}) {
   static_assert(std::is_same_v<T, Fixed32>, "axial: answers are certified in Fixed32");
-  using C = detail::Certificate<S, T>;
-  CertifiedDynamics<S, T> answer{};
-  static_cast<ForwardDynamics<S, T>&>(answer) = forward_dynamics<S>(q, qd, tau, in);
-  typename C::Requests x{};
-  const bool inside = detail::requested<S>(answer, x);
+  if constexpr (detail::has_shared_drives<S>) {
+    return detail::DrivenCertificate<S, T>::answer(q, qd, tau, in);
+  } else {
+    using C = detail::Certificate<S, T>;
+    CertifiedDynamics<S, T> answer{};
+    static_cast<ForwardDynamics<S, T>&>(answer) = forward_dynamics<S>(q, qd, tau, in);
+    typename C::Requests x{};
+    const bool inside = detail::requested<S>(answer, x);
 
-  detail::Enclosure<C::size> system;
-  detail::fill<S, T>(system, q, qd, tau, x, in);
-  const bool answered = detail::is_answer(answer.status.code), known = system.enclose() & answered;
-  const bool tight = detail::publish<S, T>(answer, system, x, known);
-  answer.status = detail::certified_status(answer.status, inside, tight);
-  return answer;
+    detail::Enclosure<C::size> system;
+    detail::fill<S, T>(system, q, qd, tau, x, in);
+    const bool answered = detail::is_answer(answer.status.code), known = system.enclose() & answered;
+    const bool tight = detail::publish<S, T>(answer, system, x, known);
+    answer.status = detail::certified_status(answer.status, inside, tight);
+    return answer;
+  }
 }
 
 }  // namespace axial

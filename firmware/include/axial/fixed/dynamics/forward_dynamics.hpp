@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/dynamics/forward_dynamics.hpp>
+#include <axial/fixed/dynamics/driven_forward_dynamics.hpp>
 #include <axial/fixed/dynamics/resistance.hpp>
 #include <axial/fixed/dynamics/split_answer.hpp>
 #include <axial/fixed/limits/state_check.hpp>
@@ -11,11 +12,13 @@
 namespace axial {
 namespace detail {
 
-/// An articulated body, of which ranges are proved; the split one unless named.
+/// An articulated body, of which ranges are proved; the split one unless named. Composite bodies where joints share
+/// drives.
 template <class S, class Word>
 struct RouteOver<S, Stored<Word>> {
-  static constexpr Route value =
-      scene_of<S>::template has<ArticulatedBody> ? Route::articulated_body : Route::split_articulated_body;
+  static constexpr Route value = shares_drives_in<typename scene_of<S>::Robot> ? Route::composite_body
+                                 : scene_of<S>::template has<ArticulatedBody>  ? Route::articulated_body
+                                                                               : Route::split_articulated_body;
 };
 
 }  // namespace detail

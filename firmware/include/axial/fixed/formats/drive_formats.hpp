@@ -3,6 +3,7 @@
 
 #include <axial/fixed/bounds/mass_matrix.hpp>
 #include <axial/fixed/formats/joint_formats.hpp>
+#include <axial/fixed/ranges/drive_mobility.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -68,6 +69,12 @@ struct WithinDrives<Scene<JointCoordinates<R>, Features...>> {
 template <class S>
 using JointsOf = typename WithinDrives<typename SceneOfJoints<scene_of<S>>::type>::type;
 
+/// Square roots of the largest (M^-1)(k, k) of the drives.
+template <class S, class Word>
+constexpr auto found_mobilities();
+template <class S, class Word>
+inline constexpr auto drive_mobilities = found_mobilities<S, Word>();
+
 /// Sums of what drives feel of joints, column by column of G, with a rotor and friction of their own.
 template <class S, class Word>
 struct DriveSizes {
@@ -117,7 +124,34 @@ struct DriveSizes {
     const double root = felt(k, [&](int i) { return square_root(ranges.range[i].joint_inertia.size); });
     return root * root + rotor(k);
   }
+  /// Square root of the largest (M^-1)(k, k).
+  static constexpr double mobility(int k) { return drive_mobilities<S, Word>.of[k]; }
+  /// What a drive has left to accelerate with, at most: its declared effort, or what motions take, and the bias.
+  static constexpr double drive_left(int k) {
+    return effort(k) + (is_bounded(drive(k).effort_limit) ? drive(k).effort_limit : effort(k));
+  }
+  /// sqrt(udd^T M udd) = sqrt(b^T M^-1 b) under those, at most.
+  static constexpr double energy() {
+    double sum = 0.0;
+    for (int k = 0; k < g.drives; ++k)
+      sum += mobility(k) * drive_left(k);
+    return sum;
+  }
 };
+
+template <class S, class Word>
+constexpr auto found_mobilities() {
+  using Sizes = DriveSizes<S, Word>;
+  using Joint = typename Sizes::Joint;
+  constexpr const auto& motion = motion_ranges_of<Joint, Word>;
+  const DriveMobility<Sizes::joints> found(
+      mechanism_of<Joint, FullParameters>, Sizes::g, [](int i) { return motion.range[i].turns_across; },
+      [](int k) { return Sizes::rotor(k); });
+  PerJoint<joint_count<S>> all;
+  for (int k = 0; k < joint_count<S>; ++k)
+    all.of[k] = found.of(k);
+  return all;
+}
 
 }  // namespace detail
 

@@ -104,13 +104,22 @@ struct RoleExponent {
   /// for.
   static constexpr int of(role::MotionEffort, int i) {
     constexpr int finest = 24;
-    if (free_ranges_of<S, Word>.halvings == 0) return of(role::Effort{}, i);
-    return smaller(joint_rounding<Word>.exponent(motion_effort(i)), of(role::Effort{}, i) + finest);
+    if constexpr (shared) {
+      return of(role::Effort{}, i);
+    } else {
+      if (free_ranges_of<S, Word>.halvings == 0) return of(role::Effort{}, i);
+      return smaller(joint_rounding<Word>.exponent(motion_effort(i)), of(role::Effort{}, i) + finest);
+    }
   }
   static constexpr int of(role::FreeAcceleration, int i) {
-    const double free = excess_of<S, Word> * free_ranges_of<S, Word>.range[i].joint_acceleration.size;
     const double declared = link(i).acceleration_limit * largest_excess;
-    return joint_rounding<Word>.exponent(free_ranges_of<S, Word>.halvings > 0 && declared < free ? declared : free);
+    if constexpr (shared) {
+      const double free = DriveSizes<S, Word>::mobility(i) * DriveSizes<S, Word>::energy();
+      return joint_rounding<Word>.exponent(declared < free ? declared : free);
+    } else {
+      const double free = excess_of<S, Word> * free_ranges_of<S, Word>.range[i].joint_acceleration.size;
+      return joint_rounding<Word>.exponent(free_ranges_of<S, Word>.halvings > 0 && declared < free ? declared : free);
+    }
   }
   static constexpr int of(role::Momentum, int i) {
     if constexpr (shared)

@@ -94,8 +94,8 @@ constexpr void check_shared_drives() {
   static_assert(std::is_same_v<Recursion, recursion::NewtonEuler> ||
                     std::is_same_v<Recursion, recursion::CompositeBodies> ||
                     std::is_same_v<Recursion, recursion::Kinematics> || std::is_same_v<Recursion, recursion::Momenta>,
-                "axial: forward dynamics, separation and derivatives of joints that share drives have no formats in "
-                "fixed point; compute them in float");
+                "axial: separation and derivatives of joints that share drives have no formats in fixed point; compute "
+                "them in float");
 }
 }  // namespace detail
 

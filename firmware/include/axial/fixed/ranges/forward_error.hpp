@@ -9,6 +9,13 @@
 namespace axial {
 namespace detail {
 
+/// The least inertia of a link about any axis that it turns about: about its centre of mass, and about the joint's axis
+/// where nothing else turns the link.
+constexpr double inertia_against_turning(const TreeLinkConstants<double>& c, bool turns_across) {
+  if (turns_across) return least_inertia(c);
+  return c.mass > 0.0 ? c.jzz - (c.hx * c.hx + c.hy * c.hy) / c.mass : c.jzz;
+}
+
 /// Errors of the split form. `ranges` are its sizes and formats, `motion` those of the bias.
 template <int N>
 class ForwardErrorAnalysis {
@@ -68,17 +75,12 @@ class ForwardErrorAnalysis {
     speed.joint = 1.0 / square_root(own.least) + own.angular_gain.size * up.turn + own.linear_gain.size * carried;
     if (rotor > 0.0) speed.joint = least(speed.joint, 1.0 / square_root(rotor));
     const double centre = c.mass > 0.0 ? length_of(c.hx, c.hy, c.hz) / c.mass : 0.0;
-    const double inertia = own_inertia(c, motion.range[i].turns_across);
+    const double inertia = inertia_against_turning(c, motion.range[i].turns_across);
     const double freely = inertia > 0.0 ? 1.0 / square_root(inertia) : unknown_size;
     if (!c.prismatic) speed.joint = least(speed.joint, freely + up.turn);
     speed.turn = least(freely, up.turn + (c.prismatic ? 0.0 : speed.joint));
     speed.shift = carried + (c.prismatic ? speed.joint : 0.0);
     if (c.mass > 0.0) speed.shift = least(speed.shift, 1.0 / square_root(c.mass) + centre * speed.turn);
-  }
-  // About the centre of mass: about the joint's axis where nothing else turns the link.
-  static constexpr double own_inertia(const TreeLinkConstants<double>& c, bool turns_across) {
-    if (turns_across) return least_inertia(c);
-    return c.mass > 0.0 ? c.jzz - (c.hx * c.hx + c.hy * c.hy) / c.mass : c.jzz;
   }
 
   // Roundings of the child's reflection and of the way to its parent, all in the parent.

@@ -1,0 +1,43 @@
+// States of robots whose joints share drives, in words, inside the limits of drives and of joints.
+#pragma once
+
+#include <axial/fixed.hpp>
+#include <cmath>
+#include <host_sim/exhaustive/fixed_search.hpp>
+
+namespace property {
+
+/// Word i as a number.
+template <class From>
+double real(const From& from, int i) {
+  return from[i].raw * axial::detail::power_of_two(-from.exponent(i));
+}
+
+/// Joints as drives take them, inside their limits too: rates are scaled back, slides by the drive that moves them, and
+/// with `turns` turning joints likewise.
+template <class R, class State>
+void hold_joints(State& state, bool turns = false) {
+  using namespace axial;
+  constexpr const auto& g = detail::drive_matrix<R>;
+  constexpr int drives = joint_count<R>, joints = link_count<R>;
+  double speed = 1.0, acceleration = 1.0;
+  for (int i = 0; i < joints; ++i) {
+    const auto& limit = JointCoordinates<R>::chain.links[i];
+    double q = g.offset[i], qd = 0.0, qdd = 0.0;
+    for (int k = 0; k < drives; ++k)
+      q += g.ratio[i][k] * real(state.q, k), qd += g.ratio[i][k] * real(state.qd, k),
+          qdd += g.ratio[i][k] * real(state.qdd, k);
+    speed = std::fmin(speed, limit.speed_limit / std::fabs(qd));
+    acceleration = std::fmin(acceleration, limit.acceleration_limit / std::fabs(qdd));
+    if (limit.type == JointType::revolute && !turns) continue;
+    const int k = g.mover_of(i);
+    const double to = std::fmin(limit.position_max, std::fmax(limit.position_min, q));
+    state.q[k].raw += static_cast<std::int32_t>((to - q) / g.ratio[i][k] * detail::power_of_two(state.q.exponent(k)));
+  }
+  for (int k = 0; k < drives; ++k) {
+    state.qd[k].raw = static_cast<decltype(state.qd[k].raw)>(state.qd[k].raw * speed);
+    state.qdd[k].raw = static_cast<decltype(state.qdd[k].raw)>(state.qdd[k].raw * acceleration);
+  }
+}
+
+}  // namespace property
