@@ -20,6 +20,23 @@ take_own_robot() {
   OWN_NAME=${OWN_NAME:-$(basename "${OWN_HEADER%.*}")}
 }
 
+# choose_program NAME ROBOT OPTION...: CHOSEN is a program of the host and the robot that it reads: NAME, and NAME-own for a header.
+# shellcheck disable=SC2034 # verbs use it
+choose_program() {
+  CHOSEN=("$1" "$2")
+  if [[ $2 == *.hpp || $2 == *.h ]]; then
+    take_own_robot "$2" "$(option_of --type '' "${@:3}")"
+    [[ -z $(option_of --tip '' "${@:3}") ]] || fail_usage "--tip is for a URDF; '$2' is none"
+    write_own_robot "$HOST_PRESET"
+    CHOSEN=("$1-own" "$OWN_HEADER")
+  fi
+}
+
+# require_robot_file ROBOT: a name, or a file that is there.
+require_robot_file() {
+  if [[ $1 == *[./]* && ! -f $1 ]]; then fail_usage "there is no file '$1'"; fi
+}
+
 # The struct that holds the last chain, with the namespaces and structs around it.
 robot_type() {
   awk '{ line = $0; sub(/\/\/.*/, "", line); gsub(/"[^"]*"/, "", line)

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <regex>
 #include <sstream>
 
 namespace host_sim::commissioning {
@@ -104,16 +103,6 @@ void write_header(Description robot, const std::string& values, const std::strin
 }
 
 }  // namespace
-
-void take_names(Description& robot, const std::string& header) {
-  robot.source = header;
-  std::istringstream lines(description::read_text(header));
-  const std::regex named(R"(\s*// (\d+): (.+) moves (.+))");
-  for (std::string line; std::getline(lines, line);)
-    if (std::smatch found; std::regex_match(line, found, named))
-      if (const std::size_t i = std::stoul(found[1].str()); i < robot.links.size())
-        robot.links[i].joint = found[2].str(), robot.links[i].name = found[3].str();
-}
 
 int serve(CommandLine& line, int count, char** arguments, const std::function<Description()>& find) {
   std::string at = "0 0 0", values, path;

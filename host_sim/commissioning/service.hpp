@@ -16,8 +16,4 @@ namespace host_sim::commissioning {
 /// read. Returns the exit status.
 int serve(CommandLine& line, int count, char** arguments, const std::function<description::Description()>& find);
 
-/// Names of joints and links as a generated header's comments have them ("// 0: shoulder moves upper_arm"), and where
-/// it stands.
-void take_names(description::Description& robot, const std::string& header);
-
 }  // namespace host_sim::commissioning

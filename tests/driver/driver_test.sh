@@ -143,6 +143,9 @@ ValuesAreChecked() {
   expect_refused "there is no header 'mine.hpp'" cost mine.hpp
   expect_refused "there is no header 'mine.hpp'" ranges --robot mine.hpp
   expect_refused "there is no file 'no.urdf'" import no.urdf --strict
+  expect_refused "there is no file 'mine.hpp'" excite --robot mine.hpp
+  expect_refused "there is no file 'mine.hpp'" commission mine.hpp
+  expect_refused "which robot? --robot; see ./axial excite --help" excite
   expect_refused "there is no file 'no.csv'" identify no.csv --robot scara
   expect_refused "--trajectory: there is no file 'no.json'" demo --trajectory no.json
   expect_refused "--budget is 'many'; give a number" choose --robot scara --board nrf51 --budget many

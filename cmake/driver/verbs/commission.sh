@@ -32,23 +32,18 @@ END_OF_USAGE
 
 run() {
   (($#)) || fail_usage "which robot, which poses? see ./axial commission --help"
-  ensure_packages "${COMMISSION_PACKAGES[@]}"
   if [[ $1 == --documents ]]; then
+    ensure_packages "${COMMISSION_PACKAGES[@]}"
     write_commissioning_documents
     return
   fi
-  local robot=$1 program=gravity_parts
-  if [[ $robot == -* ]]; then fail_usage "the robot comes first: a header, a name, a table or a URDF; see ./axial commission --help"; fi
-  if [[ $robot == *.hpp || $robot == *.h ]]; then
-    take_own_robot "$robot" "$(option_of --type '' "$@")"
-    write_own_robot "$HOST_PRESET"
-    robot=$OWN_HEADER program=gravity_parts-own
-  elif [[ $robot == *[./]* && ! -f $robot ]]; then
-    fail_usage "there is no file '$robot'"
-  fi
+  if [[ $1 == -* ]]; then fail_usage "the robot comes first: a header, a name, a table or a URDF; see ./axial commission --help"; fi
+  require_robot_file "$1"
+  ensure_packages "${COMMISSION_PACKAGES[@]}"
+  choose_program gravity_parts "$@"
   drop_options "--type" "${@:2}"
-  build "$HOST_PRESET" "$program" >&2
-  commissioning commission.py "$program" "$robot" "${ARGUMENTS[@]}"
+  build "$HOST_PRESET" "${CHOSEN[0]}" >&2
+  commissioning commission.py "${CHOSEN[@]}" "${ARGUMENTS[@]}"
 }
 
 # commissioning SCRIPT PROGRAM ARGUMENT...: matrices here are small: threads of the linear algebra would only wait for each other.

@@ -2,7 +2,7 @@
 # summary: fits a robot's inertial parameters and friction to recorded motion, writes its header
 # group: use
 
-readonly IDENTIFICATION_PACKAGES=(python3-scipy) # filters, decompositions, optimisation
+. "$DRIVER/identification.sh"
 
 usage() {
   cat <<'END_OF_USAGE'
@@ -12,8 +12,9 @@ physically consistent parameters of every link that have them, and says how sure
   LOG.csv             a header line, then time (s), q1... (rad or m), tau1... (N m or N, of the drives, on the joint's side) and, if they
                       were measured, qd1...; other columns are ignored. Even steps, 100 Hz or more; ./axial excite makes motions.
                       Where joints share drives, columns are the drives'
-  --robot NAME        what it starts from: a name of robots/README.md, a Denavit-Hartenberg table (.json,
-                      host_sim/description) or a URDF
+  --robot NAME        what it starts from: a name of robots/README.md, a header (of ./axial import, your own), a
+                      Denavit-Hartenberg table (.json, host_sim/description) or a URDF
+  --type NAME         of a header: the robot's struct; default: the one that holds its last chain
   --tip LINK          where the chain of a URDF ends; default: every branch
   -o HEADER.hpp       writes the identified robot; the file's name becomes its name
   --validate IN_FILE  a second log, which the parameters must predict
@@ -34,25 +35,19 @@ END_OF_USAGE
 
 run() {
   (($#)) || fail_usage "which log? see ./axial identify --help"
-  ensure_packages "${IDENTIFICATION_PACKAGES[@]}"
-  build "$HOST_PRESET" robot_regressor
   if [[ $1 == --documents ]]; then
+    ensure_identification_packages
+    build "$HOST_PRESET" robot_regressor
     write_identification_documents
   else
-    identification identify.py "$@"
+    of_own_or_named_robot identify.py "$@"
   fi
-}
-
-# identification SCRIPT ARGUMENT...: matrices here are small: threads of the linear algebra would only wait for each other.
-identification() {
-  OPENBLAS_NUM_THREADS=1 /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/identification/$1" \
-    --program "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/identification/robot_regressor" "${@:2}"
 }
 
 write_identification_documents() {
   local doc=$AXIAL_ROOT/doc
   build "$HOST_PRESET" simulated_log
-  identification study.py --simulator "$AXIAL_ROOT/build/$HOST_PRESET/tests/host_sim/simulated_log" \
+  identification study.py robot_regressor --simulator "$AXIAL_ROOT/build/$HOST_PRESET/tests/host_sim/simulated_log" \
     --output "$AXIAL_ROOT/output/identification" --documents "$doc"
   printf '{"commit": "%s", "compiler": "%s", "libraries": "%s"}\n' "$("$AXIAL_ROOT/host_sim/system/commit.sh")" \
     "$(c++ --version | head -n 1)" "$(/usr/bin/python3 -E -c 'import numpy, scipy; print("NumPy", numpy.__version__ + ", SciPy", scipy.__version__)')" \
