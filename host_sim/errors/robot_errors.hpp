@@ -200,7 +200,8 @@ Row row_of(const Kernel& kernel) {
   Blocks blocks(job, axial::joint_count<R>, reference.scales(job));
   int judged = 0;
   for (std::size_t k = 0; k < wanted.size(); ++k) {
-    if (job == Job::acceleration && !all.declared(k)) continue;
+    const bool limited = job == Job::acceleration || (job == Job::acceleration_derivatives && axial::is_stored_v<T>);
+    if (limited && !all.declared(k)) continue;
     const auto result = Algorithm::template run<S>(in_numbers<R, T>(all.drawn()[k]));
     if constexpr (job == Job::acceleration) refuse_bad(result.status, kernel);
     if constexpr (job == Job::acceleration_derivatives) refuse_bad(result.qdd.status, kernel);

@@ -201,7 +201,7 @@ def fixed_overflows(data):
 
 
 def derivatives(data):
-    """Every block of derivatives, and of motors behind springs, in float and double: of its largest entry over the states, and of the state's own."""
+    """Every block of derivatives, and of motors behind springs, in each number system: of its largest entry over the states, and of the state's own."""
     unrolled = [row for row in data.derivatives if row["variant"] == "unrolled"]
     scalars = unique(row["scalar"] for row in unrolled)
     header = ["robot, derivatives or motors of, block"] + [f"{scalar}{of}" for scalar in scalars for of in ("", ", of the state's own")]

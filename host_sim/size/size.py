@@ -5,8 +5,7 @@ usage: size.py boards [choice]      prints the chosen boards
        size.py measure [choice] [--output FOLDER] [--json FILE]
        size.py budgets FILE         writes budgets from measurements, a little above them
        size.py provenance FILE      writes compiler, flags and commit
-       size.py anew FOLDER --board NAME [--algorithm NAME]   measures one board again, or an algorithm there: its rows and its commit into
-                                                             the data of FOLDER
+       size.py anew FOLDER --board NAME [choice]   measures a board's chosen probes again: their rows and their commit into the data of FOLDER
 choice: [--quick] [--robot NAME] [--board NAME] [--scene NAME] [--algorithm NAME] [--scalar NAME]
         [--variant NAME] [--contract NAME]; but for the board each may be a list, separated by commas
 """
@@ -147,21 +146,38 @@ def run_budgets(options):
     print(f"written: {options.file} ({len(budgets)} budgets)")
 
 
+def measured(row):
+    """Which probe a row is of."""
+    return tuple(row[name] for name in ("board", *CHOICES))
+
+
+def merged(known, rows):
+    """Rows by boards, with those that were measured now for those that were known."""
+    now = {measured(row) for row in rows}
+    return sorted([row for row in known if measured(row) not in now] + rows, key=lambda row: row["board"])
+
+
+def anew(known, board, choice, commit):
+    """Which commits rows are of that are not of the whole data's: of a board, or of those of its probes that were chosen."""
+    own = board if not choice else f"{board} ({', '.join(choice)})"
+    return {**{key: value for key, value in known.items() if choice or not key.startswith(board + " (")}, own: commit}
+
+
 def run_anew(options):
-    """The other boards' rows stay, and of the board those of other algorithms, with the commit that they have."""
+    """The other rows stay, with the commit that they have."""
     folder = pathlib.Path(options.file)
     file, made = folder / "size.json", folder / "size_provenance.json"
-    again = lambda row: row["board"] == options.board and options.algorithm in (None, row["algorithm"])
-    kept = [row for row in json.loads(file.read_text(encoding="utf-8")) if not again(row)]
-    rows = sorted(kept + measure_all(some_work_of(options)), key=lambda row: row["board"])
+    choice = [getattr(options, name).replace(",", ", ").replace("_", " ") for name in CHOICES if getattr(options, name)]
+    known = [row for row in json.loads(file.read_text(encoding="utf-8")) if choice or row["board"] != options.board]
+    rows = merged(known, measure_all(some_work_of(options)))
     write_json(file, rows)
     write_csv(folder / "size.csv", rows)
     own = provenance({options.board: cached(options.board, "CMAKE_CXX_FLAGS")})
     known = json.loads(made.read_text(encoding="utf-8"))
-    what = options.board + (f", {options.algorithm}" if options.algorithm else "")
     flags = {**known["flags"], **own["flags"]}
-    write_json(made, {**known, "flags": dict(sorted(flags.items())), "anew": {**known.get("anew", {}), what: own["commit"]}})
-    print(f"written: {what} into {file}")
+    write_json(made, {**known, "flags": dict(sorted(flags.items())),
+                      "anew": anew(known.get("anew", {}), options.board, choice, own["commit"])})
+    print(f"written: {options.board} into {file}")
 
 
 def write_csv(path, rows):

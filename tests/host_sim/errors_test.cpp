@@ -89,11 +89,14 @@ struct Bounds {
   double error, in_state;
 };
 // What the mass matrix amplifies is more on the Panda, whose wrist is light; its accelerations have what
-// forward_dynamics() has.
+// forward_dynamics() has. Words, which are as fine in every state, have more bits than float where an entry is large
+// and fewer where all of a block cancels.
 Bounds bounds_of(const Row& row, const std::string& block) {
   const bool in_double = row.kernel.scalar == "double", forward = row.kernel.algorithm[0] == 'f';
+  const bool light = forward && row.kernel.robot == "panda";
   if (in_double) return {1e-13, 2e-13};
-  if (forward && row.kernel.robot == "panda") return {block == "qdd" ? 1e-5 : 5e-6, 2e-5};
+  if (row.kernel.scalar == "fixed32") return {light ? 4e-5 : forward ? 3e-7 : 5e-8, light ? 2e-4 : 3e-5};
+  if (light) return {block == "qdd" ? 1e-5 : 5e-6, 2e-5};
   return {block == "qdd" ? 2e-6 : 1e-6, 1e-5};
 }
 
@@ -110,11 +113,11 @@ TEST_P(ErrorsOfDerivatives, OverTwoThousandStates) {
         const Bounds most = bounds_of(row, block.name);
         EXPECT_LE(block.error, most.error);
         EXPECT_LE(block.error_in_state, most.in_state);
-        EXPECT_GT(block.error, row.kernel.scalar == "double" ? 1e-17 : 1e-8);
+        EXPECT_GT(block.error, row.kernel.scalar == "double" ? 1e-17 : row.kernel.scalar == "fixed32" ? 1e-9 : 1e-8);
         ++checked;
       }
     }
-  EXPECT_EQ(checked, 3 * 2 * 4) << "kernels, algorithms, blocks";
+  EXPECT_EQ(checked, 4 * 2 * 4) << "kernels, algorithms, blocks";
 }
 INSTANTIATE_TEST_SUITE_P(Robots, ErrorsOfDerivatives, testing::Values("scara", "puma560", "panda"),
                          [](const auto& robot) { return std::string(robot.param); });

@@ -103,6 +103,59 @@ bool are_declared(const State& state) {
   return true;
 }
 
+/// What is beyond limits is named, as it is of a request.
+template <class S, class State>
+void check_limits(const State& state, const Expected<S>& expected, const axial::Status& status, std::uint64_t k,
+                  Wrong& wrong) {
+  using namespace axial;
+  using Code = Status::Code;
+  const bool limit = status.code == Code::position_limit || status.code == Code::speed_limit;
+  if (!expected.doubtful) {
+    const bool named =
+        expected.surely == Code::ok ? !limit : status.code == expected.surely && status.joint == expected.joint;
+    wrong.note(named, "forward dynamics' status", k, static_cast<int>(status.code), static_cast<int>(expected.surely));
+  }
+  const Status asked = check_request<S>(state.q, state.qd, Accelerations<robot_of<S>, Fixed32>{});
+  const bool same = asked.ok() ? !limit : status.code == asked.code && status.joint == asked.joint;
+  wrong.note(same, "a request's status", k, static_cast<int>(status.code), static_cast<int>(asked.code));
+}
+
+/// A matrix of derivatives: entries are within their bounds, or the largest word says that nothing is known. Beyond
+/// the limits of `formats` they are 0.
+template <class Words, class Numbers>
+void check_slopes(const Words& words, const Words& bounds, const Numbers& exact, bool beyond, bool ok, std::uint64_t k,
+                  Wrong& wrong) {
+  double largest = 0.0;
+  for (int i = 0; i < Words::size; ++i)
+    for (int j = 0; j < Words::size; ++j)
+      largest = std::fmax(largest, std::fabs(exact(i, j)));
+  for (int i = 0; i < Words::size; ++i)
+    for (int j = 0; j < Words::size; ++j) {
+      const bool known = bounds(i, j).raw != INT32_MAX;
+      wrong.note(known || !ok, "an answer with ok has bounds", k, words(i, j).raw, bounds(i, j).raw);
+      if (!known) wrong.note(words(i, j).raw == 0, "what is not known is 0", k, words(i, j).raw, 0.0);
+      wrong.note(!known || !beyond, "derivatives beyond the limits", k, words(i, j).raw, 0.0);
+      const double unit = axial::detail::power_of_two(-words.exponent(i, j)), seen = words(i, j).raw * unit;
+      const double within = bounds(i, j).raw * unit + 1e-11 * largest + 1e-12;
+      wrong.note(!known || std::fabs(seen - exact(i, j)) <= within, "a derivative", k, seen, exact(i, j));
+    }
+}
+
+/// Derivatives of forward dynamics: whatever the words, each is within its bound or has none.
+template <class S, class State>
+void check_forward_derivatives(const State& state, const Expected<S>& expected, std::uint64_t k, Wrong& wrong) {
+  using namespace axial;
+  using R = robot_of<S>;
+  const auto fixed = certified_forward_dynamics_derivatives<S>(state.q, state.qd, state.tau);
+  check_limits<S>(state, expected, fixed.qdd.status, k, wrong);
+  const bool beyond = expected.may_wrap, ok = fixed.qdd.status.ok();
+  const auto exact = forward_dynamics_derivatives<Fixed<R>>(
+      exhaustive::in_double<R>(state.q), exhaustive::in_double<R>(state.qd), exhaustive::in_double<R>(state.tau));
+  check_slopes(fixed.M_inverse, fixed.bound.M_inverse, exact.M_inverse, beyond, ok, k, wrong);
+  check_slopes(fixed.dqdd_dq, fixed.bound.dqdd_dq, exact.dqdd_dq, beyond, ok, k, wrong);
+  check_slopes(fixed.dqdd_dqd, fixed.bound.dqdd_dqd, exact.dqdd_dqd, beyond, ok, k, wrong);
+}
+
 /// Forward dynamics: what is answered with ok, and what is answered beside a turning joint's position_limit, is right;
 /// what is beyond limits is named.
 template <class S, class State>
@@ -114,15 +167,7 @@ void check_forward(const State& state, const Expected<S>& expected, std::uint64_
   constexpr bool split = !S::template has<ArticulatedBody>;
   const auto fixed = forward_dynamics<S>(state.q, state.qd, state.tau);
   const Status status = fixed.status;
-  const bool limit = status.code == Code::position_limit || status.code == Code::speed_limit;
-  if (!expected.doubtful) {
-    const bool named =
-        expected.surely == Code::ok ? !limit : status.code == expected.surely && status.joint == expected.joint;
-    wrong.note(named, "forward dynamics' status", k, static_cast<int>(status.code), static_cast<int>(expected.surely));
-  }
-  const Status asked = check_request<S>(state.q, state.qd, Accelerations<R, Fixed32>{});
-  const bool same = asked.ok() ? !limit : status.code == asked.code && status.joint == asked.joint;
-  wrong.note(same, "a request's status", k, static_cast<int>(status.code), static_cast<int>(asked.code));
+  check_limits<S>(state, expected, status, k, wrong);
   if (expected.may_wrap) {
     for (int i = 0; i < R::chain.size; ++i)
       wrong.note(fixed[i].raw == 0, "forward dynamics beyond the limits", k, fixed[i].raw, 0.0);

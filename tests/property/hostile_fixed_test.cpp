@@ -10,7 +10,7 @@ using namespace axial;
 using property::Fixed;
 using property::HostileState;
 using property::Wrong;
-constexpr std::uint64_t tests = 10;
+constexpr std::uint64_t tests = 14;
 
 template <class R>
 class HostileWords : public testing::Test {
@@ -39,6 +39,13 @@ TYPED_TEST(HostileWords, ForwardDynamicsIsRightOrSaysOtherwise) {
   using S = Fixed<TypeParam>;
   this->template run<S>(20000, [](const auto& state, std::uint64_t k, Wrong& wrong) {
     property::check_forward<S>(state, property::Expected<S>(state), k, wrong);
+  });
+}
+
+TYPED_TEST(HostileWords, ForwardDerivativesAreWithinTheirBoundsOrHaveNone) {
+  using S = Fixed<TypeParam>;
+  this->template run<S>(10000, [](const auto& state, std::uint64_t k, Wrong& wrong) {
+    property::check_forward_derivatives<S>(state, property::Expected<S>(state), k, wrong);
   });
 }
 

@@ -319,5 +319,27 @@ class Execution(unittest.TestCase):
                 list(execution.calls("x", executed, 16, counts))
 
 
+class Anew(unittest.TestCase):
+    """What measuring a part again does to the committed rows and to what is said of them."""
+
+    @staticmethod
+    def row(board, scalar, instructions):
+        names = {"robot": "scara", "scene": "bare", "algorithm": "bias", "scalar": scalar, "variant": "unrolled", "contract": "off"}
+        return {"board": board, **names, "instructions": instructions}
+
+    def test_rows_take_the_place_of_those_of_their_probes_alone(self):
+        known = [self.row("a", "float", 1), self.row("a", "double", 2), self.row("c", "float", 3)]
+        found = size.merged(known, [self.row("b", "float", 4), self.row("a", "double", 5)])
+        self.assertEqual([(row["board"], row["scalar"], row["instructions"]) for row in found],
+                         [("a", "float", 1), ("a", "double", 5), ("b", "float", 4), ("c", "float", 3)])
+
+    def test_a_part_has_its_own_commit_until_the_board_has_one(self):
+        part = size.anew({"a": "1"}, "a", ["bias", "fixed32"], "2")
+        self.assertEqual(part, {"a": "1", "a (bias, fixed32)": "2"})
+        self.assertEqual(size.anew(part, "a", ["bias", "fixed32"], "3"), {"a": "1", "a (bias, fixed32)": "3"})
+        self.assertEqual(size.anew(part, "b", [], "3"), {**part, "b": "3"})
+        self.assertEqual(size.anew(part, "a", [], "3"), {"a": "3"})
+
+
 if __name__ == "__main__":
     harness.main()

@@ -27,7 +27,7 @@ On rp2040, whose emulator counts cycles, those of every kernel are also held to 
 counts disagree.
 maintainers:
   --documents         stands alone: measures all anew and writes doc/data/size.*, doc/pictures/size.* and the tables of doc/measurements/size.md
-  --anew ANY_BOARD    with --algorithm alone or without others: measures one board again, or an algorithm there, and puts its rows, and its
+  --anew ANY_BOARD    first: measures one board again, or those of its probes that further options choose, and puts the rows, and their
                       commit, into doc/data/size.* and the tables; then ./axial report --work-precision-anew
   --update-budgets    alone: writes tests/target/budgets.json, 2 % above what is measured now
 END
@@ -49,9 +49,9 @@ run() {
       compare_builds "$@"
       ;;
     --anew)
-      (($# == 2)) || { (($# == 4)) && [[ $3 == --algorithm ]]; } || fail_usage "--anew BOARD takes --algorithm alone; see ./axial size --help"
-      build_probes --board "$2" "${@:3}"
-      size_py anew --board "$2" "${@:3}" "$AXIAL_ROOT/doc/data"
+      (($# >= 2)) || fail_usage "--anew takes a board; see ./axial size --help"
+      build_probes --board "${@:2}"
+      size_py anew --board "${@:2}" "$AXIAL_ROOT/doc/data"
       write_size_tables
       ;;
     --update-budgets)
