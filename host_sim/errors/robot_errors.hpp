@@ -178,10 +178,12 @@ inline void refuse_bad(const axial::Status& status, const Kernel& kernel) {
 }
 
 /// What the library does not offer where joints share drives: derivatives, elastic joints; in fixed point forward
-/// dynamics, and loops.
+/// dynamics, and loops. Nor, in fixed point, derivatives of forward dynamics of more than eight joints.
 template <class Algorithm, class S, class T>
 constexpr bool is_offered() {
   constexpr bool fixed = axial::is_stored_v<T>;
+  constexpr int joints = axial::joint_count<S>;
+  if (fixed && job_of<Algorithm> == Job::acceleration_derivatives && joints > 8) return false;
   if (!axial::detail::shares_drives_in<typename axial::scene_of<S>::Robot>) return true;
   return !has_blocks(job_of<Algorithm>) && !(fixed && job_of<Algorithm> == Job::acceleration) &&
          !(fixed && axial::scene_of<S>::template has<axial::Looped>);

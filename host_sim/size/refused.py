@@ -1,4 +1,4 @@
-"""What a build of a user's kernels says: which of them the library does not offer for joints that share drives.
+"""What a build of a user's kernels says: which of them the library does not offer for joints that share drives, or for so many.
 
 usage: refused.py LOG     prints the compiler's sentences; exits with 1 where anything else failed too
 """
@@ -8,6 +8,7 @@ import re
 import sys
 
 SENTENCE = re.compile(r"(?:static assertion failed: |error: static_assert failed.* \"|region `)([^\n\"]*)")
+ABOUT = re.compile("share drives|of up to 8 joints")
 SOURCE = re.compile(r"([\w.+-]+)\.cpp\.obj?\b")
 
 
@@ -19,10 +20,10 @@ def failures(log):
 
 
 def refused(log):
-    """{source: the library's first sentence about shared drives}, and whether nothing else failed."""
+    """{source: the library's first sentence about the robot's joints}, and whether nothing else failed."""
     sources, only = {}, True
     for target, said in failures("\n" + log):
-        about = [sentence for sentence in SENTENCE.findall(said) if "share drives" in sentence]
+        about = [sentence for sentence in SENTENCE.findall(said) if ABOUT.search(sentence)]
         source = SOURCE.search(target)
         if about and source:
             sources[source[1]] = min(about, key=lambda sentence: ("this function" in sentence, sentence))

@@ -159,15 +159,15 @@ def merged(known, rows):
 
 def anew(known, board, choice, commit):
     """Which commits rows are of that are not of the whole data's: of a board, or of those of its probes that were chosen."""
-    own = board if not choice else f"{board} ({', '.join(choice)})"
-    return {**{key: value for key, value in known.items() if choice or not key.startswith(board + " (")}, own: commit}
+    own = ", ".join([board, *choice])
+    return {**{key: value for key, value in known.items() if choice or not key.startswith(board + ",")}, own: commit}
 
 
 def run_anew(options):
     """The other rows stay, with the commit that they have."""
     folder = pathlib.Path(options.file)
     file, made = folder / "size.json", folder / "size_provenance.json"
-    choice = [getattr(options, name).replace(",", ", ").replace("_", " ") for name in CHOICES if getattr(options, name)]
+    choice = [getattr(options, name).replace(",", ", ") for name in CHOICES if getattr(options, name)]
     known = [row for row in json.loads(file.read_text(encoding="utf-8")) if choice or row["board"] != options.board]
     rows = merged(known, measure_all(some_work_of(options)))
     write_json(file, rows)

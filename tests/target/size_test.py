@@ -18,6 +18,7 @@ import flag_sets  # noqa: E402
 import flags  # noqa: E402
 import image  # noqa: E402
 import measure  # noqa: E402
+import refused  # noqa: E402
 import size  # noqa: E402
 import stack  # noqa: E402
 
@@ -319,6 +320,21 @@ class Execution(unittest.TestCase):
                 list(execution.calls("x", executed, 16, counts))
 
 
+class Refused(unittest.TestCase):
+    """What of a build's log is the library's own refusal."""
+
+    @staticmethod
+    def log(source, sentence):
+        return f"FAILED: apps/size/{source}.cpp.obj\nx.hpp:1:2: error: static assertion failed: axial: {sentence}\nninja: stopped\n"
+
+    def test_shared_drives_and_too_many_joints_are(self):
+        for sentence in ("joints that share drives have no derivatives", "derivatives in fixed point are those of up to 8 joints"):
+            self.assertEqual(refused.refused(self.log("own-of-x", sentence)), ({"own-of-x": "axial: " + sentence}, True))
+
+    def test_what_else_fails_is_not(self):
+        self.assertEqual(refused.refused(self.log("own-of-x", "a link has no mass")), ({}, False))
+
+
 class Anew(unittest.TestCase):
     """What measuring a part again does to the committed rows and to what is said of them."""
 
@@ -335,8 +351,8 @@ class Anew(unittest.TestCase):
 
     def test_a_part_has_its_own_commit_until_the_board_has_one(self):
         part = size.anew({"a": "1"}, "a", ["bias", "fixed32"], "2")
-        self.assertEqual(part, {"a": "1", "a (bias, fixed32)": "2"})
-        self.assertEqual(size.anew(part, "a", ["bias", "fixed32"], "3"), {"a": "1", "a (bias, fixed32)": "3"})
+        self.assertEqual(part, {"a": "1", "a, bias, fixed32": "2"})
+        self.assertEqual(size.anew(part, "a", ["bias", "fixed32"], "3"), {"a": "1", "a, bias, fixed32": "3"})
         self.assertEqual(size.anew(part, "b", [], "3"), {**part, "b": "3"})
         self.assertEqual(size.anew(part, "a", [], "3"), {"a": "3"})
 
