@@ -15,9 +15,20 @@ namespace host_sim {
 
 namespace {
 
-std::string trajectory_file(const DemoOptions& options) {
+std::string trajectory_file(const DemoOptions& options, const Robot& robot) {
   if (!options.trajectory.empty()) return options.trajectory;
-  return std::string(AXIAL_ROOT) + "/host_sim/trajectories/" + options.robot + ".json";
+  const char* const folder =
+      robot.shares_drives() ? "/host_sim/trajectories/shared_drives/" : "/host_sim/trajectories/";
+  return AXIAL_ROOT + std::string(folder) + robot.name + ".json";
+}
+
+Trajectory trajectory_of(const DemoOptions& options, const Robot& robot) {
+  const std::string path = trajectory_file(options, robot);
+  if (!robot.shares_drives()) return load_trajectory(path, robot.name, robot.limits);
+  const auto positions = [&](const std::vector<double>& u) { return joint_positions(robot, u); };
+  return load_trajectory(path, robot.name, robot.limits, [&](const Cycle& cycle) {
+    return plan_of_drives(cycle, robot.limits, robot.moved, positions);
+  });
 }
 
 const char* app_of(const std::string& number) {
@@ -78,7 +89,7 @@ void write_files(const DemoOptions& options, const Recording& recording, const S
 int run_demo(const DemoOptions& options) {
   const Robot robot = find_robot(options.robot);
   const Board board = read_board(options.board);
-  const Trajectory trajectory = load_trajectory(trajectory_file(options), robot.name, robot.limits);
+  const Trajectory trajectory = trajectory_of(options, robot);
   const std::string image = image_path(board, app_of(options.number), robot.name);
 
   const Recording recording = record(board, image, robot, trajectory);
@@ -88,7 +99,7 @@ int run_demo(const DemoOptions& options) {
   if (within_bound(summary)) return 0;
   for (std::size_t i = 0; i < summary.joints.size(); ++i)
     if (!(summary.joints[i].largest() <= summary.bounds[i]))
-      std::fprintf(stderr, "demo: joint %zu: the largest error is above its bound of %s %s\n", i + 1,
+      std::fprintf(stderr, "demo: %s %zu: the largest error is above its bound of %s %s\n", robot.noun(), i + 1,
                    significant(summary.bounds[i]).c_str(), robot.effort_unit(static_cast<int>(i)));
   return 1;
 }

@@ -33,16 +33,16 @@ const char* status_text(std::uint8_t status) {
   return "unknown status";
 }
 
-void check_status(const link::Torque& torque, const SetPoint& point) {
+void check_status(const link::Torque& torque, const SetPoint& point, const Robot& robot) {
   if (torque.status == static_cast<std::uint8_t>(link::TorqueStatus::ok)) return;
-  throw std::runtime_error("the firmware says at " + std::to_string(point.time) + " s, joint " +
+  throw std::runtime_error("the firmware says at " + std::to_string(point.time) + " s, " + robot.noun() + " " +
                            std::to_string(torque.joint + 1) + ": " + status_text(torque.status));
 }
 
 Sample exchange(Firmware& firmware, const Robot& robot, const SetPoint& point) {
   const link::SetPoint sent = to_message(point);
   const link::Torque answer = firmware.torque(sent);
-  check_status(answer, point);
+  check_status(answer, point, robot);
   const std::size_t n = sent.joints;
   Sample sample{{point.time, widened(sent.q, n), widened(sent.qd, n), widened(sent.qdd, n)},
                 widened(answer.tau, n),

@@ -13,8 +13,8 @@ namespace {
 bool is_fixed(const Summary& s) { return s.number == "fixed32"; }
 
 std::string table_of_errors(const Summary& s) {
-  std::vector<std::string> names = {
-      "joint", "unit", "largest torque", "largest error", "RMS error", "largest relative", "RMS relative"};
+  std::vector<std::string> names = {s.robot.noun(),     "unit",        "largest torque", "largest error", "RMS error",
+                                    "largest relative", "RMS relative"};
   if (is_fixed(s)) names.push_back("bound");
   Table table(names);
   for (std::size_t i = 0; i < s.joints.size(); ++i) {
@@ -87,6 +87,7 @@ nlohmann::json to_json(const Summary& s) {
                     {"board", s.board.name},
                     {"scalar", s.number},
                     {"joint", i + 1},
+                    {"values_of", s.robot.noun()},
                     {"unit", s.robot.effort_unit(static_cast<int>(i))},
                     {"torque_max", e.scale()},
                     {"torque_scale", s.scales[i]},

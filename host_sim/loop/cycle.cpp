@@ -13,43 +13,29 @@ namespace {
 // links.
 constexpr double share_of_acceleration = 0.5;
 
-constexpr double most = 1e9;  // a second, or its square: where a joint has no limit of its own
-
 const std::string folder = AXIAL_ROOT "/host_sim/trajectories/";
 
-/// Way-points of drives and, behind them, of the joints that they move: joints are linear in drives, so that a move
-/// which keeps both within their limits is planned as one of that many joints.
-Trajectory cycle_of_drives(const std::string& robot, Cycle cycle) {
+Trajectory cycle_of_drives(const std::string& robot, const Cycle& cycle) {
   using Values = axial::Joints<simulation::DrivenModel, double>;
   const auto parameters = simulation::robot_links(robot);
   const auto model = simulation::driven_model(robot);
   const auto links = model.links<double>();
-  const auto drives = static_cast<std::size_t>(model.size());
   axial::LinkParameters all[12] = {};
   std::copy(parameters.begin(), parameters.end(), all);
   const auto g = axial::drive_matrix_of(all);
-  std::vector<JointLimits> limits;
+  std::vector<JointLimits> drives, joints;
   for (int k = 0; k < model.size(); ++k) {
     const auto p = axial::detail::drive_by_itself(all[g.owner[k]], g.is_alone(g.owner[k]));
-    limits.push_back({p.position_min, p.position_max, p.speed_limit, p.acceleration_limit});
+    drives.push_back({p.position_min, p.position_max, p.speed_limit, p.acceleration_limit});
   }
-  for (const auto& p : parameters)  // which need not have any
-    limits.push_back(
-        {p.position_min, p.position_max, std::min(p.speed_limit, most), std::min(p.acceleration_limit, most)});
-  for (WayPoint& point : cycle.way_points) {
-    if (point.q.size() != drives)
-      throw std::runtime_error("way-point '" + point.name + "' of " + robot + ": give the position of each of its " +
-                               std::to_string(drives) + " drives");
+  for (const auto& p : parameters)
+    joints.push_back({p.position_min, p.position_max, p.speed_limit, p.acceleration_limit});
+  return plan_of_drives(cycle, drives, joints, [&](const std::vector<double>& position) {
     Values u{};
-    std::copy(point.q.begin(), point.q.end(), u.values);
+    std::copy(position.begin(), position.end(), u.values);
     const auto q = links.positions(u);
-    point.q.insert(point.q.end(), q.values, q.values + model.link_count());
-  }
-  Trajectory trajectory = plan(cycle, limits);
-  for (SetPoint& point : trajectory)
-    for (auto* values : {&point.q, &point.qd, &point.qdd})
-      values->resize(drives);
-  return trajectory;
+    return std::vector<double>(q.values, q.values + model.link_count());
+  });
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ def draw_pair(axes, data, joints, column, heading, units):
         target = right if slides else axes
         lines += target.plot(data["time"], data[f"{column}{index + 1}"], color=style.COLOURS[index],
                              linestyle=(0, (5, 1.5)) if slides else "-",
-                             label=f"joint {index + 1}" + (" (right scale)" if slides else ""))
+                             label=f"{joint.get('values_of', 'joint')} {index + 1}" + (" (right scale)" if slides else ""))
         target.set_ylabel(units[joint["unit"]])
     if right is not None:
         right.spines["right"].set_visible(True)
@@ -59,7 +59,7 @@ def draw_pair(axes, data, joints, column, heading, units):
 
 
 def draw_errors(axes, data, joints):
-    axes.set_title("Largest error of every 10 ms against the oracle, relative to the joint's largest torque")
+    axes.set_title("Largest error of every 10 ms against the oracle, relative to the largest torque of each")
     for index, joint in enumerate(joints):
         time, error = largest_of_each(10, data["time"], np.abs(data[f"error{index + 1}"]))
         relative = np.maximum(error / (joint["torque_scale"] or 1.0), FLOOR)

@@ -1,5 +1,6 @@
 #include <host_sim/robots/fixed_format.hpp>
 
+#include <host_sim/robots/driven_robot.hpp>
 #include <host_sim/robots/robot.hpp>
 
 #include <axial/fixed.hpp>
@@ -27,7 +28,7 @@ std::vector<double> half_units_of_positions() {
   std::vector<double> halves = half_units<axial::Positions<Robot, axial::Fixed32>>();
   const double half_angle = border_slack * 0x1p-33 * 2.0 * std::acos(-1.0);
   for (std::size_t i = 0; i < halves.size(); ++i)
-    if (Robot::chain.links[i].type == axial::JointType::revolute) halves[i] = half_angle;
+    if (DrivesOf<Robot>::chain.links[i].type == axial::JointType::revolute) halves[i] = half_angle;
   return halves;
 }
 
@@ -50,8 +51,12 @@ FixedFormat format_of() {
 
 FixedFormat fixed32_format(const std::string& robot) {
   FixedFormat format;
-  if (!robots::visit_named(robot.c_str(), [&](auto named) { format = format_of<typename decltype(named)::Robot>(); }))
-    find_robot(robot);  // says which there are
+  const auto take = [&](auto named) {
+    if (robot == named.name) format = format_of<typename decltype(named)::Robot>();
+  };
+  robots::All::for_each(take);
+  robots::SharedDrives::for_each(take);
+  if (format.q.empty()) find_robot(robot);  // says which there are
   return format;
 }
 

@@ -6,7 +6,7 @@
 
 namespace host_sim {
 
-/// One value per joint.
+/// One value per joint, or per drive that joints share.
 struct FixedFormat {
   std::vector<double> q, qd, qdd;  ///< half a unit of the formats: what a set-point is moved by at most; rad or m, s
   std::vector<double> torque;      ///< certified error of the torque for the motion as rounded, N m or N

@@ -66,12 +66,13 @@ void check_positions(const Trajectory& trajectory, const std::vector<JointLimits
                                  std::to_string(point.time) + " s");
 }
 
-Trajectory load(const std::string& path, const std::string& robot, const std::vector<JointLimits>& limits) {
+Trajectory load(const std::string& path, const std::string& robot, const std::vector<JointLimits>& limits,
+                const std::function<Trajectory(const Cycle&)>& planned) {
   if (path.size() > 4 && path.substr(path.size() - 4) == ".csv")
     return read_set_points(path, static_cast<int>(limits.size()));
   const Cycle cycle = read_cycle(path);
   if (cycle.robot != robot) throw std::runtime_error("is for " + cycle.robot + ", not for " + robot);
-  return plan(cycle, limits);
+  return planned(cycle);
 }
 
 }  // namespace
@@ -106,8 +107,13 @@ Trajectory read_set_points(const std::string& path, int joints) {
 }
 
 Trajectory load_trajectory(const std::string& path, const std::string& robot, const std::vector<JointLimits>& limits) {
+  return load_trajectory(path, robot, limits, [&](const Cycle& cycle) { return plan(cycle, limits); });
+}
+
+Trajectory load_trajectory(const std::string& path, const std::string& robot, const std::vector<JointLimits>& limits,
+                           const std::function<Trajectory(const Cycle&)>& planned) {
   try {
-    Trajectory trajectory = load(path, robot, limits);
+    Trajectory trajectory = load(path, robot, limits, planned);
     check_positions(trajectory, limits);
     return trajectory;
   } catch (const std::runtime_error& error) {

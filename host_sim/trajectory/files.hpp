@@ -3,6 +3,7 @@
 
 #include <host_sim/trajectory/pick_and_place.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,5 +20,8 @@ Trajectory read_set_points(const std::string& path, int joints);
 /// Either of the two, by the file's ending. Throws std::runtime_error; also when the file is for another robot or
 /// leaves the position limits.
 Trajectory load_trajectory(const std::string& path, const std::string& robot, const std::vector<JointLimits>& limits);
+/// Overload for way-points that are planned in a way of their own.
+Trajectory load_trajectory(const std::string& path, const std::string& robot, const std::vector<JointLimits>& limits,
+                           const std::function<Trajectory(const Cycle&)>& planned);
 
 }  // namespace host_sim

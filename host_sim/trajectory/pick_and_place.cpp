@@ -113,4 +113,24 @@ Trajectory plan(const Cycle& cycle, const std::vector<JointLimits>& limits) {
   return trajectory;
 }
 
+Trajectory plan_of_drives(Cycle cycle, std::vector<JointLimits> drives, const std::vector<JointLimits>& joints,
+                          const std::function<std::vector<double>(const std::vector<double>&)>& positions) {
+  constexpr double most = 1e9;  // a second, or its square: where a joint has no limit of its own
+  const std::size_t count = drives.size();
+  for (WayPoint& point : cycle.way_points) {
+    if (point.q.size() != count)
+      throw std::runtime_error("way-point '" + point.name + "': give the position of each of the " +
+                               std::to_string(count) + " drives");
+    const auto q = positions(point.q);
+    point.q.insert(point.q.end(), q.begin(), q.end());
+  }
+  for (const JointLimits& p : joints)
+    drives.push_back({p.position_min, p.position_max, std::min(p.speed, most), std::min(p.acceleration, most)});
+  Trajectory trajectory = plan(cycle, drives);
+  for (SetPoint& point : trajectory)
+    for (auto* values : {&point.q, &point.qd, &point.qdd})
+      values->resize(count);
+  return trajectory;
+}
+
 }  // namespace host_sim

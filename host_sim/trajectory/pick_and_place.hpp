@@ -4,6 +4,7 @@
 #include <host_sim/trajectory/set_point.hpp>
 #include <host_sim/trajectory/smooth_curve.hpp>
 
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -45,5 +46,10 @@ class Move {
 /// Set-points of the whole cycle, from rest at the first way-point to rest at the last.
 /// Throws std::runtime_error when a way-point lies outside the joints' limits or a joint declares none.
 Trajectory plan(const Cycle& cycle, const std::vector<JointLimits>& limits);
+
+/// A cycle of drives that joints share: way-points and set-points are the drives', which keep their limits; so do the
+/// joints, which stand at `positions` of them and are linear in them.
+Trajectory plan_of_drives(Cycle cycle, std::vector<JointLimits> drives, const std::vector<JointLimits>& joints,
+                          const std::function<std::vector<double>(const std::vector<double>&)>& positions);
 
 }  // namespace host_sim

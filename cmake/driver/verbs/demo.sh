@@ -7,7 +7,8 @@ usage() {
 usage: ./axial demo [options]
 Installs and builds what is missing, starts the feed-forward firmware of a board in its emulator, streams a pick-and-place
 cycle to it tick by tick, compares every torque with the oracle, prints a table and writes CSV, JSON and a picture.
-  --robot ROBOT       scara (default), scara_rrpr, puma560, panda, planar2r
+  --robot ROBOT|DRIVEN  scara (default), scara_rrpr, puma560, panda, planar2r; whose joints share drives: scara_quill, palletiser,
+                      wrist_arm, gripper. Of these values, torques and errors are the drives'
   --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt, rp2040, rp2040_ram
   --number float|fixed32  what the firmware computes in; default float (fixed32: 32-bit fixed point; the wire stays float)
   --trajectory IN_FILE  way-points (.json as in host_sim/trajectories) or set-points (.csv: time, q..., qd..., qdd...)
