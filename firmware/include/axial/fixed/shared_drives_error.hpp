@@ -204,22 +204,38 @@ class DriveErrors {
     return bounds::tool_error(mechanism<KinematicParameters>(0.0, role::Effort{}), rounding,
                               ranges_of<Joint, KinematicParameters, A, recursion::Kinematics>);
   }
-  /// Errors of the linear part of the Jacobian's columns by drives.
-  static constexpr auto columns() {
-    const auto m = mechanism<KinematicParameters>(0.0, role::Effort{});
-    const auto& ranges = ranges_of<Joint, KinematicParameters, A, recursion::Kinematics>;
-    const auto found = bounds::jacobian_bounds(m, rounding, ranges);
-    const int length = ranges.format[0].length;
-    return each_drive([&](int k) {
+  /// Bounds of the Jacobian's columns by drives, from those by joints; `lengths` is the exponent of the latter.
+  static constexpr bounds::JacobianBounds<drives> by_drives(const bounds::JacobianBounds<joints>& found, int lengths,
+                                                            const WordRounding& r) {
+    bounds::JacobianBounds<drives> all{};
+    const auto sum = [&](int k, bounds::BoundedVector bounds::BoundedMotion::*part, int exponent) {
       Terms terms;
-      double error = 0.0;
+      Ball whole{};
       for (int i = 0; i < joints; ++i)
         if (g.is_moved(i, k)) {
-          const Ball whole = found.columns[i].linear.bound.whole;
-          add(terms, g.ratio[i][k], length, whole.largest()), error += magnitude(g.ratio[i][k]) * whole.error;
+          const Ball own = (found.columns[i].*part).bound.whole;
+          whole.size += magnitude(g.ratio[i][k]) * own.size, whole.error += magnitude(g.ratio[i][k]) * own.error;
+          add(terms, g.ratio[i][k], exponent, own.largest());
         }
-      return error + root3 * terms.rounding(length - column_headroom<S>, rounding);
-    });
+      whole.error += root3 * terms.rounding(exponent - column_headroom<S>, r);
+      return bounds::detail::anywhere(whole, exponent - column_headroom<S>, &r);
+    };
+    for (int k = 0; k < drives; ++k) {
+      all.columns[k].angular = sum(k, &bounds::BoundedMotion::angular, r.bits - 2);
+      all.columns[k].linear = sum(k, &bounds::BoundedMotion::linear, lengths);
+    }
+    return all;
+  }
+  /// Bounds of the Jacobian of the scene.
+  static constexpr auto jacobian() {
+    const auto m = mechanism<KinematicParameters>(0.0, role::Effort{});
+    const auto& ranges = ranges_of<Joint, KinematicParameters, A, recursion::Kinematics>;
+    return by_drives(bounds::jacobian_bounds(m, rounding, ranges), ranges.format[0].length, rounding);
+  }
+  /// Errors of the linear part of the Jacobian's columns by drives.
+  static constexpr auto columns() {
+    const auto all = jacobian();
+    return each_drive([&](int k) { return all.columns[k].linear.bound.whole.error; });
   }
 };
 

@@ -39,8 +39,21 @@ constexpr void check_wrench_efforts() {
       described_by<R>::chain.tip_wrench_limit.declared,
       "axial: fixed point leaves room for the declared tip wrench; add axial::tip_wrench_limit(force, moment) "
       "to the robot's chain");
-  static_assert(!shares_drives_in<typename scene_of<R>::Robot>,
-                "axial: J^T w of joints that share drives has no formats in fixed point; compute it in float");
+}
+
+/// Bounds of a robot's Jacobian with any tool that it has room for: a Jacobian does not say which tool it is of.
+template <class R, class Word>
+constexpr auto jacobian_with_any_tool() {
+  constexpr const WordRounding& r = joint_rounding<Word>;
+  const auto of_joints = [](auto m) {
+    m.loads.tool_offset = m.loads.tool_reach;
+    return bounds::jacobian_bounds(m, r, kinematics_ranges(m, r, Wanted::formats));
+  };
+  if constexpr (has_shared_drives<R>)
+    return DriveErrors<R, Stored<Word>>::by_drives(of_joints(mechanism_of<JointsOf<R>, FullParameters>),
+                                                   length_exponent<R, Stored<Word>>, r);
+  else
+    return of_joints(mechanism_of<scene_of<R>, FullParameters>);
 }
 
 /// Exponents of J^T w: they hold every wrench that words can say.
@@ -49,14 +62,9 @@ constexpr auto wrench_effort_exponents() {
   check_wrench_efforts<R>();
   using F = InputFormats<described_by<R>, Stored<Word>>;
   constexpr const WordRounding& r = joint_rounding<Word>;
-  constexpr auto m = [] {
-    auto any = mechanism_of<scene_of<R>, FullParameters>;
-    any.loads.tool_offset = any.loads.tool_reach;  // a Jacobian does not say which tool it is of
-    return any;
-  }();
   constexpr double most = root3 * (r.capacity() + 1.0);
   const auto efforts =
-      bounds::wrench_efforts(bounds::jacobian_bounds(m, r, kinematics_ranges(m, r, Wanted::formats)),
+      bounds::wrench_efforts(jacobian_with_any_tool<R, Word>(),
                              {most * r.ulp(F::tip_moment), most * r.ulp(F::tip_force), F::tip_moment, F::tip_force}, r);
   struct Table {
     int of[joint_count<R>] = {};
@@ -77,8 +85,8 @@ constexpr WrenchEfforts<R, Stored<Word>> wrench_efforts(const Jacobian<R, Stored
   const auto wrench = read_wrench<scene_of<R>, S>(w);
   WrenchEfforts<R, T> tau{};
   const auto write = [&](auto i) AXIAL_INLINE {
-    const MotionVector column{in_format<direction_exponent<T>, S>(jacobian[i].angular),
-                              in_format<length_exponent<R, T>, S>(jacobian[i].linear)};
+    const MotionVector column{in_format<direction_exponent<T> - column_headroom<R>, S>(jacobian[i].angular),
+                              in_format<length_exponent<R, T> - column_headroom<R>, S>(jacobian[i].linear)};
     tau.values[i] = {round_to<WrenchEfforts<R, T>::exponent(i)>(effort_of_wrench(column, wrench)).raw};
   };
   (write(Index<I>{}), ...);
@@ -125,14 +133,21 @@ template <class S, class T = Fixed32>
   using Word = typename T::Word;
   using F = InputFormats<detail::described_by<S>, T>;
   static_assert((detail::check_bound<S, recursion::Kinematics>(), detail::check_wrench_efforts<R>(), true));
-  const auto of_jacobian = rounding_in<Scene, detail::ArithmeticOf<Scene, Word>>();
   const auto of_product = rounding_of<detail::ArithmeticOf<scene_of<R>, Word>>();
-  const auto efforts = bounds::wrench_efforts(
-      bounds::jacobian_bounds(mechanism_of<Scene, detail::with_rotors<Scene, parameters_of<Scene, FullParameters>>>,
-                              of_jacobian, detail::ranges_for<Scene, Word, FullParameters, recursion::Kinematics>),
-      {F::wrench.moment + WordRounding::ulp(F::tip_moment), F::wrench.force + WordRounding::ulp(F::tip_force),
-       F::tip_moment, F::tip_force},
-      of_product);
+  const auto columns = [] {
+    if constexpr (detail::has_shared_drives<S>)
+      return detail::DriveErrors<S, T>::jacobian();
+    else
+      return bounds::jacobian_bounds(
+          mechanism_of<Scene, detail::with_rotors<Scene, parameters_of<Scene, FullParameters>>>,
+          rounding_in<Scene, detail::ArithmeticOf<Scene, Word>>(),
+          detail::ranges_for<Scene, Word, FullParameters, recursion::Kinematics>);
+  };
+  const auto efforts =
+      bounds::wrench_efforts(columns(),
+                             {F::wrench.moment + WordRounding::ulp(F::tip_moment),
+                              F::wrench.force + WordRounding::ulp(F::tip_force), F::tip_moment, F::tip_force},
+                             of_product);
   ErrorBound<joint_count<S>> bound;
   for (int i = 0; i < bound.size; ++i)
     bound.of[i] = efforts[i].bound.error + efforts[i].terms.rounding(WrenchEfforts<R, T>::exponent(i), of_product);
