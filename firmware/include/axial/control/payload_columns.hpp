@@ -61,12 +61,8 @@ constexpr PayloadColumns<S, T> payload_columns_of_drives(const Positions<robot_o
   const auto joints = payload_columns<JointScene, T>(Links::positions(u), Links::rates(ud));
   PayloadColumns<S, T> all;
   const auto map = [](auto k, const auto& from, auto& to) {
-    for (int c = 0; c < 4; ++c) {
-      Joints<JointScene, T> column{};
-      for (int i = 0; i < Links::size; ++i)
-        column[i] = from[i].of[c];
-      to[k].of[c] = static_cast<T>(Links::template felt<decltype(k)::value>(column));
-    }
+    for (int c = 0; c < 4; ++c)
+      to[k].of[c] = Links::template column_part<decltype(k)::value>([&](int i) { return from[i].of[c]; });
   };
   Links::each_drive([&](auto k) { map(k, joints.momentum, all.momentum), map(k, joints.drift, all.drift); });
   return all;

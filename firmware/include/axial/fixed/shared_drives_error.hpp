@@ -204,20 +204,30 @@ class DriveErrors {
     return bounds::tool_error(mechanism<KinematicParameters>(0.0, role::Effort{}), rounding,
                               ranges_of<Joint, KinematicParameters, A, recursion::Kinematics>);
   }
+  /// What drive k feels of words of the joints, `of(i)`, all at one exponent, rounded once with the headroom of
+  /// columns; of a vector `components` is the square root of their number.
+  template <class Of>
+  static constexpr Ball felt_by(int k, int exponent, double components, const WordRounding& r, const Of& of) {
+    Terms terms;
+    Ball whole{};
+    for (int i = 0; i < joints; ++i)
+      if (g.is_moved(i, k)) {
+        const Ball own = of(i);
+        whole.size += magnitude(g.ratio[i][k]) * own.size, whole.error += magnitude(g.ratio[i][k]) * own.error;
+        add(terms, g.ratio[i][k], exponent, own.largest());
+      }
+    whole.error += components * terms.rounding(exponent - column_headroom<S>, r);
+    return whole;
+  }
+  /// The joints as kinematics have them, with what their words are off.
+  static constexpr auto kinematic_mechanism() { return mechanism<KinematicParameters>(0.0, role::Effort{}); }
   /// Bounds of the Jacobian's columns by drives, from those by joints; `lengths` is the exponent of the latter.
   static constexpr bounds::JacobianBounds<drives> by_drives(const bounds::JacobianBounds<joints>& found, int lengths,
                                                             const WordRounding& r) {
     bounds::JacobianBounds<drives> all{};
     const auto sum = [&](int k, bounds::BoundedVector bounds::BoundedMotion::*part, int exponent) {
-      Terms terms;
-      Ball whole{};
-      for (int i = 0; i < joints; ++i)
-        if (g.is_moved(i, k)) {
-          const Ball own = (found.columns[i].*part).bound.whole;
-          whole.size += magnitude(g.ratio[i][k]) * own.size, whole.error += magnitude(g.ratio[i][k]) * own.error;
-          add(terms, g.ratio[i][k], exponent, own.largest());
-        }
-      whole.error += root3 * terms.rounding(exponent - column_headroom<S>, r);
+      const Ball whole =
+          felt_by(k, exponent, root3, r, [&](int i) { return Ball((found.columns[i].*part).bound.whole); });
       return bounds::detail::anywhere(whole, exponent - column_headroom<S>, &r);
     };
     for (int k = 0; k < drives; ++k) {

@@ -56,6 +56,12 @@ struct PayloadColumnBounds {
   Row<PayloadRowBound, N> momentum{}, drift{};  ///< a row for each joint
 };
 
+/// Speeds of a robot's joints whose words are off by so much.
+template <class R, int N>
+struct SpeedsOf {
+  Row<double, N> error{};  ///< rad/s or m/s
+};
+
 /// ColumnRounding in bounds: what it makes of words at its exponents.
 template <class S, class Word>
 struct PayloadColumnRounding {
@@ -93,8 +99,17 @@ struct PayloadColumnRounding {
   /// The declared limit, shifted down to the coarsest speed's exponent; a robot stands for its speeds.
   template <class R>
   static constexpr Number speed(const R&, int i) {
+    return speed_off<R>(i, 0.0);
+  }
+  /// Speeds that are off as a mechanism says.
+  template <class R, int N>
+  static constexpr Number speed(const SpeedsOf<R, N>& speeds, int i) {
+    return speed_off<R>(i, speeds.error[i]);
+  }
+  template <class R>
+  static constexpr Number speed_off(int i, double error) {
     const bool shifted = F::Speeds::exponent(i) > F::speed_exponent;
-    return word_of({R::chain.links[i].speed_limit, shifted ? WordRounding::ulp(F::speed_exponent) : 0.0},
+    return word_of({R::chain.links[i].speed_limit, (shifted ? WordRounding::ulp(F::speed_exponent) : 0.0) + error},
                    F::speed_exponent);
   }
   /// Gravity in world axes, m/s^2: three constants as words.
@@ -115,6 +130,36 @@ constexpr Rotation axes_of(const Ranges<N>& ranges, int link, const WordRounding
   const Ball any{1.0, ranges.range[link].rotation.error};
   const BoundedVector row{{any, any, any}, rounding.bits - 2, false, &rounding};
   return {row, row, row};
+}
+
+/// The columns' bounds of drives that joints share: of the joints as far as drives take them, and sums of those.
+template <class S, class Word>
+constexpr auto payload_columns_of_drives() {
+  using Errors = axial::detail::DriveErrors<S, Stored<Word>>;
+  using Joint = axial::detail::JointsOf<S>;
+  using Robot = typename Joint::Robot;
+  constexpr int joints = Robot::chain.size, drives = joint_count<S>;
+  const WordRounding rounding = rounding_in<Joint, axial::detail::ArithmeticOf<Joint, Word>>();
+  const auto m = Errors::kinematic_mechanism();
+  SpeedsOf<Robot, joints> speeds;
+  for (int i = 0; i < joints; ++i)
+    speeds.error[i] = m.joints[i].speed_error;
+  const auto columns =
+      jacobian_bounds(m, rounding, axial::detail::ranges_for<Joint, Word, FullParameters, recursion::Kinematics>);
+  PayloadColumnBounds<joints> of_joints;
+  axial::detail::write_payload_columns(PayloadColumnRounding<Joint, Word>{&rounding}, joints, columns.columns,
+                                       axes_of(Errors::joint_ranges(recursion::Kinematics{}), joints - 1, rounding),
+                                       speeds, of_joints);
+  PayloadColumnBounds<drives> all;
+  using F = axial::detail::ColumnRounding<Joint, Stored<Word>>;
+  const auto sum = [&](const auto& from, auto& to, const int(&exponent)[2]) {
+    for (int k = 0; k < drives; ++k) {
+      to[k].mass = Errors::felt_by(k, exponent[0], 1.0, rounding, [&](int i) { return from[i].mass; });
+      to[k].moment = Errors::felt_by(k, exponent[1], detail::root3, rounding, [&](int i) { return from[i].moment; });
+    }
+  };
+  sum(of_joints.momentum, all.momentum, F::momentum), sum(of_joints.drift, all.drift, F::drift);
+  return all;
 }
 
 /// The columns' bounds, inside the declared limits.
@@ -166,7 +211,12 @@ template <class S, class T = Fixed32, class Tuning>
 [[nodiscard]] constexpr auto error_bound(algorithm::PayloadEstimator<Tuning>) {
   using Word = typename T::Word;
   constexpr int n = joint_count<S>;
-  const auto columns = bounds::payload_columns<S, Word>();
+  const auto columns = [] {
+    if constexpr (detail::has_shared_drives<S>)
+      return bounds::payload_columns_of_drives<S, Word>();
+    else
+      return bounds::payload_columns<S, Word>();
+  }();
   const auto residuals = error_bound<S, T>(algorithm::MomentumObserver<Tuning>{});
   constexpr const auto& f = detail::PayloadSums<S, T, Tuning>::formats;
   PayloadEquationBound<n> all;

@@ -16,7 +16,7 @@ namespace axial::detail {
 // Each vector has one exponent for all joints, from its bound and a 1000th more: words are rounded to 2^-28 of their
 // bounds or better, and less than 2^10 of them add up. Sums on the way are exact modulo 2^64, results fit.
 template <class S, class Word>
-struct ColumnRounding<S, Stored<Word>> {
+struct JointColumnRounding {
   static_assert(sizeof(Word) == 4, "axial: the payload estimator takes Fixed32, float or double");
   using A = ArithmeticOf<scene_of<S>, Word>;
   using Speeds = Velocities<robot_of<S>, Stored<Word>>;
@@ -79,6 +79,22 @@ struct ColumnRounding<S, Stored<Word>> {
   static constexpr To<drift[0]> drift_along{};
   static constexpr To<drift[1]> drift_across{};
 };
+
+/// Of drives that joints share: sums of a column of G over the columns of the joints, with the bits that a Jacobian's
+/// columns need more.
+template <class S, class Word>
+struct DriveColumnRounding {
+  using OfJoints = JointColumnRounding<JointsOf<S>, Word>;  ///< what is summed
+  static constexpr int headroom = column_headroom<S>;
+  /// Exponents of the columns: along, then across.
+  static constexpr int momentum[2] = {OfJoints::momentum[0] - headroom, OfJoints::momentum[1] - headroom},
+                       drift[2] = {OfJoints::drift[0] - headroom, OfJoints::drift[1] - headroom};
+};
+
+template <class S, class Word>
+struct ColumnRounding<S, Stored<Word>>
+    : std::conditional_t<shares_drives_in<typename scene_of<S>::Robot>, DriveColumnRounding<S, Word>,
+                         JointColumnRounding<S, Word>> {};
 
 }  // namespace axial::detail
 

@@ -18,9 +18,6 @@ namespace axial::detail {
 //   itself, rounded down: |sum| <= n 2^(62 + s) stays true, and n 2^s <= 2^32 keeps that in 96 bits.
 template <class S, class Word, class Tuning>
 struct PayloadSums<S, Stored<Word>, Tuning> {
-  static_assert(!shares_drives_in<typename scene_of<S>::Robot>,
-                "axial: a payload behind joints that share drives has no formats in fixed point; give a floating-point "
-                "estimator the residuals as numbers");
   using T = Stored<Word>;
   using Number = Scaled;
   using Sum = integer::WideSum;
