@@ -106,6 +106,7 @@ struct PayloadColumnRounding {
   static constexpr Number speed(const SpeedsOf<R, N>& speeds, int i) {
     return speed_off<R>(i, speeds.error[i]);
   }
+  /// A speed of a robot whose word is off by so much before it is shifted.
   template <class R>
   static constexpr Number speed_off(int i, double error) {
     const bool shifted = F::Speeds::exponent(i) > F::speed_exponent;
