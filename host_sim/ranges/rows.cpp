@@ -119,8 +119,8 @@ std::vector<Row> analysed_with_drives(const char* robot) {
   using Sizes = axial::detail::DriveSizes<S, typename Arithmetic::Word>;
   if constexpr (Analysis::is_forward) {
     throw std::runtime_error("joints of '" + std::string(robot) +
-                             "' share drives: forward dynamics has no formats for them; there are: inverse_dynamics, "
-                             "mass_matrix, forward_kinematics");
+                             "' share drives: forward dynamics has ranges of M and of efforts alone; there are: "
+                             "inverse_dynamics, mass_matrix, forward_kinematics");
   } else {
     auto rows = rows_of(Errors::joint_ranges(Recursion{}), Sizes::Joint::Robot::chain.links, robot, Arithmetic::unit,
                         Analysis::per);
