@@ -23,6 +23,16 @@ struct OnBody {
   }();
 };
 
+/// Springs behind joints, every third of which is rigid.
+struct Sprung {
+  static constexpr auto chain = [] {
+    auto chain = property::Everything::chain;
+    for (int i = 0; i < chain.size; ++i)
+      if (i % 3 != 2) chain.links[i].stiffness = 2048.0 * (1 + i % 4);
+    return chain;
+  }();
+};
+
 /// S is a scene or a robot, or a model that is filled at run time.
 template <class S, class T, int N>
 struct Case {
@@ -45,6 +55,13 @@ struct Kernels {
       visit("mass matrix", mass_matrix<S>(q, in));
       visit("separation", separate<S>(q, in));
       visit("momenta", momentum_terms<S>(q, qd, in));
+    }
+    if constexpr (scene_of<S>::template has<ElasticJoints>) {
+      const auto motors = elastic_feedforward<S>(q, qd, x, qd, x, in);
+      visit("motors' torques", motors.tau_m);
+      visit("motors' positions", motors.theta);
+      visit("motors' velocities", motors.thetad);
+      visit("efforts of springs", motors.tau_l);
     }
     visit("poses", forward_kinematics<S>(q, in));
     visit("Jacobian", jacobian<S>(q, in));
@@ -101,7 +118,9 @@ using All = testing::Types<
     Case<Everything<RuntimeGravity, RotorInertia, Friction, TipWrench, ExternalWrenches, ArticulatedBody>, double, 2>,
     Case<Everything<Gravity, RotorInertia, Friction, CompositeBody, Looped>, float, 8>,
     Case<Everything<Gravity, SineCosines, SplitArticulatedBody, Looped>, double, 4>,
-    Case<Scene<OnBody, FloatingBase, RuntimeGravity, RotorInertia, Looped>, float, 4>
+    Case<Scene<OnBody, FloatingBase, RuntimeGravity, RotorInertia, Looped>, float, 4>,
+    Case<Scene<Sprung, Gravity, RotorInertia, Friction, JointSprings, TipWrench, ElasticJoints>, float, 16>,
+    Case<Scene<Sprung, Gravity, RotorInertia, ElasticJoints, Looped>, double, 4>
 #endif
     >;
 TYPED_TEST_SUITE(Batches, All);
