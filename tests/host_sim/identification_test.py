@@ -115,6 +115,10 @@ class Found(unittest.TestCase):
     def test_of_a_differential_wrist_by_its_drives(self):
         self.judge("wrist_arm", 2)
 
+    def test_of_a_gripper_by_its_drives(self):
+        """A drive that slides, and a finger that mirrors."""
+        self.judge("gripper", 2)
+
 
 class Motions(unittest.TestCase):
     def test_start_and_end_at_rest_inside_the_limits(self):
@@ -136,7 +140,7 @@ class Motions(unittest.TestCase):
         """G is written by hand: slide by nut and spline; forearm between two drives; a differential wrist."""
         lead = 0.020 / (2 * np.pi)
         for name, ratios, low, high, speed in (("scara_quill", [0, 0, lead, -lead], 0.0, 0.2, 1.1), ("palletiser", [0, -1, 1, 0], -2.9, -0.25, np.inf),
-                                               ("wrist_arm", [0, -1, 1, 0, 0], -2.6, 0.4, 5.0), ("wrist_arm", [0, 0, 0, 0.5, 0.5], -1.9, 1.9, 8.0)):
+                                               ("gripper", [0, 1], 0.0, 0.045, 0.3), ("wrist_arm", [0, -1, 1, 0, 0], -2.6, 0.4, 5.0), ("wrist_arm", [0, 0, 0, 0.5, 0.5], -1.9, 1.9, 8.0)):
             with self.subTest(robot=name, ratios=ratios), robots.Robot(program(), name) as robot:
                 self.assertEqual(len(robot), len(ratios))
                 excitation = excite.Excitation(robot, 8.0, 5)

@@ -119,6 +119,8 @@ Drives drives_of(const std::string& robot, int joints) {
     return {{{1, 0, 0, 0, 0}, {0, 1, 0, 0, 0}, {0, -1, 1, 0, 0}, {0, 0, 0, 0.5, 0.5}, {0, 0, 0, 0.5, -0.5}},
             {0, 1, 2, 3, 4},
             {turn, turn, turn, turn, turn}};
+  if (robot == "gripper")  // roll; both fingers slide alike, each in its own direction
+    return {{{1, 0}, {0, 1}, {0, 1}}, {0, 1}, {turn, 1.0}};
   Drives own;
   for (int i = 0; i < joints; ++i) {
     own.g.emplace_back(static_cast<std::size_t>(joints), 0.0);
