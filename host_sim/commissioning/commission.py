@@ -86,7 +86,7 @@ def suggest(arm, options):
     rows = expected_rows(arm, statics, deviations, condition)
     if options.json:
         pathlib.Path(options.json).write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
-    print(suggestion_text(path, rows, options))
+    print(suggestion_text(path, rows, options, arm.noun))
 
 
 def write_suggestion(path, poses, mass):
@@ -109,14 +109,14 @@ def expected_rows(arm, statics, deviations, condition):
     return drives + [{"kind": "expected gravity", "robot": arm.name, "tilt_deviation": tilt, "condition": condition}]
 
 
-def suggestion_text(path, rows, options):
+def suggestion_text(path, rows, options, noun):
     *drives, whole = rows
     lines = [f"{options.count} poses in {path}; condition number {whole['condition']:.3g} (columns of one length)",
              f"to expect at {100 * design.NOISE:g} % of noise, standard deviations; tilt {np.degrees(whole['tilt_deviation']):.2g} degrees"]
     for row in drives:
         slides = row["unit"] == "m"
         zero = f"{1000 * row['zero_deviation']:.2g} mm" if slides else f"{np.degrees(row['zero_deviation']):.2g} degrees"
-        lines.append(f"joint {row['joint']}: torque scale {100 * row['scale_deviation']:.2g} %{_hardly(row['scale_deviation'], 0.1)}, "
+        lines.append(f"{noun} {row['joint']}: torque scale {100 * row['scale_deviation']:.2g} %{_hardly(row['scale_deviation'], 0.1)}, "
                      f"zero {zero}{_hardly(row['zero_deviation'], 0.02 if slides else 0.035)}")
     return "\n".join([*lines, *how_to_fill(options.mass)])
 
@@ -162,7 +162,7 @@ def draw(torques):
 def judge(arm, options):
     measured = read(options.poses, arm)
     if measured.mass.max() > 0.0:
-        tell(f"{len(measured)} holds of {measured.count()} poses, {len(arm)} joints")
+        tell(f"{len(measured)} holds of {measured.count()} poses, {len(arm)} {arm.noun}s")
     verdict = Verdict(Statics(arm), measured, tell)
     report = Report(verdict, 0.01 * options.residual_limit)
     folder = pathlib.Path(options.output)

@@ -30,6 +30,7 @@ class Designer:
         low = arm.limits("position_min", np.where(slides, -SLIDE, -TURN))
         high = arm.limits("position_max", np.where(slides, SLIDE, TURN))
         q = random.uniform(low + MARGIN * (high - low), high - MARGIN * (high - low), (4 * CANDIDATES, len(arm)))
+        q = q[arm.within(q)]
         torque = self.statics.torque(arm.parts(q), np.full(len(q), self.mass), self.statics.gravity)
         if not only_held:
             return np.round(q[:CANDIDATES], 4)

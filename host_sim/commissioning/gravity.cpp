@@ -14,12 +14,13 @@ void refuse(const Description& robot) {
   if (robot.size() > GravityParts::most_joints)
     throw description::Refused(robot.name + " has " + std::to_string(robot.size()) + " joints; commissioning takes " +
                                most + " at most");
-  const bool shares = std::any_of(robot.links.begin(), robot.links.end(),
-                                  [](const auto& link) { return link.parameters.drives.count > 0; });
-  if (shares)
-    throw description::Refused("joints of " + robot.name +
-                               " share drives (axial::screw_spline, differential, driven_by, mimic), which "
-                               "commissioning does not know; give a header without them, and each joint's own effort");
+}
+
+// The links alone: the drives' matrix is applied to what they make.
+Description without_drives(Description robot) {
+  for (auto& link : robot.links)
+    link.parameters.drives = {};
+  return robot;
 }
 
 Description without_springs(Description robot) {
@@ -58,8 +59,10 @@ GravityParts::Model along(Description robot, std::size_t axis) {
 
 }  // namespace
 
-GravityParts::GravityParts(const Description& robot, const std::array<double, 3>& at) : joints_(robot.size()) {
-  refuse(robot);
+GravityParts::GravityParts(const Description& given, const std::array<double, 3>& at)
+    : joints_(given.size()), drives_(description::drive_matrix(given)) {
+  refuse(given);
+  const Description robot = without_drives(given);
   Description springs = robot;
   remove_masses(springs);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -71,12 +74,19 @@ GravityParts::GravityParts(const Description& robot, const std::array<double, 3>
 
 void GravityParts::evaluate(const double* q, double* out) const {
   axial::Joints<Model, double> position{}, rest{};
-  for (int i = 0; i < joints_; ++i)
-    position[i] = q[i];
+  for (int i = 0; i < joints_; ++i) {
+    position[i] = drives_.offset[i];
+    for (int k = 0; k < drives_.drives; ++k)
+      position[i] += drives_.ratio[i][k] * q[k];
+  }
   for (std::size_t part = 0; part < parts; ++part) {
     const auto effort = axial::inverse_dynamics(models_[part], position, rest, rest);
-    for (int i = 0; i < joints_; ++i)
-      out[static_cast<std::size_t>(i) * parts + part] = effort[i];
+    for (int k = 0; k < drives_.drives; ++k) {
+      double felt = 0.0;
+      for (int i = 0; i < joints_; ++i)
+        felt += drives_.ratio[i][k] * effort[i];
+      out[static_cast<std::size_t>(k) * parts + part] = felt;
+    }
   }
 }
 

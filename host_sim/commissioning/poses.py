@@ -186,7 +186,7 @@ def _notes(pose, side, mass):
 def _unmoved(groups, arm):
     span = np.where(arm.prismatic, 0.1, 1.0) * SAME
     still = [j for j in range(len(arm)) if np.ptp(groups["q"][:, j]) < span[j]]
-    return [f"joint {j + 1} stands at one position in every pose: its zero and axis are hardly seen" for j in still]
+    return [f"{arm.noun} {j + 1} stands at one position in every pose: its zero and axis are hardly seen" for j in still]
 
 
 def _list(numbers):

@@ -6,15 +6,17 @@ from engine import suspects
 from statics import SURE
 import wiring
 
-MENDED = ("axis turned",)  # what a header can mend of all that may be wrong with wires and signs
-WORDS = {"zero": "the zero of joint {0}", "scale": "the torque scale of joint {0}", "offset": "the torque offset of joint {0}",
-         "coulomb": "the friction of joint {0}"}
+MENDED = ("axis turned",)  # what a header can mend of all that may be wrong with wires and signs, where each joint has a drive of its own
+WORDS = {"zero": "the zero of {1} {0}", "scale": "the torque scale of {1} {0}", "offset": "the torque offset of {1} {0}",
+         "coulomb": "the friction of {1} {0}"}
 
 
 class Report:
     def __init__(self, verdict, limit):
         self.verdict, self.arm, self.limit = verdict, verdict.arm, limit
         self.units = self.arm.units()
+        self.shares = self.arm.noun == "drive"
+        self.mended = () if self.shares else MENDED
         self.either = [each for each in verdict.alike if each.cost < verdict.hypothesis.cost + wiring.ALIKE]
         self.residuals = verdict.residuals()
 
@@ -24,9 +26,9 @@ class Report:
         """Sentences of exchanges, axes and signs; where the poses do not tell which, all that explain them, by "or"."""
         found = self.verdict.mistakes()
         if not self.either or not (found or any(wiring.named(each, self.verdict.statics) for each in self.either)):
-            return [each.sentence(self.units) for each in found]
+            return [each.sentence(self.units, self.arm.noun) for each in found]
         ways = [found] + [wiring.named(each, self.verdict.statics) for each in self.either]
-        texts = [" and ".join(each.sentence(self.units) for each in way) or "nothing is wrong with wires and signs" for way in ways]
+        texts = [" and ".join(each.sentence(self.units, self.arm.noun) for each in way) or "nothing is wrong with wires and signs" for way in ways]
         return [", or ".join(dict.fromkeys(texts)) + " (these poses do not tell which)"]
 
     def of_drive(self, joint):
@@ -37,7 +39,7 @@ class Report:
         if not self.verdict.is_fault("scale", joint):
             return []
         value, deviation = self.verdict.value("scale", joint)
-        return [f"{suspects.Suspect('torque scaled', (joint,), abs(value)).sentence(self.units)} +- {deviation:.2g}"]
+        return [f"{suspects.Suspect('torque scaled', (joint,), abs(value)).sentence(self.units, self.arm.noun)} +- {deviation:.2g}"]
 
     def _offset(self, joint):
         if not self.verdict.is_fault("offset", joint):
@@ -49,7 +51,7 @@ class Report:
         if not self.verdict.is_fault("zero", joint):
             return []
         value, deviation = self.verdict.value("zero", joint)
-        return [f"{suspects.Suspect('zero off', (joint,), value).sentence(self.units)} (+- {self.position(joint, deviation)})"]
+        return [f"{suspects.Suspect('zero off', (joint,), value).sentence(self.units, self.arm.noun)} (+- {self.position(joint, deviation)})"]
 
     def position(self, joint, value):
         return f"{1000 * value:.2g} mm" if self.arm.prismatic[joint] else f"{np.degrees(value):.2g} degrees"
@@ -76,11 +78,11 @@ class Report:
 
     def drives_to_mend(self):
         """What no header mends."""
-        kinds = [each for each in self.verdict.mistakes() if each.kind not in MENDED]
-        texts = [each.sentence(self.units) for each in kinds] if not self.either else self.mistakes()
+        kinds = [each for each in self.verdict.mistakes() if each.kind not in self.mended]
+        texts = [each.sentence(self.units, self.arm.noun) for each in kinds] if not self.either else self.mistakes()
         for joint in range(len(self.arm)):
-            texts += self._scale(joint) + self._offset(joint)
-        return texts + (["friction helps the motion at every joint: the sides look exchanged in the file"] if self.sides_exchanged() else [])
+            texts += self._scale(joint) + self._offset(joint) + (self._zero(joint) if self.shares else [])
+        return texts + ([f"friction helps the motion at every {self.arm.noun}: the sides look exchanged in the file"] if self.sides_exchanged() else [])
 
     # What the poses do not tell.
 
@@ -94,7 +96,7 @@ class Report:
     def called(self, kind, index):
         if kind == "tilt":
             return f"the tilt about ({', '.join(f'{value:.2g}' for value in self.verdict.statics.tilts[index] + 0.0)})"
-        return WORDS[kind].format(index + 1)
+        return WORDS[kind].format(index + 1, self.arm.noun)
 
     def _untold(self, each, how):
         text = f"{self.called(each.kind, each.index)} is {how}"
@@ -114,7 +116,7 @@ class Report:
         """Of one that claims a mistake more and explains as much."""
         have = [(each.kind, each.joints) for each in self.verdict.mistakes()]
         more = [each for each in wiring.named(hypothesis, self.verdict.statics) if (each.kind, each.joints) not in have]
-        return "not told whether " + " and ".join(each.sentence(self.units) for each in more) if more else ""
+        return "not told whether " + " and ".join(each.sentence(self.units, self.arm.noun) for each in more) if more else ""
 
     # Forms.
 
@@ -126,7 +128,7 @@ class Report:
         return [f"{self.arm.name}: {len(self.arm)} drives, {poses.count()} poses, {len(poses)} holds; errors are standard deviations"]
 
     def _table(self):
-        lines = [f"{'joint':<16} {'torque scale':>18} {'torque offset':>20} {'zero':>22} {'Coulomb':>20} {'left, %':>8}"]
+        lines = [f"{self.arm.noun:<16} {'torque scale':>18} {'torque offset':>20} {'zero':>22} {'Coulomb':>20} {'left, %':>8}"]
         for j, joint in enumerate(self.arm.joints):
             offset, friction, unit = self.verdict.value("offset", j), self.verdict.friction(j), self.units[j]
             zero = self.verdict.value("zero", j)
@@ -140,7 +142,7 @@ class Report:
     def _verdicts(self):
         lines = [*self.mistakes(), *self.tilt()]
         if self.sides_exchanged():
-            lines.append("friction helps the motion at every joint: the sides look exchanged in the file")
+            lines.append(f"friction helps the motion at every {self.arm.noun}: the sides look exchanged in the file")
         for joint in range(len(self.arm)):
             own = "; ".join(self.of_drive(joint))
             lines.append(f"drive {joint + 1}: {own or 'nothing wrong'}")
@@ -157,7 +159,7 @@ class Report:
         gravity = {"kind": "gravity", "robot": self.arm.name, "gravity": self.verdict.gravity().tolist(), "told": tilt is not None,
                    "tilt": tilt and tilt[0], "tilt_deviation": tilt and tilt[1], "fault": self.verdict.tilt_is_fault()}
         wires = [{"kind": "mistake", "robot": self.arm.name, "mistake": each.kind, "joints": [j + 1 for j in each.joints],
-                  "mended_by_header": each.kind in MENDED and not self.either, "sentence": each.sentence(self.units)} for each in self.verdict.mistakes()]
+                  "mended_by_header": each.kind in self.mended and not self.either, "sentence": each.sentence(self.units, self.arm.noun)} for each in self.verdict.mistakes()]
         untold = [{"kind": "untold", "robot": self.arm.name, "unknown": each.kind, "index": each.index + 1, "poorly": poorly,
                    "pose": None if each.pose is None else [float(value) for value in each.pose],
                    "sentence": self._untold(each, "poorly told" if poorly else "not told")}
@@ -178,19 +180,19 @@ class Report:
 
     def header(self, name, log):
         """Content of the mended header."""
-        turned = {each.joints[0] for each in self.verdict.mistakes() if each.kind == "axis turned"}
+        turned = set() if self.shares else {each.joints[0] for each in self.verdict.mistakes() if each.kind == "axis turned"}
         joints = [{"zero": self._mended_zero(j), "turned": j in turned, "friction": self._mended_friction(j)} for j in range(len(self.arm))]
         fitted = [*self.mistakes(), *self.tilt(), *(f"drive {j + 1}: {each}" for j in range(len(self.arm)) for each in self.of_drive(j))]
         drives = self.drives_to_mend()
-        notes = ["position limits moved with the zeros; bodies, speeds and accelerations are as before"]
+        notes = [] if self.shares else ["position limits moved with the zeros; bodies, speeds and accelerations are as before"]
         notes += ["mend in the drives, which this header cannot: " + "; ".join(drives)] if drives else []
         residuals = ", ".join(f"{100 * each:.2g}" for each in self.residuals)
         return {"name": name, "source": f"; zeros, axes, friction and gravity by ./axial commission from {log}", "notes": notes,
-                "fitted": [*(fitted or ["nothing wrong was found"]), f"RMS left of each joint's torque, %: {residuals}", *self.untold()],
+                "fitted": [*(fitted or ["nothing wrong was found"]), f"RMS left of each {self.arm.noun}'s torque, %: {residuals}", *self.untold()],
                 "gravity": self.verdict.gravity().tolist() if self.verdict.tilt_is_fault() else list(self.arm.gravity), "joints": joints}
 
     def _mended_zero(self, j):
-        return self.verdict.value("zero", j)[0] if self.verdict.is_fault("zero", j) else 0.0
+        return self.verdict.value("zero", j)[0] if self.verdict.is_fault("zero", j) and not self.shares else 0.0
 
     def _mended_friction(self, j):
         """Forward and backward; as declared where the poses tell none."""

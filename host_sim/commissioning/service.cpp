@@ -21,10 +21,17 @@ using nlohmann::json;
 
 json limit(double value) { return std::isfinite(value) ? json(value) : json(); }
 
-json joint(const description::Link& given) {
-  const axial::LinkParameters& link = given.parameters;
+// Joint k, or drive k by the joint that owns it. A drive is told in metres where it moves its own slide one to one.
+json joint(const Description& robot, const axial::DriveMatrix<description::most_links>& g, int k) {
+  const int owner = g.owner[k];
+  const description::Link& given = robot.links[static_cast<std::size_t>(owner)];
+  axial::LinkParameters link = given.parameters;
+  const bool shares = description::shares_drives(robot), alone = g.is_alone(owner);
+  const bool slides = link.type == axial::JointType::prismatic && std::abs(g.ratio[owner][k]) == 1.0;
+  if (shares) link = axial::detail::drive_by_itself(link, alone);
   return {{"name", given.joint},
-          {"prismatic", link.type == axial::JointType::prismatic},
+          {"prismatic", slides},
+          {"alone", !shares || alone},
           {"position_min", limit(link.position_min)},
           {"position_max", limit(link.position_max)},
           {"effort", limit(link.effort_limit)},
@@ -34,12 +41,23 @@ json joint(const description::Link& given) {
 }
 
 void describe(const Description& robot) {
-  json joints = json::array();
-  for (const description::Link& link : robot.links)
-    joints.push_back(joint(link));
+  const auto g = description::drive_matrix(robot);
+  json joints = json::array(), moved = json::array();
+  for (int k = 0; k < g.drives; ++k)
+    joints.push_back(joint(robot, g, k));
+  for (int i = 0; i < robot.size(); ++i) {
+    const auto& link = robot.links[static_cast<std::size_t>(i)].parameters;
+    const std::vector<double> ratios(g.ratio[i], g.ratio[i] + g.drives);
+    moved.push_back({{"ratios", ratios},
+                     {"offset", g.offset[i]},
+                     {"position_min", limit(link.position_min)},
+                     {"position_max", limit(link.position_max)}});
+  }
   const axial::Angle alpha = robot.links.front().parameters.alpha;
   const json all = {{"name", robot.name},
                     {"joints", joints},
+                    {"shares_drives", description::shares_drives(robot)},
+                    {"links", moved},
                     {"gravity", {robot.gravity.x, robot.gravity.y, robot.gravity.z}},
                     {"first_axis", {0.0, -alpha.sin, alpha.cos}}};
   std::printf("%s\n", all.dump().c_str());
@@ -55,7 +73,7 @@ void answer(const Description& robot, const std::string& at) {
   std::array<double, 3> place{};
   std::istringstream(at) >> place[0] >> place[1] >> place[2];
   const GravityParts gravity(robot, place);
-  const auto n = static_cast<std::size_t>(gravity.joints()), width = n * GravityParts::parts;
+  const auto n = static_cast<std::size_t>(gravity.values()), width = n * GravityParts::parts;
   for (std::int64_t count = 0; read(&count, 1);) {
     const auto states = static_cast<std::size_t>(count);
     std::vector<double> q(states * n), rows(states * width);
@@ -79,6 +97,7 @@ void mend_friction(axial::LinkParameters& link, double forward, double backward)
   }
 }
 
+// Of drives that joints share friction alone: what their zeros and signs are is in no row of a chain.
 void mend_joint(Description& robot, int i, const json& found) {
   if (!found.at("friction").is_null())
     mend_friction(robot.links[static_cast<std::size_t>(i)].parameters, found.at("friction").at(0).get<double>(),
@@ -90,10 +109,11 @@ void mend_joint(Description& robot, int i, const json& found) {
 // `values`: a JSON file of "name", "source", "notes", "fitted", "gravity", "joints" (zero, turned, friction each).
 void write_header(Description robot, const std::string& values, const std::string& path) {
   const auto all = json::parse(description::read_text(values));
-  for (int i = 0; i < robot.size(); ++i)
-    mend_joint(robot, i, all.at("joints").at(static_cast<std::size_t>(i)));
-  const auto g = all.at("gravity").get<std::array<double, 3>>();
-  robot.gravity = {g[0], g[1], g[2]};
+  const auto g = description::drive_matrix(robot);
+  for (int k = 0; k < g.drives; ++k)
+    mend_joint(robot, g.owner[k], all.at("joints").at(static_cast<std::size_t>(k)));
+  const auto down = all.at("gravity").get<std::array<double, 3>>();
+  robot.gravity = {down[0], down[1], down[2]};
   robot.name = all.at("name").get<std::string>();
   robot.source += all.at("source").get<std::string>();
   robot.notes = all.at("notes").get<std::vector<std::string>>();

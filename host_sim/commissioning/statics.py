@@ -81,7 +81,7 @@ class Statics:
         """All but one: a turn of the whole arm about its first axis is as well a tilt (or, where that axis is vertical, which way the table
         is tilted). The zero of a horizontal first axis is sought, that of a vertical one is not."""
         free = np.ones(len(self.unknowns), dtype=bool)
-        if not self.arm.prismatic[0]:
+        if not self.arm.prismatic[0] and self.arm.joints[0].get("alone", True):
             free[self.unknowns.index("zero", 0) if self.vertical else self.unknowns.index("tilt", 0)] = False
         return free
 

@@ -8,6 +8,7 @@ import contextlib
 import io
 import json
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -151,6 +152,47 @@ class Arms(unittest.TestCase):
         self.assertTrue(model.free[model.unknowns.index("zero", 0)])
 
 
+class SharedDrives(unittest.TestCase):
+    """A light arm with a belt past the elbow and a differential wrist: what holds each drive is the slope of potential energy along it, by a chain
+    and a matrix G that are written here by hand from robots/wrist_arm.hpp."""
+
+    LINKS = (  # a, alpha in degrees, d, mass, centre of mass
+        (0.0, 0.0, 0.2, 3.0, (0.0, 0.02, -0.05)), (0.0, 90.0, 0.0, 2.4, (0.16, 0.0, 0.01)), (0.32, 0.0, 0.0, 1.5, (0.12, 0.0, 0.0)),
+        (0.28, 0.0, 0.0, 0.5, (0.03, 0.0, 0.0)), (0.0, 90.0, 0.0, 0.3, (0.0, 0.005, 0.06)))
+    G = np.array([[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, -1, 1, 0, 0], [0, 0, 0, 0.5, 0.5], [0, 0, 0, 0.5, -0.5]])
+    AT, GRAVITY = (0.1, -0.05, 0.15), np.array([0.5, -1.0, -9.81])
+
+    def energy(self, u, mass):
+        """Of the arm and of a mass at its tool, J."""
+        pose, total = np.eye(4), 0.0
+        for (a, alpha, d, m, com), q in zip(self.LINKS, self.G @ u):
+            s, c, sa, ca = np.sin(q), np.cos(q), np.sin(np.radians(alpha)), np.cos(np.radians(alpha))
+            pose = pose @ [[c, -s, 0, a], [s * ca, c * ca, -sa, -d * sa], [s * sa, c * sa, ca, d * ca], [0, 0, 0, 1]]
+            total -= m * self.GRAVITY @ (pose @ [*com, 1.0])[:3]
+        return total - mass * self.GRAVITY @ (pose @ [*self.AT, 1.0])[:3]
+
+    def held(self, u, mass, step=1e-4):
+        return np.array([(self.energy(u + each, mass) - self.energy(u - each, mass)) / (2.0 * step) for each in step * np.eye(5)])
+
+    def test_are_held_by_the_slope_of_energy(self):
+        with Arm(program(), "wrist_arm", at=self.AT) as arm:
+            self.assertEqual((len(arm), arm.noun), (5, "drive"))
+            u = np.random.default_rng(3).uniform(-1.0, 1.0, (20, 5))
+            parts = arm.parts(u)
+        for mass in (0.0, 1.5):
+            ours = parts[:, :, :3] @ self.GRAVITY + mass * (parts[:, :, 3:6] @ self.GRAVITY) + parts[:, :, 6]
+            np.testing.assert_allclose(ours, [self.held(each, mass) for each in u], rtol=0, atol=1e-6)
+
+    def test_poses_to_hold_keep_the_limits_of_joints(self):
+        with Arm(program(), "wrist_arm") as arm:
+            poses = design.Designer(statics.Statics(arm), 1.0).poses
+            drives = np.random.default_rng(1).uniform(arm.limits("position_min", 0.0), arm.limits("position_max", 0.0), (400, 5))
+        q = poses @ self.G.T
+        self.assertGreater(len(poses), 100)
+        self.assertTrue(np.all((q[:, 2] > -2.6) & (q[:, 2] < 0.4) & (np.abs(q[:, 3]) < 1.9)))
+        self.assertFalse(np.all(np.abs((drives @ self.G.T)[:, 3]) < 1.9), "drives alone go further")
+
+
 class Holds(unittest.TestCase):
     """Robots of robots/, holds made of the library's own gravity: what the file says must come through."""
 
@@ -189,6 +231,32 @@ class Holds(unittest.TestCase):
         status, out, err, rows, _ = self.commissioned("planar2r")
         self.assertEqual(status, 0, err)
         self.assertIn("drive 2: nothing wrong", out)
+        self.assertEqual([each for each in rows if each["kind"] == "mistake"], [])
+
+    def test_of_shared_drives_name_the_drive_that_is_wrong(self):
+        with tempfile.TemporaryDirectory() as folder:
+            header = pathlib.Path(folder, "mended_arm.hpp")
+            status, out, err, rows, _ = self.commissioned("wrist_arm", "-o", header, scale={2: 1.3}, zero={1: 0.1})
+            written = header.read_text(encoding="utf-8")
+            check = pathlib.Path(folder, "check.cpp")
+            check.write_text(f'#include <axial/axial.hpp>\n#include "{header}"\nconstexpr auto q = axial::joint_rates<robots::MendedArm>('
+                             'axial::Joints<robots::MendedArm, double>{0, 3, 2, 4, 1});\nstatic_assert(q[2] == -1.0 && q[3] == 2.5 && q[4] == 1.5);\n',
+                             encoding="utf-8")
+            done = subprocess.run(["g++", "-std=c++17", "-fsyntax-only", "-I", ROOT / "firmware/include", check], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(status, 1)
+        self.assertRegex(err, "no header mends this, the drives or the wiring must be: .*tau3 looks scaled by 1[.](3|29)")
+        self.assertRegex(err, "the zero of drive 2 looks off: q2 is 5[.][67]")
+        self.assertIn("drive 1: nothing wrong", out)
+        self.assertIn("mend in the drives", written)
+        found = {each["joint"]: each for each in rows if each["kind"] == "drive"}
+        self.assertAlmostEqual(found[3]["scale"], 1.3, delta=SCALE)
+        self.assertAlmostEqual(found[2]["zero"], 0.1, delta=ZERO)
+
+    def test_of_sound_shared_drives_end_with_0(self):
+        status, out, err, rows, _ = self.commissioned("wrist_arm")
+        self.assertEqual(status, 0, err)
+        self.assertIn("drive 5: nothing wrong", out)
         self.assertEqual([each for each in rows if each["kind"] == "mistake"], [])
 
     def test_are_drawn(self):

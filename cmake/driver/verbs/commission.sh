@@ -11,6 +11,7 @@ Installs and builds what is missing (python3-scipy, the first time). From static
 with a known mass at the tool: every drive's torque scale, sign and offset, joint zero and friction; gravity's direction (a tilted table);
 exchanged drives, turned axes. Says how sure each is and what the poses cannot tell (doc/guides/commissioning.md). Exit status 1 where the
 data is not explained, or something is wrong that no header mends.
+Where joints share drives, positions, torques and faults are the drives'.
   ROBOT               a header (./axial import, your own), a name of robots/README.md, a Denavit-Hartenberg table (.json) or a URDF
   POSES.csv           a header line, then a row a hold: mass (kg at the tool, 0: bare), side (+1 or -1: whether positions grew or fell before
                       it came to rest; or side1, side2, ... joint by joint), q1... (rad or m), tau1... (N m or N, as reported)
