@@ -29,7 +29,7 @@ Exits non-zero when feed-forward cuts the error less than 20-fold with exact par
 not back within half a second, a torque is beyond its limit, or pd follows the motion better;
 with ekf when velocities are less than ten times as exact as differences; with elastic when the tool's error is not ten times below rigid feed-forward's.
 maintainers:
-  --documents         alone: 60 s of each robot with sweeps, on the nrf51 in fixed32, to doc/data, doc/pictures and the tables of
+  --documents         alone: 60 s of each robot (20 s where joints share drives) with sweeps, on the nrf51 in fixed32, to doc/data, doc/pictures and the tables of
                       doc/measurements/simulation.md
   --linearisation-documents  alone: the Puma 560 by lqr and ekf with sweeps, to doc/data, doc/pictures and doc/measurements/linearisation.md
   --elastic-documents  alone: both robots by elastic with sweeps, to doc/data and doc/measurements/elastic.md
@@ -100,6 +100,11 @@ write_loop_documents() {
     loop_program --robot "$robot" --board "$LOOP_BOARD" --number "$number" --seconds 60 --sweep --output "$AXIAL_ROOT/output/loop" \
       --json "$doc/data/loop-$robot.json" --provenance "$doc/data/loop_provenance.json"
     cp "$AXIAL_ROOT/output/loop/loop-$robot-$number.png" "$doc/pictures/loop-$robot.png"
+  done
+  for robot in scara_quill palletiser; do
+    build "$LOOP_BOARD" "tracking-fixed-$robot"
+    loop_program --robot "$robot" --board "$LOOP_BOARD" --number "$number" --seconds 20 --sweep --output "$AXIAL_ROOT/output/loop" \
+      --json "$doc/data/loop-$robot.json" --provenance "$doc/data/driven_loop_provenance.json"
   done
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/simulation_tables.py" "$doc/data" "$doc/measurements/simulation.md"
 }
