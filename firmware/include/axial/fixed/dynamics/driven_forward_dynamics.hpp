@@ -19,10 +19,11 @@ constexpr void check_driven_solve() {
   static_assert(!scene_of<S>::template has<ArticulatedBody> && !scene_of<S>::template has<SplitArticulatedBody>,
                 "axial: in fixed point joints that share drives are solved by composite bodies; take ArticulatedBody "
                 "and SplitArticulatedBody out of the scene");
-  static_assert(drive_units<S, Word>.resisted,
-                "axial: forward dynamics in fixed point takes its formats from what each drive is resisted by; give "
-                "every drive rotor_inertia() and name RotorInertia, or every link that it moves an inertia about its "
-                "centre of mass (a slide: a mass); or compute this scene in float");
+  static_assert(
+      drive_units<S, Word>.resisted,
+      "axial: forward dynamics of joints that share drives takes its formats from what each drive is resisted by; give "
+      "every drive rotor_inertia() and name RotorInertia, or every link that it moves an inertia about its "
+      "centre of mass (a slide: a mass); or compute this scene in float");
 }
 
 /// How many times its declared acceleration a drive's answer may be and still be right to a thousandth of that.
@@ -67,7 +68,7 @@ template <class S, class Word>
 AXIAL_INLINE constexpr Status driven_status(const std::int32_t* x, int lost, int spilt) {
   int beyond = -1;
   for (int k = 0; k < joint_count<S>; ++k)
-    beyond = first_found(beyond, is_less(trusted_words<S, Word>[k], word_magnitude(x[k])), k);
+    beyond = first_found(beyond, is_less_wide(trusted_words<S, Word>[k], word_magnitude(x[k])), k);
   const bool near = !is_negative(lost), wide = !is_negative(spilt), far = !is_negative(beyond);
   int code = select(far, static_cast<int>(Status::Code::acceleration_limit), static_cast<int>(Status::Code::ok));
   code = select(wide, static_cast<int>(Status::Code::saturated), code);

@@ -99,7 +99,8 @@ struct StateCheck<S, Stored<Word>> {
     const int joint = (joints.first >> 1 & named) | (status.joint & ~named);
     status = {static_cast<Status::Code>(select(bad, static_cast<int>(inputs), code)), select(bad, -1, joint)};
     if constexpr (shares_drives_in<typename scene_of<S>::Robot>)
-      if (status.ok()) status = shared;
+      status = status_from(select(status.ok(), static_cast<int>(shared.code), static_cast<int>(status.code)),
+                           select(status.ok(), shared.joint, status.joint));
   }
 };
 
