@@ -205,11 +205,13 @@ void all_golden(Count count, Put put) {
   }
 }
 
-/// Derivatives of a robot, likewise: an image of their own, which not every board has room for.
+/// Derivatives of a robot, and certified accelerations of a small one, likewise: an image of their own, which not every
+/// board has room for.
 template <class R, class Count, class Put>
 void all_golden_derivatives(Count count, Put put) {
   using Exact = Scene<R, Gravity, RotorInertia>;
   put(golden<InverseDerivatives, Exact, Fixed32>("32_nearest", count));
+  if constexpr (R::chain.size == 3) put(golden<CertifiedForwardDynamics, Exact, Fixed32>("32_nearest", count));
   put(golden<ForwardDerivatives, Exact, Fixed32>("32_nearest", count));
 }
 

@@ -76,7 +76,7 @@ struct Enclosure {
       std::int64_t sum = 0;
       for (int k = 0; k < N; ++k) {
         proved = proved & is_less_wide(defect[i][k], defects);
-        sum += (defect[i][k] & (defects - 1)) * (weight[k] & (weights - 1));
+        sum += product_of_words(defect[i][k] & (defects - 1), weight[k] & (weights - 1));
       }
       proved = proved & !is_less_wide((weight[i] & (weights - 1)) << (defect_bits - 1), sum);
       unknown[i] = residual_error[i] + (sum >> (defect_bits - 1)) + 1;
@@ -87,12 +87,16 @@ struct Enclosure {
   }
 
  private:
+  // Of 64 bits a Cortex-M0 has a routine of the compiler's, which branches. What is proved fits words.
+  static constexpr std::int64_t product_of_words(std::int64_t a, std::int64_t b) {
+    return integer::multiply(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b));
+  }
   constexpr void answer(int i, const std::int64_t (&unknown)[N]) {
     const std::int64_t kept = -static_cast<std::int64_t>(proved);  // nothing overflows where all is proved
     std::int64_t sum = 0, lacks = std::int64_t{2} * N;             // every product is rounded down
     for (int j = 0; j < N; ++j) {
-      sum += wide_shifted_by(inverse[i][j] * (residual[j] & kept), shift[j] & 63);
-      lacks += wide_shifted_by(wide_magnitude(inverse[i][j]) * (unknown[j] & kept), shift[j] & 63);
+      sum += wide_shifted_by(product_of_words(inverse[i][j], residual[j] & kept), shift[j] & 63);
+      lacks += wide_shifted_by(product_of_words(wide_magnitude(inverse[i][j]), unknown[j] & kept), shift[j] & 63);
     }
     correction[i] = sum, bound[i] = lacks;
   }
