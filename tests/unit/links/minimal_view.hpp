@@ -128,6 +128,10 @@ struct MinimalLink {
     return force - other;
   }
   constexpr Plain outer() const { return {}; }
+  template <class X>
+  constexpr const X& inboard(const X& x) const {
+    return x;
+  }
 };
 template <class SceneType>
 struct LoopedLink : MinimalLink<SceneType, false, int> {

@@ -91,8 +91,7 @@ class LinkAccess {
   AXIAL_INLINE constexpr const View& self() const { return static_cast<const View&>(*this); }
 
  public:
-  /// The constant way from the parent's frame to the joint's axis: the x-screw, behind a z-screw where there is a
-  /// branch.
+  /// The constant way from the parent's frame to the joint's axis: the x-screw, behind a branch's z-screw.
   AXIAL_INLINE constexpr auto x() const {
     if constexpr (View::branches)
       return BranchScrew{z_screw(self().template branch<&B::cos_gamma>(), self().template branch<&B::sin_gamma>(),

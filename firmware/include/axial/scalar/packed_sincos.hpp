@@ -36,8 +36,7 @@ struct Packed<double> {
 };
 
 /// x as it is, in a register of its own where `apart`, so that angles are not loaded as one wide vector: a processor
-/// does not forward narrow stores to a wide load, which would wait until angles that were just computed are in the
-/// cache.
+/// does not forward narrow stores to a wide load, which would wait until the cache has angles that were just computed.
 template <bool apart, class T>
 AXIAL_INLINE inline T loaded(T x) {
 #ifdef __SSE2__

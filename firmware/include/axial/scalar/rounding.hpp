@@ -77,6 +77,11 @@ struct Plain {
   }
   /// Rounding in the formats of the link that carries this one.
   AXIAL_INLINE static constexpr Plain outer() { return {}; }
+  /// The screw that brings there what this link sends: link.x(), unless nobody reads it.
+  template <class X>
+  AXIAL_INLINE static constexpr const X& inboard(const X& x) {
+    return x;
+  }
 };
 
 /// A product with sines or cosines, back in the format of what was turned. A turn keeps the norm of what it turns.

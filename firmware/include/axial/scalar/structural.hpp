@@ -8,8 +8,7 @@
 namespace axial {
 
 /// The integer N as a type. `Zero * x` is `Zero`, `Zero + x` is `x`, `One * x` is `x`, `MinusOne * x` is `-x`.
-/// Arithmetic between two of them is done by the compiler; a result outside {0, 1, -1} turns into a constant of the
-/// number it meets.
+/// The compiler computes with two of them; a result outside {0, 1, -1} is a constant of the number that it meets.
 template <int N>
 struct Int {
   static constexpr int value = N;  ///< the integer itself

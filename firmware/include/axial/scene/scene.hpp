@@ -142,9 +142,8 @@ template <class Scene, class T>
 struct Offered {};
 }  // namespace detail
 
-/// Run-time inputs of a scene: one member for each named feature that has one (`payload`, `tip_wrench`, ...), none for
-/// the rest: touching the input of a feature that the scene does not name does not compile, and the message says which
-/// to add.
+/// Run-time inputs of a scene: one member for each named feature that has one (`payload`, `tip_wrench`, ...). Touching
+/// the input of a feature that the scene does not name does not compile; the message says which to add.
 template <class S, class T>
 struct Inputs : detail::Offered<scene_of<S>, T>, detail::InputsOf<scene_of<S>, T>, AbsentInputs<scene_of<S>> {};
 

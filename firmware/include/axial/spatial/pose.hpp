@@ -9,8 +9,7 @@
 
 namespace axial {
 
-/// Pose of a frame: its axes as columns of `rotation` (dimensionless) and its origin `position` (m), in the frame that
-/// the context names.
+/// Pose of a frame in the one that the context names: its axes as columns of `rotation` and its origin `position` (m).
 template <class R, class P>
 struct Pose {
   R rotation{};  ///< axes of the frame as columns

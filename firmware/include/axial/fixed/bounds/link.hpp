@@ -176,12 +176,17 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     return ForceVector{sum(quantity::Moment{}, force.moment, -other.moment),
                        sum(quantity::Force{}, force.force, -other.force)};
   }
-  /// Rounding in the formats of the link that carries this one. What a root sends nobody reads.
+  /// Rounding in the formats of the link that carries this one. What a root sends nobody reads; a loop computes it.
   constexpr BoundedLink outer() const {
     const int parent = mechanism().parent(index_);
     BoundedLink link(account_, parent < 0 ? index_ : parent);
-    link.noting_ = parent >= 0;
+    link.noting_ = parent >= 0 || rounding().tabled;
     return link;
+  }
+  /// The screw that brings there what this link sends.
+  template <class X>
+  constexpr const X& inboard(const X& x) const {
+    return x;
   }
   /// Results are bounds already.
   ///@{

@@ -173,6 +173,15 @@ struct FormatRounding {
     constexpr int parent = Table::parent(I);
     return FormatRounding<S, Table, (parent < 0 ? I : parent)>{};
   }
+  /// The screw that brings there what this link sends. Nobody reads what a root sends, and its formats have no room for
+  /// it: the identity.
+  template <class X>
+  AXIAL_INLINE static constexpr auto inboard(const X& x) {
+    if constexpr (Table::parent(I) < 0)
+      return x_screw(One{}, Zero{}, Zero{});
+    else
+      return x;
+  }
 
  private:
   template <class M>

@@ -18,7 +18,7 @@ struct SharedFormats {
   static constexpr const auto& mechanism = mechanism_of<Scene, Parameters>;
   static constexpr const LinkFormat& format = value.format[0];
   static constexpr ColumnExponents columns = column_exponents(mechanism, rounding_of<S>(true), format);
-  static constexpr int parent(int) { return -1; }
+  static constexpr int parent(int i) { return i; }  // one for all
 };
 
 /// What kernels keep where links share formats: each quantity in its own.
