@@ -177,15 +177,19 @@ inline void refuse_bad(const axial::Status& status, const Kernel& kernel) {
                            std::to_string(static_cast<int>(status.code)));
 }
 
-/// What the library does not offer where joints share drives: derivatives, elastic joints; in fixed point forward
-/// dynamics, and loops. Nor, in fixed point, derivatives of forward dynamics of more than eight joints.
+/// What the library does not offer where joints share drives: derivatives, elastic joints; in fixed point loops, and
+/// forward dynamics but that of 32 bits. Nor, in fixed point, derivatives of forward dynamics of more than eight
+/// joints.
 template <class Algorithm, class S, class T>
 constexpr bool is_offered() {
   constexpr bool fixed = axial::is_stored_v<T>;
   constexpr int joints = axial::joint_count<S>;
   if (fixed && job_of<Algorithm> == Job::acceleration_derivatives && joints > 8) return false;
   if (!axial::detail::shares_drives_in<typename axial::scene_of<S>::Robot>) return true;
-  return !has_blocks(job_of<Algorithm>) && !(fixed && job_of<Algorithm> == Job::acceleration) &&
+  using Run = axial::scene_of<typename SceneOfKernel<Algorithm, S>::type>;
+  constexpr bool by_links = Run::template has<axial::ArticulatedBody> || Run::template has<axial::SplitArticulatedBody>;
+  constexpr bool other = fixed && (sizeof(T) != 4 || by_links);
+  return !has_blocks(job_of<Algorithm>) && !(other && job_of<Algorithm> == Job::acceleration) &&
          !(fixed && axial::scene_of<S>::template has<axial::Looped>);
 }
 
@@ -205,6 +209,10 @@ Row row_of(const Kernel& kernel) {
     const bool limited = job == Job::acceleration || (job == Job::acceleration_derivatives && axial::is_stored_v<T>);
     if (limited && !all.declared(k)) continue;
     const auto result = Algorithm::template run<S>(in_numbers<R, T>(all.drawn()[k]));
+    if constexpr (job == Job::acceleration && axial::is_stored_v<T>)
+      if (axial::detail::shares_drives_in<typename axial::scene_of<S>::Robot> &&
+          result.status.code == axial::Status::Code::position_limit)
+        continue;  // inside the drives' limits a turning joint may be beyond its own
     if constexpr (job == Job::acceleration) refuse_bad(result.status, kernel);
     if constexpr (job == Job::acceleration_derivatives) refuse_bad(result.qdd.status, kernel);
     const Vector off = difference(Numbers<Run, T>::template of<job>(result), wanted[k]);
