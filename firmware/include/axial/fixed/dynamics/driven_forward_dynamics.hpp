@@ -69,11 +69,11 @@ AXIAL_INLINE constexpr Status driven_status(const std::int32_t* x, int lost, int
   int beyond = -1;
   for (int k = 0; k < joint_count<S>; ++k)
     beyond = first_found(beyond, is_less_wide(trusted_words<S, Word>[k], word_magnitude(x[k])), k);
-  const bool near = !is_negative(lost), wide = !is_negative(spilt), far = !is_negative(beyond);
-  int code = select(far, static_cast<int>(Status::Code::acceleration_limit), static_cast<int>(Status::Code::ok));
-  code = select(wide, static_cast<int>(Status::Code::saturated), code);
-  code = select(near, static_cast<int>(Status::Code::near_singular), code);
-  return status_from(code, select(near, lost, select(wide, spilt, beyond)));
+  const bool is_lost = !is_negative(lost), is_spilt = !is_negative(spilt), is_beyond = !is_negative(beyond);
+  int code = select(is_beyond, static_cast<int>(Status::Code::acceleration_limit), static_cast<int>(Status::Code::ok));
+  code = select(is_spilt, static_cast<int>(Status::Code::saturated), code);
+  code = select(is_lost, static_cast<int>(Status::Code::near_singular), code);
+  return status_from(code, select(is_lost, lost, select(is_spilt, spilt, beyond)));
 }
 
 }  // namespace detail

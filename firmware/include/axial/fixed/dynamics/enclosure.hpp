@@ -12,8 +12,8 @@ namespace detail {
 /// x / 2^shift, rounded down, for 0 <= shift < 64; the same instructions for every shift.
 AXIAL_INLINE constexpr std::int64_t wide_shifted_by(std::int64_t x, int shift) {
   const auto low = static_cast<std::uint32_t>(shifted_by(x, shift));
-  const int sign = static_cast<int>(x >> 63), far = static_cast<int>(shifted_by(x, (shift + 32) & 63));
-  const int high = select(is_less(shift, 32), far, sign);  // of int: a long, as newlib's words are, would be a branch
+  const int sign = static_cast<int>(x >> 63), above = shifted_by(x, (shift + 32) & 63);
+  const int high = select(is_less(shift, 32), above, sign);  // of int: a long, as newlib's words are, would be a branch
   return static_cast<std::int64_t>((std::uint64_t{static_cast<std::uint32_t>(high)} << 32) | low);
 }
 AXIAL_INLINE constexpr std::int64_t wide_magnitude(std::int64_t x) {
