@@ -129,7 +129,7 @@ struct MinimalLink {
   }
   constexpr Plain outer() const { return {}; }
   template <class X>
-  constexpr const X& inboard(const X& x) const {
+  constexpr auto inboard(const X& x) const {
     return x;
   }
 };
