@@ -1,17 +1,12 @@
-// Batches against one state at a time: every kernel, every lane; and what one lane holds reaches no other.
-#include <axial/batch.hpp>
-
+// Batches of states: robots, scenes, routes; held joints and entry checks, lane by lane.
 #include <robots/panda.hpp>
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>
 
-#include "batch_lanes.hpp"
-#include "scene_robot.hpp"
+#include "batch_suite.hpp"
 
+namespace property {
 namespace {
-
-using namespace axial;
-using property::Fill;
 
 /// Links on a body that floats.
 struct OnBody {
@@ -23,132 +18,22 @@ struct OnBody {
   }();
 };
 
-/// Springs behind joints, every third of which is rigid.
-struct Sprung {
-  static constexpr auto chain = [] {
-    auto chain = property::Everything::chain;
-    for (int i = 0; i < chain.size; ++i)
-      if (i % 3 != 2) chain.links[i].stiffness = 2048.0 * (1 + i % 4);
-    return chain;
-  }();
-};
-
-/// S is a scene or a robot, or a model that is filled at run time.
-template <class S, class T, int N>
-struct Case {
-  using Scene = S;
-  using Number = T;
-  static constexpr int lanes = N;
-};
-
-/// Calls of every kernel, over one state or a batch of them.
-template <class S>
-struct Kernels {
-  template <class T, class Visit>
-  static void visit(const Joints<robot_of<S>, T>& q, const Joints<robot_of<S>, T>& qd, const Joints<robot_of<S>, T>& x,
-                    const Visit& visit) {
-    const auto in = Fill::inputs<S, T>(q);
-    if constexpr (!scene_of<S>::template has<FloatingBase>) {
-      visit("inverse dynamics", inverse_dynamics<S>(q, qd, x, in));
-      visit("gravity", gravity_torque<S>(q, in));
-      visit("bias", bias_torque<S>(q, qd, in));
-      visit("mass matrix", mass_matrix<S>(q, in));
-      visit("separation", separate<S>(q, in));
-      visit("momenta", momentum_terms<S>(q, qd, in));
-    }
-    if constexpr (scene_of<S>::template has<ElasticJoints>) {
-      const auto motors = elastic_feedforward<S>(q, qd, x, qd, x, in);
-      visit("motors' torques", motors.tau_m);
-      visit("motors' positions", motors.theta);
-      visit("motors' velocities", motors.thetad);
-      visit("efforts of springs", motors.tau_l);
-    }
-    visit("poses", forward_kinematics<S>(q, in));
-    visit("Jacobian", jacobian<S>(q, in));
-    visit("forward dynamics", forward_dynamics<S>(q, qd, x, in));
-  }
-};
-
-template <class C>
-class Batches : public testing::Test {
- protected:
-  using S = typename C::Scene;
-  using T = typename C::Number;
-  using R = robot_of<S>;
-  using Many = Batch<T, C::lanes>;
-  using State = Joints<R, T>;
-  struct States {
-    State q[C::lanes], qd[C::lanes], x[C::lanes];
-  };
-
-  States random_states() {
-    States states;
-    for (int k = 0; k < C::lanes; ++k) {
-      states.q[k] = property::joints<R, T>(random_.vector(R::chain.size, 2.5));
-      states.qd[k] = property::joints<R, T>(random_.vector(R::chain.size, 2.0));
-      states.x[k] = property::joints<R, T>(random_.vector(R::chain.size, 4.0));
-    }
-    return states;
-  }
-  static property::Answers of_lane(const States& states, int lane) {
-    property::Answers answers;
-    Kernels<S>::visit(load<C::lanes>(states.q), load<C::lanes>(states.qd), load<C::lanes>(states.x),
-                      [&](const char* name, const auto& answer) { answers.add(name, answer, lane); });
-    return answers;
-  }
-  static property::Answers of_one(const States& states, int k) {
-    property::Answers answers;
-    Kernels<S>::visit(states.q[k], states.qd[k], states.x[k],
-                      [&](const char* name, const auto& answer) { answers.add(name, answer, 0); });
-    return answers;
-  }
-
-  oracle::RandomChains random_{2031};
-};
-
 template <class... Features>
-using Everything = Scene<property::Everything, Features...>;
+using InScene = Scene<Everything, Features...>;
 using All = testing::Types<
     Case<robots::Puma560, double, 4>,
-    Case<Everything<Gravity, Friction, JointSprings, ArticulatedBody, Looped>, double, 4>,
+    Case<InScene<Gravity, Friction, JointSprings, ArticulatedBody, Looped>, double, 4>,
     Case<Scene<OnBody, FloatingBase>, double, 4>
 #ifndef AXIAL_FEW_ROBOTS
     ,
     Case<robots::Scara, float, 16>, Case<Scene<robots::Panda, Gravity, SplitArticulatedBody>, double, 8>,
-    Case<Everything<RuntimeGravity, RotorInertia, Friction, TipWrench, ExternalWrenches, ArticulatedBody>, double, 2>,
-    Case<Everything<Gravity, RotorInertia, Friction, CompositeBody, Looped>, float, 8>,
-    Case<Everything<Gravity, SineCosines, SplitArticulatedBody, Looped>, double, 4>,
-    Case<Scene<OnBody, FloatingBase, RuntimeGravity, RotorInertia, Looped>, float, 4>,
-    Case<Scene<Sprung, Gravity, RotorInertia, Friction, JointSprings, TipWrench, ElasticJoints>, float, 16>,
-    Case<Scene<Sprung, Gravity, RotorInertia, ElasticJoints, Looped>, double, 4>
+    Case<InScene<RuntimeGravity, RotorInertia, Friction, TipWrench, ExternalWrenches, ArticulatedBody>, double, 2>,
+    Case<InScene<Gravity, RotorInertia, Friction, CompositeBody, Looped>, float, 8>,
+    Case<InScene<Gravity, SineCosines, SplitArticulatedBody, Looped>, double, 4>,
+    Case<Scene<OnBody, FloatingBase, RuntimeGravity, RotorInertia, Looped>, float, 4>
 #endif
     >;
-TYPED_TEST_SUITE(Batches, All);
-
-TYPED_TEST(Batches, EveryLaneIsOneState) {
-  for (int round = 0; round < 20; ++round) {
-    const auto states = this->random_states();
-    for (int k = 0; k < TypeParam::lanes; ++k)
-      property::expect_agreement(this->of_lane(states, k), this->of_one(states, k),
-                                 sizeof(typename TypeParam::Number) == 4 ? 1e-3 : 1e-10);
-  }
-}
-
-TYPED_TEST(Batches, WhatIsNoNumberStaysInItsLane) {
-  using T = typename TypeParam::Number;
-  const auto states = this->random_states();
-  for (const T hostile : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity(), T(1e30)})
-    for (const int argument : {0, 1, 2}) {
-      auto spoilt = states;
-      const int spoilt_lane = argument % TypeParam::lanes;
-      (argument == 0 ? spoilt.q : argument == 1 ? spoilt.qd : spoilt.x)[spoilt_lane][1] = hostile;
-      for (int k = 0; k < TypeParam::lanes; ++k)
-        if (k == spoilt_lane)
-          property::expect_statuses(this->of_lane(spoilt, k), this->of_one(spoilt, k));
-        else
-          property::expect_same_bits(this->of_lane(spoilt, k), this->of_lane(states, k));
-    }
-}
+INSTANTIATE_TYPED_TEST_SUITE_P(Scenes, Batches, All);
 
 // A last link of which nothing but a payload resists: without one its joint is held, in that lane alone.
 struct Carrier {
@@ -208,3 +93,4 @@ TEST(BatchChecks, SpeakOfEachLane) {
 }
 
 }  // namespace
+}  // namespace property

@@ -9,6 +9,7 @@
 // Behind the plug-in, which serves it.
 #include <gtest/gtest.h>
 #include <axial/c_interface/derivatives.hpp>
+#include <axial/c_interface/elastic.hpp>
 #include <axial/c_interface/export.hpp>
 #include <axial/simulation/integrators.hpp>
 #include <axial/simulation/step_limit.hpp>

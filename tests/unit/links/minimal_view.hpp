@@ -63,6 +63,7 @@ struct MinimalLink {
   auto x() const {
     return x_screw(std::cos(Numbers::alpha[i]), std::sin(Numbers::alpha[i]), Numbers::a[i]).with_turn(AnyTurn{});
   }
+  auto x_inboard() const { return x(); }
   auto z(double q) const { return z(q, SinCos<double>{std::sin(q), std::cos(q)}); }
   auto z(double q, const SinCos<double>& turn) const {
     const bool slides = Numbers::slides[i];
@@ -128,10 +129,6 @@ struct MinimalLink {
     return force - other;
   }
   constexpr Plain outer() const { return {}; }
-  template <class X>
-  constexpr auto inboard(const X& x) const {
-    return x;
-  }
 };
 template <class SceneType>
 struct LoopedLink : MinimalLink<SceneType, false, int> {

@@ -141,7 +141,7 @@ AXIAL_INLINE constexpr auto shaped(const Link& link, const InwardResult<G, U, Z,
 template <class Kind, class Link, class Screw, class Tree, class Vel, class Tau>
 AXIAL_INLINE constexpr auto reflect(Kind joint, const Link& link, const Screw& screw, const Tree& tree,
                                     const Vel& velocity, const Tau& tau) {
-  auto x = link.inboard(link.x());
+  auto x = link.x_inboard();
   auto r = reflection(joint, link, tree.inertia, tree.bias, velocity.zeta, tau, singularity_scale(joint, tree.scale));
   Subtree sent{to_parent(x, to_parent(screw, r.inertia, link), link.outer()),
                to_parent(x, to_parent(screw, r.bias, link), link.outer()),

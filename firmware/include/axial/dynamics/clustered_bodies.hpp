@@ -145,7 +145,7 @@ struct Bodies {
   /// A quantity of the link in the parent's frame.
   template <class Link, class Screw, class V>
   AXIAL_INLINE static constexpr auto sent(const Link& link, const Screw& screw, const V& v) {
-    return to_parent(link.inboard(link.x()), to_parent(screw, v, link), link.outer());
+    return to_parent(link.x_inboard(), to_parent(screw, v, link), link.outer());
   }
   /// The forces of a cluster; the rest of it has no frame.
   template <class Link, class Screw, class F, class D, class U, class S>

@@ -95,7 +95,7 @@ AXIAL_INLINE constexpr auto structure_at_rest(const Links& links, const Input& i
         submerged(water_about(links, i), SubtreeInertia{link.formatted(articulated(body)), scale_of(link, body)}));
   };
   auto reflect = [&](auto joint, auto i, const auto& link, const auto& tree) AXIAL_INLINE {
-    auto x = link.inboard(link.x());
+    auto x = link.x_inboard();
     auto h = hinge(joint, link, tree.inertia, singularity_scale(joint, tree.scale));
     SubtreeInertia sent{to_parent(x, to_parent(screws[i], h.inertia, link), link.outer()),
                         seen_from(tree.scale, shift_length(x) + shift_length(screws[i]))};
@@ -144,7 +144,7 @@ AXIAL_INLINE constexpr auto respond(const Links& links, const Screws& screws, co
     Truth<T> lost = structure[i].singular;
     auto passed = passage(joint, link, structure[i], no_bias_products, force, drive[i], watch.magnified(), lost);
     auto turned = to_parent(screws[i], passed.bias, link);
-    auto sent = to_parent(link.inboard(link.x()), turned, link.outer());
+    auto sent = to_parent(link.x_inboard(), turned, link.outer());
     watch(passed.bias, turned, sent, passed.free);
     return Driven{link.shape(passed.free), lost, link.shape(sent)};
   };

@@ -34,8 +34,7 @@ AXIAL_INLINE constexpr auto axis_acceleration(const W& w, const DW& dw, const P&
 }
 
 /// Matrix U = dw~ + w~ w~: U r is the acceleration of a point r of a body that turns with w and dw, relative to the
-/// frame's origin. The form of Khalil and Dombre 2002, chapter 9. `p` are products(w), `axis` is the third column; dw
-/// may be a ZeroVec3.
+/// frame's origin (Khalil and Dombre 2002, chapter 9). `p` are products(w), `axis` the third column; dw may be zero.
 template <class W, class DW, class P, class Axis, class Rounder>
 AXIAL_INLINE constexpr auto rotation_acceleration(const W& w, const DW& dw, const P& p, const Axis& axis,
                                                   const Rounder& round) {

@@ -151,7 +151,7 @@ AXIAL_INLINE constexpr auto joint_effort(const Links& links, I i, const F& force
 template <class Links, class Screws, class I, class F>
 AXIAL_INLINE constexpr auto sent_force(const Links& links, const Screws& screws, I i, const F& force) {
   auto link = links.link(i);
-  return link.shape(to_parent(link.inboard(link.x()), to_parent(screws[i], force, link), link.outer()));
+  return link.shape(to_parent(link.x_inboard(), to_parent(screws[i], force, link), link.outer()));
 }
 
 /// What the inward pass keeps of a link.

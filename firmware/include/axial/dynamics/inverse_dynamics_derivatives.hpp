@@ -60,7 +60,7 @@ AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const Q
       out.velocity(i, i, along_joint(joint, columns.speed) + friction_slope(link, qd[i]));
       climb(links, screws, axes, columns, i, i, out);
     });
-    return rnea::InwardResult{link.shape(to_parent(link.inboard(link.x()), turned, link.outer()))};
+    return rnea::InwardResult{link.shape(to_parent(link.x_inboard(), turned, link.outer()))};
   });
 }
 

@@ -128,7 +128,7 @@ AXIAL_INLINE constexpr auto composite_bodies(const Links& links, const Input& in
   return inward(links, own, [&](auto i, const auto& body) AXIAL_INLINE {
     auto link = links.link(i);
     auto turned = link.shape(to_parent(screws[i], body, link));
-    return InwardResult{turned, link.shape(to_parent(link.inboard(link.x()), felt_inboard(turned), link.outer()))};
+    return InwardResult{turned, link.shape(to_parent(link.x_inboard(), felt_inboard(turned), link.outer()))};
   });
 }
 

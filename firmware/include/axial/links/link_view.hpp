@@ -101,6 +101,13 @@ class LinkAccess {
     else
       return twist();
   }
+  /// The same for what the link sends to its parent; the identity where nobody reads it.
+  AXIAL_INLINE constexpr auto x_inboard() const {
+    if constexpr (View::is_heard)
+      return x();
+    else
+      return x_screw(One{}, Zero{}, Zero{});
+  }
   AXIAL_INLINE constexpr auto mass() const { return mass_as<View::has_axial_mass>(self().template get<&C::mass>()); }
   AXIAL_INLINE constexpr auto first_moment() const {
     return Vec3{self().template get<&C::hx>(), self().template get<&C::hy>(), self().template get<&C::hz>()};

@@ -174,8 +174,7 @@ inline constexpr Placement robot_placement{Robot::chain.gravity, Robot::chain.ba
 
 }  // namespace detail
 
-/// The parameters that an algorithm computes with: its default, unless the scene names FullParameters or
-/// BaseParameters.
+/// What an algorithm computes with: its default, unless the scene names FullParameters or BaseParameters.
 template <class Scene, class Default>
 using parameters_of =
     std::conditional_t<Scene::template has<FullParameters>, FullParameters,

@@ -7,8 +7,8 @@
 
 namespace axial {
 
-/// Water about a body in axes of its frame; diagonals, about the centre of buoyancy. Only scenes that name Underwater
-/// see them.
+/// Water about a body in axes of its frame; diagonals, about the centre of buoyancy. Scenes that name Underwater see
+/// it.
 struct WaterParameters {
   double added_mass[3] = {0.0, 0.0, 0.0};                     ///< kg
   double added_inertia[3] = {0.0, 0.0, 0.0};                  ///< kg m^2

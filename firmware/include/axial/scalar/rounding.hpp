@@ -39,7 +39,8 @@ using Kept = typename KeptAs<T, Quantity>::type;
 /// Rounding of float, double and the counting scalar: none beyond the operations themselves.
 /// `sum(quantity, terms...)` is the sum of products and stored values, rounded once into the format of the quantity.
 struct Plain {
-  static constexpr bool ranged = false;  ///< whether ranges of its results are proved
+  static constexpr bool ranged = false;   ///< whether ranges of its results are proved
+  static constexpr bool is_heard = true;  ///< whether anybody reads what the link sends to its parent
   /// The sum, by the number's own additions.
   template <class Quantity, class... Terms>
   AXIAL_INLINE constexpr auto sum(Quantity, const Terms&... terms) const {
@@ -77,11 +78,6 @@ struct Plain {
   }
   /// Rounding in the formats of the link that carries this one.
   AXIAL_INLINE static constexpr Plain outer() { return {}; }
-  /// The screw that brings there what this link sends: link.x(), unless nobody reads it.
-  template <class X>
-  AXIAL_INLINE static constexpr const X& inboard(const X& x) {
-    return x;
-  }
 };
 
 /// A product with sines or cosines, back in the format of what was turned. A turn keeps the norm of what it turns.

@@ -120,8 +120,7 @@ AXIAL_INLINE constexpr auto cross_shift(const AxialScrew<Axis, C, S, L, Turn>& x
   return Axis::out(cross_z(Axis::in(u), x.shift));
 }
 
-/// Motion vector from the parent's frame to the child's, v_child = X v_parent: at most 10M 6A (Table II, spatial
-/// vectors).
+/// Motion vector from the parent's frame to the child's, v_child = X v_parent: at most 10M 6A (Table II).
 template <class Axis, class C, class S, class L, class Turn, class W, class V, class Rounder = Plain>
 AXIAL_INLINE constexpr auto to_child(const AxialScrew<Axis, C, S, L, Turn>& x, const MotionVector<W, V>& m,
                                      const Rounder& round = {}) {

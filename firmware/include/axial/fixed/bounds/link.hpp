@@ -25,6 +25,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   static constexpr bool branches = true;         ///< the identity where there is no branch
   static constexpr bool adds_angles = true;      ///< binary angles are exact
   static constexpr bool ranged = true;           ///< results have formats
+  static constexpr bool is_heard = true;         ///< what a root sends is not noted
   static constexpr bool has_axial_mass = false;  ///< words know none
   bool is_last;                                  ///< whether it bears payload and tip wrench
 
@@ -182,11 +183,6 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     BoundedLink link(account_, parent < 0 ? index_ : parent);
     link.noting_ = parent >= 0 || rounding().tabled;
     return link;
-  }
-  /// The screw that brings there what this link sends.
-  template <class X>
-  constexpr const X& inboard(const X& x) const {
-    return x;
   }
   /// Results are bounds already.
   ///@{

@@ -93,6 +93,8 @@ constexpr int doublings_after(int halvings) { return smaller(halvings + 8, 40); 
 template <class S, class Table, int I>
 struct FormatRounding {
   static constexpr bool ranged = true;
+  /// What a root sends nobody reads, and its formats have no room for it.
+  static constexpr bool is_heard = Table::parent(I) >= 0;
   static constexpr const LinkFormat& format = Table::value.format[I];
   template <class Quantity, class... Terms>
   AXIAL_INLINE static constexpr auto sum(Quantity, const Terms&... terms) {
@@ -172,15 +174,6 @@ struct FormatRounding {
   AXIAL_INLINE static constexpr auto outer() {
     constexpr int parent = Table::parent(I);
     return FormatRounding<S, Table, (parent < 0 ? I : parent)>{};
-  }
-  /// The screw that brings there what this link sends. Nobody reads what a root sends, and its formats have no room for
-  /// it: the identity.
-  template <class X>
-  AXIAL_INLINE static constexpr auto inboard(const X& x) {
-    if constexpr (Table::parent(I) < 0)
-      return x_screw(One{}, Zero{}, Zero{});
-    else
-      return x;
   }
 
  private:
