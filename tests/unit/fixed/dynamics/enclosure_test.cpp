@@ -132,26 +132,3 @@ TEST(Enclosure, ProvesNothingOfWordsThatDoNotFit) {
   steep.set_defects(0, made, error);
   EXPECT_FALSE(steep.enclose());
 }
-
-TEST(WideShift, IsADivisionRoundedDown) {
-  for (const std::int64_t x :
-       {INT64_MAX, INT64_MIN, std::int64_t{-1}, std::int64_t{0}, std::int64_t{0x123456789abcdef}})
-    for (int shift = 0; shift < 64; ++shift)
-      EXPECT_EQ(detail::wide_shifted_by(x, shift), x >> shift) << x << " by " << shift;
-}
-
-TEST(WideWords, AreComparedAndChosenByTheirSigns) {
-  constexpr std::int64_t numbers[] = {-(std::int64_t{1} << 62), -(std::int64_t{1} << 32),   -1, 0, 1, 0xffffffff,
-                                      std::int64_t{1} << 32,    (std::int64_t{1} << 62) - 1};
-  for (const std::int64_t a : numbers)
-    for (const std::int64_t b : numbers) {
-      EXPECT_EQ(detail::is_less_wide(a, b), a < b) << a << ' ' << b;
-      EXPECT_EQ(detail::select_wide(a < b, a, b), a < b ? a : b) << a << ' ' << b;
-    }
-}
-
-TEST(WideWords, AreShiftedDown) {
-  for (const std::int64_t x : {std::int64_t{0x123456789abcdef0}, -std::int64_t{0x123456789abcdef0}, std::int64_t{-1}})
-    for (int shift = 0; shift < 64; ++shift)
-      EXPECT_EQ(detail::wide_shifted_by(x, shift), x >> shift) << x << ' ' << shift;
-}

@@ -10,38 +10,6 @@
 namespace axial {
 namespace detail {
 
-/// x / 2^shift to nearest, 1 <= shift < 64.
-AXIAL_INLINE constexpr std::int64_t wide_rounded(std::int64_t x, int shift) {
-  return (wide_shifted_by(x, shift - 1) + 1) >> 1;
-}
-/// x 2^shift for 0 <= shift < 32: a product with a power of 2 that the compiler does not know would be a call that
-/// branches on a Cortex-M0.
-AXIAL_INLINE constexpr std::int64_t wide_raised(std::int64_t x, int shift) {
-  const auto low = static_cast<std::uint32_t>(x),
-             high = static_cast<std::uint32_t>(static_cast<std::uint64_t>(x) >> 32);
-  const auto by = static_cast<unsigned>(shift) & 31U;
-  const std::uint32_t raised = (high << by) | ((low >> 1) >> (31U - by));
-  return static_cast<std::int64_t>((std::uint64_t{raised} << 32) | (low << by));
-}
-/// moved_wide() by that.
-AXIAL_INLINE constexpr std::int64_t moved_word(std::int64_t x, int shift, bool& fits) {
-  const int left = select(is_negative(shift), -shift, 0), right = shift + left;
-  const std::int64_t down = wide_shifted_by(x, select(is_less(right, 64), right, 63));
-  const bool slight = is_less_wide(wide_magnitude(down), std::int64_t{1} << 31), close = is_less(left, 32),
-             none = is_less(left, 1);
-  fits = fits & close & (slight | none);
-  return wide_raised(down, select((slight & close) | none, left & 31, 0));
-}
-/// Bits of |x|, one at least.
-AXIAL_INLINE constexpr int wide_bits(std::int64_t x) {
-  const auto size = static_cast<std::uint64_t>(wide_magnitude(x));
-  const auto high = static_cast<std::uint32_t>(size >> 32), low = static_cast<std::uint32_t>(size);
-  const int above = 64 - integer::detail::leading_zeros(high | 1U),
-            below = 32 - integer::detail::leading_zeros(low | 1U);
-  const int wide = -static_cast<int>((high | (0U - high)) >> 31);
-  return (above & wide) | (below & ~wide);
-}
-
 /// The elimination (L^T D L, Featherstone 2008, section 6.5) of M in the units of DriveUnits, whose bounds hold every
 /// word, and solutions by it.
 template <class S, class Word>
@@ -125,12 +93,12 @@ class DriveSolve {
     std::int32_t w[size] = {};
     bool fits = true;
     for (int k = 0; k < size; ++k)
-      w[k] = narrowed<A>(moved_word(r[k], u.residual[k] + u.scale[k] - bits + most, fits));
+      w[k] = narrowed<A>(moved_wide(r[k], u.residual[k] + u.scale[k] - bits + most, fits));
     solve(w);
     for (int k = 0; k < size; ++k) {
       const int down = bits - u.gain_bits[k] - most + u.scale[k] - Units::Answers::exponent(k);
       bool held = true, over = false;
-      const std::int64_t whole = moved_word(wide_raised(w[k], 1), down, held);
+      const std::int64_t whole = moved_wide(wide_raised(w[k], 1), down, held);
       x[k] = held_in_word<A>(over, x[k] + ((whole + 1) >> 1));
       spilt = first_found(spilt, over | !held, k);
     }

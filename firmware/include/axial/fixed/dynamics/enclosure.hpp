@@ -2,34 +2,13 @@
 // nothing has to be known but what M makes of its columns, and a residual. After Rump, Acta Numerica 19 (2010), 10.
 #pragma once
 
-#include <axial/fixed/words/divide.hpp>
+#include <axial/fixed/words/integer.hpp>
+#include <axial/fixed/words/wide_words.hpp>
 
 #include <axial/options/begin.hpp>
 
 namespace axial {
 namespace detail {
-
-/// x / 2^shift, rounded down, for 0 <= shift < 64; the same instructions for every shift.
-AXIAL_INLINE constexpr std::int64_t wide_shifted_by(std::int64_t x, int shift) {
-  const auto low = static_cast<std::uint32_t>(shifted_by(x, shift));
-  const int sign = static_cast<int>(x >> 63), above = shifted_by(x, (shift + 32) & 63);
-  const int high = select(is_less(shift, 32), above, sign);  // of int: a long, as newlib's words are, would be a branch
-  return static_cast<std::int64_t>((std::uint64_t{static_cast<std::uint32_t>(high)} << 32) | low);
-}
-AXIAL_INLINE constexpr std::int64_t wide_magnitude(std::int64_t x) {
-  const std::int64_t sign = x >> 63;
-  return (x ^ sign) - sign;
-}
-
-/// a < b where the difference fits, by its sign; modulo 2^64, for a compiler compares 64 bits by branches where it sees
-/// what is_less() means.
-AXIAL_INLINE constexpr bool is_less_wide(std::int64_t a, std::int64_t b) {
-  return ((static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b)) >> 63) != 0;
-}
-/// yes or no by a mask: of 64 bits a conditional expression becomes a branch.
-AXIAL_INLINE constexpr std::int64_t select_wide(bool condition, std::int64_t yes, std::int64_t no) {
-  return no ^ ((yes ^ no) & -static_cast<std::int64_t>(condition));
-}
 
 /// A linear system of up to 8 unknowns in words, each unknown and each equation in a unit of its own. Where enclose()
 /// answers true the exact solution is within `bound` of x + `correction`, for the x that leaves `residual`.
@@ -56,7 +35,7 @@ struct Enclosure {
     proved = proved & !below & within;
     constexpr int room = defect_bits - least_shift;
     for (int i = 0; i < N; ++i) {
-      const std::int64_t wanted = i == j ? std::int64_t{1} << (shift[j] & 63) : 0;
+      const std::int64_t wanted = i == j ? wide_power(shift[j] & 63) : 0;
       const std::int64_t off = wide_magnitude(wanted - made[i]) + error[i];
       const bool fits = is_less_wide(off, std::int64_t{1} << (62 - room));
       const std::int64_t kept = off & -static_cast<std::int64_t>(fits);

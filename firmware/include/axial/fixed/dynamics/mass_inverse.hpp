@@ -9,24 +9,6 @@
 namespace axial {
 namespace detail {
 
-/// x / 2^shift, rounded down, to the left where shift is negative; `fits` is cleared where that does not hold it.
-AXIAL_INLINE constexpr std::int64_t moved_wide(std::int64_t x, int shift, bool& fits) {
-  const int left = select(is_negative(shift), -shift, 0), right = shift + left;
-  const std::int64_t down = wide_shifted_by(x, select(is_less(right, 64), right, 63));
-  const bool slight = is_less_wide(wide_magnitude(down), std::int64_t{1} << 31), close = is_less(left, 32),
-             none = left == 0;
-  fits = fits & close & (slight | none);
-  return down * (std::int64_t{1} << select((slight & close) | none, left & 31, 0));
-}
-AXIAL_INLINE constexpr std::int32_t word_magnitude(std::int32_t x) {
-  const std::int32_t sign = x >> 31;
-  return (x ^ sign) - sign;
-}
-/// Whether |x| is at most what a word holds.
-AXIAL_INLINE constexpr bool fits_word(std::int64_t x) {
-  return is_less_wide(wide_magnitude(x), (std::int64_t{1} << 31) - 1);
-}
-
 /// What of a mass matrix no state changes: how its words become a matrix of accelerations and efforts, each joint's in
 /// a unit of its own, below 2^29, and how far that can be off.
 template <int N>

@@ -3,6 +3,7 @@
 
 #include <axial/fixed/limits/fixed_limits.hpp>
 #include <axial/fixed/links/fixed_links.hpp>
+#include <axial/fixed/words/wide_words.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -42,44 +43,53 @@ struct SharedLimits {
     return all;
   }();
 
-  /// The first joint beyond its limits, by the drive that moves it, and which.
+  /// The first joint beyond its limits, by the drive that moves it, and which. The same instructions for all words.
   template <class V, class A>
   static constexpr Status status(const Positions<robot_of<S>, T>& u, const V& ud, const A& udd) {
     const auto qd = Links::rates(ud);
     const auto qdd = Links::rates(udd);  // or nothing
-    Status found;
+    First first;
     each([&](auto i) {
       constexpr const Limit& limit = limits[i];
-      const std::int64_t q = position<decltype(i)::value>(u);
-      const bool there = q >= limit.low && q <= limit.high;
+      const bool there = is_there(position<decltype(i)::value>(u), limit);
       const bool slow = inside(qd, i, limit.speed), gentle = inside(qdd, i, limit.acceleration);
-      if (!found.ok() || (there && slow && gentle)) return;
-      using Code = Status::Code;
-      found = {!there ? Code::position_limit
-               : slow ? Code::acceleration_limit
-                      : Code::speed_limit,
-               Links::matrix.mover_of(i)};
+      constexpr int beyond = static_cast<int>(Status::Code::position_limit),
+                    fast = static_cast<int>(Status::Code::speed_limit),
+                    hasty = static_cast<int>(Status::Code::acceleration_limit);
+      first.see(!(there & slow & gentle), select(there, select(slow, hasty, fast), beyond), Links::matrix.mover_of(i));
     });
-    return found;
+    return first.status();
   }
   /// Status of positions alone; with `slides_only` no more than formats need.
   static constexpr Status of_position(const Positions<robot_of<S>, T>& u, bool slides_only = false) {
-    Status found;
+    First first;
     each([&](auto i) {
       constexpr const Limit& limit = limits[i];
-      const std::int64_t q = position<decltype(i)::value>(u);
-      const bool looked_at = !slides_only || Declared::chain.links[i].type == JointType::prismatic;
-      if (found.ok() && looked_at && !(q >= limit.low && q <= limit.high))
-        found = {Status::Code::position_limit, Links::matrix.mover_of(i)};
+      constexpr bool slides = Declared::chain.links[i].type == JointType::prismatic;
+      const bool looked_at = slides | !slides_only;
+      first.see(looked_at & !is_there(position<decltype(i)::value>(u), limit),
+                static_cast<int>(Status::Code::position_limit), Links::matrix.mover_of(i));
     });
-    return found;
+    return first.status();
   }
 
  private:
+  // What is found first.
+  struct First {
+    int code = static_cast<int>(Status::Code::ok), joint = -1;
+    constexpr void see(bool found, int own, int drive) {
+      const bool taken = found & is_negative(joint);
+      code = select(taken, own, code), joint = select(taken, drive, joint);
+    }
+    constexpr Status status() const { return status_from(code, joint); }
+  };
+  static constexpr bool is_there(std::int64_t q, const Limit& limit) {
+    return !is_less_wide(q, limit.low) & !is_less_wide(limit.high, q);
+  }
   static constexpr bool inside(const NoMotion&, int, std::int64_t) { return true; }
   template <class Values>
   static constexpr bool inside(const Values& values, int i, std::int64_t most) {
-    return values[i].raw <= most && values[i].raw >= -most;
+    return !is_less_wide(most, values[i].raw) & !is_less_wide(values[i].raw, -most);
   }
   // Position of joint I without a turn lost.
   template <int I>
@@ -94,8 +104,8 @@ struct SharedLimits {
         constexpr double scale = unit * ratio * power_of_two(-from);
         constexpr int shift = smaller(fitting_exponent(scale, 1073741823.0), 30);
         static_assert(shift >= 0, "axial: a drive's unit moves its joint by many turns");
-        constexpr std::int64_t factor = nearest_integer(scale * power_of_two(shift));
-        sum += (factor * u[decltype(k)::value].raw) >> shift;
+        constexpr auto factor = static_cast<std::int32_t>(nearest_integer(scale * power_of_two(shift)));
+        sum += integer::multiply(factor, u[decltype(k)::value].raw) >> shift;
       }
     });
     return sum;
