@@ -25,11 +25,7 @@ void print() {
 }
 template <class R>
 void print_drives() {
-  using S = axial::Scene<R, axial::Gravity, axial::RotorInertia, axial::Friction>;
-  constexpr property::WithoutCosts costs;
-  put<R>(golden<InverseDynamics, S, axial::Fixed32>("32_nearest", costs));
-  put<R>(golden<ForwardDynamics, S, axial::Fixed32>("32_nearest", costs));
-  put<R>(golden<CertifiedForwardDynamics, S, axial::Fixed32>("32_nearest", costs));
+  all_golden_drives<R>(property::WithoutCosts{}, put<R>);
 }
 
 }  // namespace

@@ -143,6 +143,12 @@ constexpr void add_words(Hash& hash, const Values& result) {
     hash.add(value.raw);
 }
 template <class S, class T>
+constexpr void add_words(Hash& hash, const CertifiedDynamics<S, T>& result) {
+  add_words(hash, static_cast<const axial::ForwardDynamics<S, T>&>(result));
+  add_words(hash, result.bound);
+  hash.add(static_cast<std::int32_t>(result.status.code)), hash.add(result.status.joint);
+}
+template <class S, class T>
 constexpr void add_words(Hash& hash, const InverseDynamicsDerivatives<S, T>& result) {
   add_words(hash, result.tau), add_words(hash, result.M);
   add_words(hash, result.dtau_dq), add_words(hash, result.dtau_dqd);
@@ -213,6 +219,15 @@ void all_golden_derivatives(Count count, Put put) {
   put(golden<InverseDerivatives, Exact, Fixed32>("32_nearest", count));
   if constexpr (R::chain.size == 3) put(golden<CertifiedForwardDynamics, Exact, Fixed32>("32_nearest", count));
   put(golden<ForwardDerivatives, Exact, Fixed32>("32_nearest", count));
+}
+
+/// Dynamics of a robot whose joints share drives likewise.
+template <class R, class Count, class Put>
+void all_golden_drives(Count count, Put put) {
+  using S = Scene<R, Gravity, RotorInertia, Friction>;
+  put(golden<InverseDynamics, S, Fixed32>("32_nearest", count));
+  put(golden<ForwardDynamics, S, Fixed32>("32_nearest", count));
+  put(golden<CertifiedForwardDynamics, S, Fixed32>("32_nearest", count));
 }
 
 }  // namespace axial::apps::fixed
