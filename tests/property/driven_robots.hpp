@@ -22,17 +22,20 @@ struct Followers {
   // clang-format on
 };
 
+/// Number k of a robot that numbers alone describe, from -1 to 1.
+constexpr double drawn_number(int robot, int k) {
+  std::uint32_t x = std::uint32_t(robot) * 2654435761U + std::uint32_t(k) * 40503U + 12345U;
+  for (int i = 0; i < 4; ++i)
+    x = (x ^ (x >> 15)) * 2246822519U;
+  return double(x >> 8) / 8388608.0 - 1.0;
+}
+
 /// What no robot says: links, a tree and couplings from numbers alone; some drives without a rotor.
 template <int Number>
 struct Coupled {
   static constexpr const char* name = "coupled";
   static constexpr int n = 3 + Number % 2;
-  static constexpr double number(int k) {
-    std::uint32_t x = std::uint32_t(Number) * 2654435761U + std::uint32_t(k) * 40503U + 12345U;
-    for (int i = 0; i < 4; ++i)
-      x = (x ^ (x >> 15)) * 2246822519U;
-    return double(x >> 8) / 8388608.0 - 1.0;
-  }
+  static constexpr double number(int k) { return drawn_number(Number, k); }
   /// A square from `low` to `high`.
   static constexpr double size(int k, double low, double high) { return low + (high - low) * number(k) * number(k); }
   static constexpr auto link(int i) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "constrained.hpp"
+#include "driven_robots.hpp"
 
 namespace {
 
@@ -79,12 +80,7 @@ void expect_plain(unsigned seed) {
 template <int Number>
 struct RandomCoupling {
   static constexpr int n = 2 + Number % 3;
-  static constexpr double number(int k) {
-    std::uint32_t x = std::uint32_t(Number) * 2654435761U + std::uint32_t(k) * 40503U + 12345U;
-    for (int i = 0; i < 4; ++i)
-      x = (x ^ (x >> 15)) * 2246822519U;
-    return double(x >> 8) / 8388608.0 - 1.0;
-  }
+  static constexpr double number(int k) { return property::drawn_number(Number, k); }
   /// Triangular, so that it is regular; a zero here and there.
   static constexpr double ratio(int i, int k) {
     if (i == k) return 0.5 + 2.0 * number(i) * number(i);
