@@ -1,6 +1,6 @@
 // gravity_parts-own: the robot of a header (build/<preset>/own/robot.hpp, which the driver writes), for commission.py.
 #include <host_sim/commissioning/service.hpp>
-#include <host_sim/description/own_names.hpp>
+#include <host_sim/description/own_comments.hpp>
 #include <host_sim/output/command_line.hpp>
 
 #include <robot.hpp>
@@ -11,7 +11,7 @@ int main(int count, char** arguments) {
   line.option("--robot", header, "the header that it was built with").required();
   return host_sim::commissioning::serve(line, count, arguments, [&] {
     auto robot = description::from_robot<axial::apps::Robot>();
-    description::take_names(robot, header);
+    description::take_comments(robot, header);
     return robot;
   });
 }

@@ -116,7 +116,8 @@ void write_header(Description robot, const std::string& values, const std::strin
   robot.gravity = {down[0], down[1], down[2]};
   robot.name = all.at("name").get<std::string>();
   robot.source += all.at("source").get<std::string>();
-  robot.notes = all.at("notes").get<std::vector<std::string>>();
+  for (const auto& note : all.at("notes"))
+    robot.notes.push_back(note.get<std::string>());
   robot.fitted = all.at("fitted").get<std::vector<std::string>>();
   const auto rewritten = description::write_header(path, robot, {});
   std::fputs(description::said_of(path, rewritten).c_str(), stderr);

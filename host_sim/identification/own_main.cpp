@@ -1,6 +1,6 @@
 // robot_regressor-own: the robot of a header (build/<preset>/own/robot.hpp, which the driver writes), for identify.py
 // and excite.py.
-#include <host_sim/description/own_names.hpp>
+#include <host_sim/description/own_comments.hpp>
 #include <host_sim/identification/service.hpp>
 #include <host_sim/output/command_line.hpp>
 
@@ -13,7 +13,7 @@ int main(int count, char** arguments) {
   line.option("--robot", header, "the header that it was built with").required();
   return host_sim::identification::serve(line, count, arguments, [&] {
     auto robot = description::from_robot<axial::apps::Robot>();
-    description::take_names(robot, header);
+    description::take_comments(robot, header);
     return robot;
   });
 }

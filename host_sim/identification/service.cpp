@@ -96,6 +96,11 @@ void forget_missing_rotors(std::vector<std::string>& assumptions) {
   assumptions.erase(std::remove_if(assumptions.begin(), assumptions.end(), names_rotors), assumptions.end());
 }
 
+// A header that was identified before says so already.
+void add_note(std::vector<std::string>& notes, const std::string& note) {
+  if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+}
+
 // `values`: a JSON file of "name", "source", "parameters" (all links'), "notes", "rotors_fitted", "fitted", "figures".
 void write_header(description::Description robot, const std::string& values, const std::string& path) {
   const auto json = nlohmann::json::parse(description::read_text(values));
@@ -109,9 +114,11 @@ void write_header(description::Description robot, const std::string& values, con
   robot.name = json.at("name").get<std::string>();
   robot.source += json.at("source").get<std::string>();
   for (const auto& note : json.at("notes"))
-    robot.notes.push_back(note.get<std::string>());
+    add_note(robot.notes, note.get<std::string>());
   robot.fitted = json.at("fitted").get<std::vector<std::string>>();
   if (json.at("rotors_fitted").get<bool>()) forget_missing_rotors(robot.assumptions);
+  if (!robot.assumptions.empty())
+    robot.fitted.emplace_back("what is fitted is assumed no longer, unless it is not determined");
   const auto rewritten = description::write_header(path, robot, json.at("figures").get<std::vector<std::string>>());
   std::fputs(description::said_of(path, rewritten).c_str(), stderr);
 }
