@@ -52,3 +52,8 @@
 // Behind plain_arrays.hpp: what stands between it and the user is a line more of each of its messages.
 #include <axial/dynamics/derivatives_on_arrays.hpp>
 #include <axial/dynamics/models_on_arrays.hpp>
+
+// Behind all of them.
+#include <axial/dynamics/braces.hpp>
+
+#include <axial/control/braces.hpp>
