@@ -1,11 +1,15 @@
-// expect: derivatives do not know joints that share drives
+// expect: derivatives of joints that share drives have no formats in fixed point
 #include <axial/axial.hpp>
+#include <axial/fixed.hpp>
 #include <robots/gripper.hpp>
 
-#ifdef MENDED
-using R = axial::JointCoordinates<robots::Gripper>;
-#else
 using R = robots::Gripper;
+#ifdef MENDED
+using T = float;
+#else
+using T = axial::Fixed32;
 #endif
 
-auto slopes(const axial::Joints<R, float>& u) { return axial::inverse_dynamics_derivatives<R>(u, u, u); }
+auto slopes(const axial::Positions<R, T>& u, const axial::Velocities<R, T>& ud, const axial::Accelerations<R, T>& udd) {
+  return axial::inverse_dynamics_derivatives<R>(u, ud, udd);
+}

@@ -117,12 +117,16 @@ class Constrained {
  public:
   template <class R>
   static Constrained of(const oracle::Load<quad>& load = {}) {
+    return of<R>(by_hand<R>(), load);
+  }
+  template <class R>
+  static Constrained of(const Couplings& couplings, const oracle::Load<quad>& load = {}) {
     Constrained c;
     c.chain_ = oracle::of_robot<quad, R>();
     c.drives_ = c.chain_.links;
     for (auto& link : c.chain_.links)
       link.rotor_inertia = link.viscous = link.coulomb_forward = link.coulomb_backward = quad(0);
-    c.couplings_ = by_hand<R>();
+    c.couplings_ = couplings;
     c.load_ = load;
     return c;
   }

@@ -76,6 +76,12 @@ void expect_rail_held() {
   EXPECT_EQ(x.status.joint, 0);
   EXPECT_EQ(x[0], 0.0);
   EXPECT_DOUBLE_EQ(x[1], -7.8125);
+  // Along a direction the status and the joint that is held are the same: 2 kg under 6 N more.
+  const auto along = forward_dynamics_along<S>(q, qd, tau, {qd, qd, Joints<Rail, double>{5.0, 6.0}});
+  EXPECT_EQ(along.qdd.status.code, Status::Code::near_singular);
+  EXPECT_EQ(along.qdd.status.joint, 0);
+  EXPECT_EQ(along.dqdd[0], 0.0);
+  EXPECT_DOUBLE_EQ(along.dqdd[1], 3.0);
 }
 
 }  // namespace

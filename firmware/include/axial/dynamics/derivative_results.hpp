@@ -73,6 +73,14 @@ struct with_velocity_jacobian {
 };
 ///@}
 
+/// Stands where something else would be asked for: no member.
+template <int>
+struct NotWanted {
+  /// Nothing.
+  template <class S, class T>
+  struct Result {};
+};
+
 /// Efforts and their derivatives: a member for each that is wanted, of all four unless some are named.
 template <class S, class T, class... Wanted>
 struct InverseDynamicsDerivatives : WantedResults<S, T, Wanted...> {};
@@ -161,11 +169,12 @@ struct Entries {
 }  // namespace derivatives
 namespace detail {
 
-// Scenes that derivatives are offered for.
-template <class Scene>
+// Scenes and numbers that derivatives are offered for.
+template <class Scene, class T>
 constexpr void check_derivable() {
-  static_assert(!shares_drives_in<typename Scene::Robot>,
-                "axial: derivatives do not know joints that share drives; call it for axial::JointCoordinates<Robot>");
+  static_assert(is_number_v<T> || !shares_drives_in<typename Scene::Robot>,
+                "axial: derivatives of joints that share drives have no formats in fixed point; compute them in float, "
+                "or call it for axial::JointCoordinates<Robot>");
   static_assert(!Scene::template has<Underwater>, "axial: derivatives have no water; take Underwater out of the scene");
   static_assert(
       !Scene::template has<RotorDynamics>,
@@ -174,12 +183,12 @@ constexpr void check_derivable() {
 }
 
 // Scenes that derivatives of forward dynamics, which solves, are offered for.
-template <class Scene>
+template <class Scene, class T>
 constexpr void check_forward_derivable() {
   static_assert(!Scene::template has<FloatingBase>,
                 "axial: derivatives of forward dynamics know no free base; where its motion is known, name BaseMotion "
                 "instead of FloatingBase");
-  check_derivable<Scene>();
+  check_derivable<Scene, T>();
 }
 
 }  // namespace detail

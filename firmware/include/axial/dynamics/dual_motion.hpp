@@ -46,15 +46,43 @@ AXIAL_INLINE constexpr auto dual_screws(const Plain& plain, const Links& links, 
   });
 }
 
+/// Calls each(k, effort) for every drive that joints share, as run_along() does for joints.
+template <class Links, class Input, class U, class V, class A, class Each>
+AXIAL_INLINE constexpr void run_along_drives(const Links& plain, const Input& in, const U& u, const V& ud, const A& udd,
+                                             const Each& each);
+
 /// Calls each(i, effort) for every joint, from the tips on, with a dual number: its effort and how that changes along
 /// the direction. RNEA itself, over dual numbers.
 template <class Links, class Input, class Q, class V, class A, class Each>
 AXIAL_INLINE constexpr void run_along(const Links& plain, const Input& in, const Q& q, const V& qd, const A& qdd,
                                       const Each& each) {
-  using T = typename Links::Scalar;
-  auto links = differentiated<Dual<T, T>>(plain);
-  rnea::bear(links, in, q, dual_screws(plain, links, in, q), qd, qdd,
-             [&](auto i, const auto&, const auto& effort) AXIAL_INLINE { each(i, effort); });
+  if constexpr (is_driven<Links>) {
+    run_along_drives(plain, in, q, qd, qdd, each);
+  } else {
+    using T = typename Links::Scalar;
+    auto links = differentiated<Dual<T, T>>(plain);
+    rnea::bear(links, in, q, dual_screws(plain, links, in, q), qd, qdd,
+               [&](auto i, const auto&, const auto& effort) AXIAL_INLINE { each(i, effort); });
+  }
+}
+
+template <class Links, class Input, class U, class V, class A, class Each>
+AXIAL_INLINE constexpr void run_along_drives(const Links& plain, const Input& in, const U& u, const V& ud, const A& udd,
+                                             const Each& each) {
+  const auto q = plain.positions(u.values), dq = plain.rates(u.slopes);
+  const auto qd = plain.rates(ud.values), dqd = plain.rates(ud.slopes), qdd = plain.rates(udd.values);
+  const auto dqdd = plain.rates(udd.slopes);  // of another type where accelerations do not change
+  typename Links::JointValues efforts{}, changes{};
+  run_along(plain.joints(), in, DualValues{q, dq}, DualValues{qd, dqd}, DualValues{qdd, dqdd},
+            [&](auto i, const auto& effort) AXIAL_INLINE {
+              plain.write(efforts, i, value_of(effort));
+              plain.write(changes, i, slope_of(effort));
+            });
+  const auto felt = plain.felt_by_drives(efforts), change = plain.felt_by_drives(changes);
+  plain.each_drive([&](auto k) AXIAL_INLINE {
+    const auto drive = plain.drives().link(k);
+    each(k, with_slope(felt[k], change[k]) + friction_effort(drive, ud[k]) + drive.rotor() * udd[k]);
+  });
 }
 
 }  // namespace derivatives

@@ -24,6 +24,18 @@ struct AccelerationsAlong {
 
 namespace derivatives {
 
+/// solve_and_factor() from positions themselves, of joints or of drives that joints share.
+template <class Links, class Input, class Q, class V, class Tau, class A, class F>
+AXIAL_INLINE constexpr auto factor_at(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
+                                      A& qdd, F& factors) {
+  if constexpr (is_driven<Links>) {
+    const auto at = links.positions(q);
+    const auto screws = joint_screws(links.template joints<recursion::Derivatives>(), in, at);
+    return solve_and_factor_drives(links, in, at, screws, links.rates(qd), qd, tau, qdd, factors);
+  } else {
+    return solve_and_factor(links, in, q, joint_screws(links, in, q), qd, tau, qdd, factors);
+  }
+}
 /// Accelerations along a direction, written into `result`: `links` as derivatives of matrices walk over them,
 /// `recursion` as inverse dynamics does.
 template <class Links, class Recursion, class Input, class Q, class V, class Tau, class Direction, class Result>
@@ -32,11 +44,14 @@ AXIAL_INLINE constexpr void accelerations_along(const Links& links, const Recurs
                                                 Result& result) {
   using T = typename Links::Scalar;
   Factors<MassMatrix<typename Links::Scene::Robot, T>, T, Links::capacity> factors;
-  solve_and_factor(links, in, q, joint_screws(links, in, q), qd, tau, result.qdd, factors);
+  result.qdd.status = factor_at(links, in, q, qd, tau, result.qdd, factors);
   auto& x = result.dqdd;
   run_along(recursion, in, DualValues{q, by.dq}, DualValues{qd, by.dqd}, DualValues{result.qdd, NoMotion{}},
             [&](auto i, const auto& effort) AXIAL_INLINE { x[i] = by.dtau[i] - slope_of(effort); });
-  substitute(Any{}, links, factors, x);
+  if constexpr (is_driven<Links>)
+    substitute(Any{}, links.drives(), factors, x);
+  else
+    substitute(Any{}, links, factors, x);
 }
 
 /// Scenes that this is offered for: in floating point alone.
@@ -45,7 +60,7 @@ constexpr void check_directions() {
   static_assert(is_number_v<T>,
                 "axial: accelerations along a direction have no formats in fixed point; compute them in float, or take "
                 "forward_dynamics_derivatives()");
-  detail::check_forward_derivable<Scene>();
+  detail::check_forward_derivable<Scene, T>();
 }
 
 }  // namespace derivatives

@@ -106,18 +106,23 @@ struct SlopeEntries {
   }
 };
 
-/// Accelerations, their status and the factors of M, from one pass at qdd = 0.
-template <class Links, class Input, class Q, class Screws, class V, class Tau, class A, class F>
-AXIAL_INLINE constexpr auto solve_and_factor(const Links& links, const Input& in, const Q& q, const Screws& screws,
-                                             const V& qd, const Tau& tau, A& qdd, F& factors) {
-  RestEntries at_rest{factors.m, tau, qdd};
-  entries(links, in, q, screws, qd, NoMotion{}, at_rest);
+/// M becomes its factors and what efforts leave, `qdd`, becomes accelerations; their status.
+template <class Links, class A, class F>
+AXIAL_INLINE constexpr auto eliminate(const Links& links, A& qdd, F& factors) {
   const auto composite = map_links(links, [&](auto i) AXIAL_INLINE { return factors.m(i, i); });
   const auto status = crba::solve(links, factors.m, qdd);
   for_each_link(links, [&](auto i) AXIAL_INLINE {
     factors.inverses[i] = crba::pivot(links.link(i), factors.m(i, i), composite[i]).inverse;
   });
   return status;
+}
+/// Accelerations, their status and the factors of M, from one pass at qdd = 0.
+template <class Links, class Input, class Q, class Screws, class V, class Tau, class A, class F>
+AXIAL_INLINE constexpr auto solve_and_factor(const Links& links, const Input& in, const Q& q, const Screws& screws,
+                                             const V& qd, const Tau& tau, A& qdd, F& factors) {
+  RestEntries at_rest{factors.m, tau, qdd};
+  entries(links, in, q, screws, qd, NoMotion{}, at_rest);
+  return eliminate(links, qdd, factors);
 }
 
 /// Jacobians of inverse dynamics become those of forward dynamics: -M^-1 times them.
@@ -138,22 +143,68 @@ AXIAL_INLINE constexpr void solve_slopes(const Links& links, F factors, Result& 
 template <class S, class T>
 struct ForwardOver;
 
+/// solve_and_factor() in values of drives that joints share; q and qd are the joints'.
+template <class Links, class Input, class Q, class Screws, class W, class V, class Tau, class A, class F>
+AXIAL_INLINE constexpr auto solve_and_factor_drives(const Links& links, const Input& in, const Q& q,
+                                                    const Screws& screws, const W& qd, const V& ud, const Tau& tau,
+                                                    A& udd, F& factors) {
+  using AtRest = WantedResults<typename Links::JointScene, typename Links::Scalar, with_efforts, with_mass_matrix>;
+  const auto at =
+      driven::results_of_joints<AtRest>(links.template joints<recursion::Derivatives>(), in, q, screws, qd, NoMotion{});
+  DrivenKernels<Links>::reduce(links, at.M, factors.m);
+  DrivenKernels<Links>::leave(links, at.tau, ud, tau, udd);
+  return eliminate(links.drives(), udd, factors);
+}
+/// Jacobians of the joints that those of drives which are wanted follow from.
+template <class Links, class Result>
+using JointSlopes = WantedResults<
+    typename Links::JointScene, typename Links::Scalar,
+    std::conditional_t<Result::template has<with_acceleration_by_position>, with_position_jacobian, NotWanted<0>>,
+    std::conditional_t<Result::template has<with_acceleration_by_velocity>, with_velocity_jacobian, NotWanted<1>>>;
+/// The algorithm in values of drives that joints share.
+template <class Links, class Input, class U, class V, class Tau, class Result>
+AXIAL_INLINE constexpr auto run_forward_drives(const Links& links, const Input& in, const U& u, const V& ud,
+                                               const Tau& tau, Result& result) {
+  using T = typename Links::Scalar;
+  constexpr bool position = Result::template has<with_acceleration_by_position>;
+  constexpr bool velocity = Result::template has<with_acceleration_by_velocity>;
+  const auto& joints = links.template joints<recursion::Derivatives>();
+  const auto q = links.positions(u), qd = links.rates(ud);
+  const auto screws = joint_screws(joints, in, q);
+  Row<T, Links::capacity> udd;
+  Factors<MassMatrix<typename Links::Scene::Robot, T>, T, Links::capacity> factors;
+  const auto status = solve_and_factor_drives(links, in, q, screws, qd, ud, tau, udd, factors);
+  if constexpr (position || velocity) {
+    const auto at = driven::results_of_joints<JointSlopes<Links, Result>>(joints, in, q, screws, qd, links.rates(udd));
+    if constexpr (position) driven::write_slopes(by::Position{}, links, at.dtau_dq, ud, result.dqdd_dq);
+    if constexpr (velocity) driven::write_slopes(by::Velocity{}, links, at.dtau_dqd, ud, result.dqdd_dqd);
+  }
+  links.each_drive([&](auto k) AXIAL_INLINE { result.qdd[k] = udd[k]; });
+  if constexpr (Result::template has<with_inverse_mass_matrix>) invert(links.drives(), factors, result.M_inverse);
+  solve_slopes(links.drives(), factors, result);
+  return status;
+}
+
 /// The algorithm over any form of links: all results but the status, which it returns.
 template <class Links, class Input, class Q, class V, class Tau, class Result>
 AXIAL_INLINE constexpr auto run_forward(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
                                         Result& result) {
-  using T = typename Links::Scalar;
-  auto screws = joint_screws(links, in, q);
-  Row<T, Links::capacity> qdd;  // not the result, a store to which may change q for all that the compiler knows
-  Factors<MassMatrix<typename Links::Scene::Robot, T>, T, Links::capacity> factors;
-  const auto status = solve_and_factor(links, in, q, screws, qd, tau, qdd, factors);
-  SlopeEntries<Result> slopes{result};
-  entries(links, in, q, screws, qd, qdd, slopes);
-  write_between_branches(links, slopes);
-  for_each_link(links, [&](auto i) AXIAL_INLINE { result.qdd[i] = qdd[i]; });
-  if constexpr (Result::template has<with_inverse_mass_matrix>) invert(links, factors, result.M_inverse);
-  solve_slopes(links, factors, result);
-  return status;
+  if constexpr (is_driven<Links>) {
+    return run_forward_drives(links, in, q, qd, tau, result);
+  } else {
+    using T = typename Links::Scalar;
+    auto screws = joint_screws(links, in, q);
+    Row<T, Links::capacity> qdd;  // not the result, a store to which may change q for all that the compiler knows
+    Factors<MassMatrix<typename Links::Scene::Robot, T>, T, Links::capacity> factors;
+    const auto status = solve_and_factor(links, in, q, screws, qd, tau, qdd, factors);
+    SlopeEntries<Result> slopes{result};
+    entries(links, in, q, screws, qd, qdd, slopes);
+    write_between_branches(links, slopes);
+    for_each_link(links, [&](auto i) AXIAL_INLINE { result.qdd[i] = qdd[i]; });
+    if constexpr (Result::template has<with_inverse_mass_matrix>) invert(links, factors, result.M_inverse);
+    solve_slopes(links, factors, result);
+    return status;
+  }
 }
 
 /// The results of a robot's links in floating point, in a variable that no block of its own keeps from being the
@@ -184,7 +235,7 @@ template <class S, class... Wanted, class T>
 [[nodiscard]] constexpr ForwardDynamicsDerivatives<S, T, Wanted...> forward_dynamics_derivatives(
     const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,
     const Inputs<S, T>& in = {}) {
-  detail::check_forward_derivable<scene_of<S>>();
+  detail::check_forward_derivable<scene_of<S>, T>();
   static_assert(
       every_joint_is_resisted<S>(),
       "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "
@@ -199,7 +250,7 @@ template <class... Wanted, int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr ForwardDynamicsDerivatives<M, T, Wanted...> forward_dynamics_derivatives(
     const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd, const Efforts<M, T>& tau,
     const Inputs<M, T>& in = {}) {
-  detail::check_forward_derivable<scene_of<M>>();
+  detail::check_forward_derivable<scene_of<M>, T>();
   ForwardDynamicsDerivatives<M, T, Wanted...> result{};
   const auto links = model.template links<T>();
   const auto asked = detail::collected_request(links, in, q, qd);

@@ -43,8 +43,6 @@ template <class Scene, class T>
 constexpr void check_along() {
   static_assert(is_number_v<T>,
                 "axial: derivatives along a direction have no formats in fixed point; compute in float");
-  static_assert(!shares_drives_in<typename Scene::Robot>,
-                "axial: derivatives do not know joints that share drives; call it for axial::JointCoordinates<Robot>");
   static_assert(!Scene::template has<Underwater>, "axial: derivatives have no water; take Underwater out of the scene");
 }
 

@@ -116,6 +116,11 @@ struct DrivenKernels {
                                                   const W& qd, const V& ud, const Tau& tau, A& left) {
     typename Links::JointValues bias{};
     rnea::efforts(links.joints(), in, q, screws, qd, NoMotion{}, bias);
+    leave(links, bias, ud, tau, left);
+  }
+  /// What the drives' efforts leave besides efforts of the joints and the drives' friction.
+  template <class Of, class Values, class V, class Tau, class A>
+  AXIAL_INLINE static constexpr void leave(const Of& links, const Values& bias, const V& ud, const Tau& tau, A& left) {
     links.each_drive([&](auto k) AXIAL_INLINE {
       left[k] = static_cast<T>(tau[k] - (links.felt(k, bias) + friction_effort(links.drives().link(k), ud[k])));
     });

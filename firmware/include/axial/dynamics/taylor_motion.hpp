@@ -46,17 +46,45 @@ AXIAL_INLINE constexpr auto moving_screws(const Plain& plain, const Links& links
   });
 }
 
+/// Calls each(k, effort) for every drive that joints share, as run_in_time() does for joints.
+template <class Links, class Input, class U, class V, class A, class J, class S, class Each>
+AXIAL_INLINE constexpr void run_drives_in_time(const Links& plain, const Input& in, const U& u, const V& ud,
+                                               const A& udd, const J& u3, const S& u4, const Each& each);
+
 /// Calls each(i, effort) for every joint, from the tips on, with a Taylor number: its effort, how that changes and half
 /// of how the change changes. RNEA itself, over Taylor numbers. `q3` and `q4` are the third and fourth derivatives of
 /// q.
 template <class Links, class Input, class Q, class V, class A, class J, class S, class Each>
 AXIAL_INLINE constexpr void run_in_time(const Links& plain, const Input& in, const Q& q, const V& qd, const A& qdd,
                                         const J& q3, const S& q4, const Each& each) {
-  using T = typename Links::Scalar;
-  auto links = differentiated<Taylor<T, T, T>>(plain);
-  const TaylorValues position{q, qd, qdd};
-  rnea::bear(links, in, position, moving_screws(plain, links, in, position), TaylorValues{qd, qdd, q3},
-             TaylorValues{qdd, q3, q4}, [&](auto i, const auto&, const auto& effort) AXIAL_INLINE { each(i, effort); });
+  if constexpr (is_driven<Links>) {
+    run_drives_in_time(plain, in, q, qd, qdd, q3, q4, each);
+  } else {
+    using T = typename Links::Scalar;
+    auto links = differentiated<Taylor<T, T, T>>(plain);
+    const TaylorValues position{q, qd, qdd};
+    rnea::bear(links, in, position, moving_screws(plain, links, in, position), TaylorValues{qd, qdd, q3},
+               TaylorValues{qdd, q3, q4},
+               [&](auto i, const auto&, const auto& effort) AXIAL_INLINE { each(i, effort); });
+  }
+}
+
+template <class Links, class Input, class U, class V, class A, class J, class S, class Each>
+AXIAL_INLINE constexpr void run_drives_in_time(const Links& plain, const Input& in, const U& u, const V& ud,
+                                               const A& udd, const J& u3, const S& u4, const Each& each) {
+  typename Links::JointValues effort{}, rate{}, curve{};
+  run_in_time(plain.joints(), in, plain.positions(u), plain.rates(ud), plain.rates(udd), plain.rates(u3),
+              plain.rates(u4), [&](auto i, const auto& x) AXIAL_INLINE {
+                plain.write(effort, i, value_at_0(x));
+                plain.write(rate, i, linear_of(x));
+                plain.write(curve, i, quadratic_of(x));
+              });
+  const auto felt = plain.felt_by_drives(effort), first = plain.felt_by_drives(rate);
+  const auto second = plain.felt_by_drives(curve);
+  const TaylorValues accelerations{udd, u3, u4};
+  plain.each_drive([&](auto k) AXIAL_INLINE {
+    each(k, with_rates(felt[k], first[k], second[k]) + plain.drives().link(k).rotor() * accelerations[k]);
+  });
 }
 
 }  // namespace derivatives

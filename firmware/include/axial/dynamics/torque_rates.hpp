@@ -51,8 +51,6 @@ namespace detail {
 // Scenes and numbers that rates in time are offered for.
 template <class Scene, class T>
 constexpr void check_rates() {
-  static_assert(!shares_drives_in<typename Scene::Robot>,
-                "axial: torque rates do not know joints that share drives; call it for axial::JointCoordinates<Robot>");
   static_assert(is_number_v<T>, "axial: torque rates have no formats in fixed point; compute them in float");
   static_assert(!Scene::template has<BaseMotion> && !Scene::template has<FloatingBase>,
                 "axial: torque rates are those of a base at rest; take BaseMotion and FloatingBase out of the scene");

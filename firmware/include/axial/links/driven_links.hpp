@@ -32,8 +32,11 @@ struct DrivenLinks {
                 "axial: joints that share drives do not go with RotorDynamics; take it out of the scene and name "
                 "RotorInertia");
 
-  /// The joints, as links of their own.
-  AXIAL_INLINE static constexpr auto joints() { return links_of<JointScene, Scalar, Parameters>(); }
+  /// The joints, as links of their own that a recursion walks over.
+  template <class Recursion = recursion::NewtonEuler>
+  AXIAL_INLINE static constexpr auto joints() {
+    return links_of<JointScene, Scalar, Parameters, Recursion>();
+  }
   /// The drives: rotor and friction of each.
   AXIAL_INLINE static constexpr auto drives() { return StaticLinks<Scene, Scalar, FullParameters>{}; }
 
@@ -125,6 +128,11 @@ struct DrivenLinks {
   AXIAL_INLINE static constexpr void answer(Values& values, K, const Felt& felt, const Own&... own) {
     values[K::value] = static_cast<Scalar>((felt[K::value] + ... + own));
   }
+  /// values[k] = x.
+  template <class Values, class K, class X>
+  AXIAL_INLINE static constexpr void write(Values& values, K k, const X& x) {
+    values[k] = static_cast<Scalar>(x);
+  }
   /// x + y, where a number system with formats waits for the sum's rounding.
   template <class X, class Y>
   AXIAL_INLINE static constexpr auto add(const X& x, const Y& y) {
@@ -147,6 +155,11 @@ struct DrivenLinks {
   template <class F>
   AXIAL_INLINE static constexpr void each_drive(const F& f) {
     each(f, std::make_integer_sequence<int, capacity>{});
+  }
+  /// Calls f(i) for every joint.
+  template <class F>
+  AXIAL_INLINE static constexpr void each_joint(const F& f) {
+    each(f, std::make_integer_sequence<int, size>{});
   }
 
   /// Where a kernel that does not know drives asks for links, values or efforts.
@@ -207,10 +220,6 @@ struct DrivenLinks {
   template <class F, int... I>
   AXIAL_INLINE static constexpr void each(const F& f, std::integer_sequence<int, I...>) {
     (f(Index<I>{}), ...);
-  }
-  template <class F>
-  AXIAL_INLINE static constexpr void each_joint(const F& f) {
-    each(f, std::make_integer_sequence<int, size>{});
   }
 };
 

@@ -40,7 +40,11 @@ class DrivenModelLinks {
   constexpr DrivenModelLinks(const JointLinks& joints, const DriveLinks& drives, const DriveMatrix<N>& matrix)
       : joints_(joints), drives_(drives), matrix_(matrix) {}
 
-  constexpr const JointLinks& joints() const { return joints_; }  ///< the joints, as links of their own
+  /// The joints, as links of their own that any recursion walks over.
+  template <class Recursion = recursion::NewtonEuler>
+  constexpr const JointLinks& joints() const {
+    return joints_;
+  }
   constexpr const DriveLinks& drives() const { return drives_; }  ///< rotor and friction of each drive
   constexpr int size() const { return matrix_.drives; }           ///< number of drives
   constexpr int joint_count() const { return joints_.size(); }    ///< number of joints
@@ -91,6 +95,11 @@ class DrivenModelLinks {
   template <class Values, class Felt, class... Own>
   constexpr void answer(Values& values, int k, const Felt& felt, const Own&... own) const {
     values[k] = static_cast<Scalar>((felt[k] + ... + own));
+  }
+  /// values[k] = x.
+  template <class Values, class X>
+  static constexpr void write(Values& values, int k, const X& x) {
+    values[k] = static_cast<Scalar>(x);
   }
   /// A component of a Jacobian's column by drive k, from those by joints.
   template <class Get>

@@ -82,7 +82,7 @@ template <class S, class... Wanted, class T>
     const Inputs<S, T>& in = {}) {
   static_assert(std::is_same_v<T, Fixed32>,
                 "axial: derivatives of forward dynamics in fixed point are those of Fixed32");
-  detail::check_forward_derivable<scene_of<S>>();
+  detail::check_forward_derivable<scene_of<S>, T>();
   using Result = CertifiedDerivatives<S, T, Wanted...>;
   using Solve = detail::DerivativeSolve<S, T>;
   Result result{};

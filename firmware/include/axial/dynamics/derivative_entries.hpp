@@ -1,0 +1,77 @@
+// The algorithm of derivatives of inverse dynamics: one pass that hands out efforts, M and both Jacobians, entry by
+// entry.
+#pragma once
+
+#include <axial/dynamics/derivative_columns.hpp>
+#include <axial/dynamics/derivative_results.hpp>
+#include <axial/dynamics/friction_slope.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+namespace derivatives {
+
+/// Doubled moments of a link with what it bears: constants of the model where the compiler knows that this is nothing.
+template <class Link, class B>
+AXIAL_INLINE constexpr auto loaded_moments(const Link& link, const B& body) {
+  if constexpr (!Link::Scene::template has<Payload>) {
+    return doubled_moments(link);
+  } else if constexpr (Link::unrolled) {
+    if constexpr (Link::is_last)
+      return doubled_moments(link, body);
+    else
+      return doubled_moments(link);
+  } else {
+    return doubled_moments(link, body);
+  }
+}
+/// What link i is by itself.
+template <class Links, class Input, class Motions, class Passages, class Water, class I>
+AXIAL_INLINE constexpr auto own_part(const Links& links, const Input& in, const Motions& motions,
+                                     const Passages& passages, const Water& water, I i) {
+  const TipLoads<typename Links::Scene, Input> loads(in);
+  auto link = links.link(i);
+  auto body = loads.body(link);
+  auto force = rnea::own_force(links, in, motions, water, i);
+  auto flow = mass_flow(link, loaded_moments(link, body), motions[i].w, passages[i].origin);
+  return link.shape(Subtree{link.formatted(body), flow, force});
+}
+
+/// The algorithm over any form of links and the screws at q; hands every entry to `out`.
+template <class Links, class Input, class Q, class Screws, class V, class A, class Out>
+AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const Q& q, const Screws& screws, const V& qd,
+                                    const A& qdd, Out& out) {
+  auto motions = rnea::link_motions(links, in, screws, qd, qdd);
+  auto passed = passages(links, in, screws, motions, qd);
+  auto axes = map_links(links, [&](auto i) AXIAL_INLINE {
+    auto link = links.link(i);
+    return link.on_joint([&](auto joint)
+                             AXIAL_INLINE { return link.shape(axis_motion(joint, link, passed[i].frame)); });
+  });
+  auto water = immersions(links, in, screws, qd);
+  auto own = [&](auto i) AXIAL_INLINE { return own_part(links, in, motions, passed, water, i); };
+  inward(links, own, [&](auto i, const auto& carried) AXIAL_INLINE {
+    auto link = links.link(i);
+    auto turned = link.shape(to_axis(links, screws, i, carried, link));
+    link.on_joint([&](auto joint) AXIAL_INLINE {
+      auto columns = link.shape(columns_of(joint, link, turned, axes[i]));
+      out.effort(i, rnea::joint_effort(links, i, turned.force, q, qd, qdd));
+      out.mass(i, i, along_joint(joint, columns.acceleration) + link.rotor());
+      out.position(i, i, along_joint(joint, columns.position) + spring_slope(link));
+      out.velocity(i, i, along_joint(joint, columns.speed) + friction_slope(link, qd[i]));
+      climb(links, screws, axes, columns, i, i, out);
+    });
+    return rnea::InwardResult{link.shape(to_parent(link.x_inboard(), turned, link.outer()))};
+  });
+}
+
+/// The algorithm from q itself; hands every entry to `out`.
+template <class Links, class Input, class Q, class V, class A, class Out>
+AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Out& out) {
+  entries(links, in, q, joint_screws(links, in, q), qd, qdd, out);
+}
+
+}  // namespace derivatives
+}  // namespace axial
+
+#include <axial/options/end.hpp>
