@@ -53,12 +53,17 @@ class FixedDerivatives : public testing::Test {
   }
   double nearest_ = 0.0;
 };
-using Forms =
-    testing::Types<Form<robots::Scara, Fixed32, Plainly<robots::Scara>, HighWord>,
-                   Form<robots::RoarmM2, Fixed32, Plainly<robots::RoarmM2>, RoundDown>,
-                   Form<robots::ScaraRrpr, Fixed16, Plainly<robots::ScaraRrpr>>,
-                   Form<robots::TwoArm, Fixed32, Plainly<robots::TwoArm>>,
-                   Form<robots::Scara, Fixed32, Scene<robots::Scara, Gravity, RotorInertia, Friction>, Friction>>;
+using Forms = testing::Types<
+    Form<robots::Scara, Fixed32, Plainly<robots::Scara>, HighWord>,
+    Form<robots::RoarmM2, Fixed32, Plainly<robots::RoarmM2>, RoundDown>,
+    Form<robots::ScaraRrpr, Fixed16, Plainly<robots::ScaraRrpr>>,
+    Form<robots::TwoArm, Fixed32, Plainly<robots::TwoArm>>,
+    Form<robots::Scara, Fixed32, Scene<robots::Scara, Gravity, RotorInertia, Friction>, Friction>,
+    Form<robots::ScaraRrpr, Fixed32, Plainly<robots::ScaraRrpr>, Looped, HighWord>,
+    Form<robots::RoarmM2, Fixed32, Plainly<robots::RoarmM2>, Looped, RoundDown>,
+    Form<robots::ScaraRrpr, Fixed16, Plainly<robots::ScaraRrpr>, Looped>,
+    Form<robots::TwoArm, Fixed32, Plainly<robots::TwoArm>, Looped, HighWord, RoundDown>,
+    Form<robots::Scara, Fixed32, Scene<robots::Scara, Gravity, RotorInertia, Friction>, Friction, Looped>>;
 TYPED_TEST_SUITE(FixedDerivatives, Forms);
 
 }  // namespace
@@ -74,7 +79,8 @@ TYPED_TEST(FixedDerivatives, StayInsideTheirCertifiedErrors) {
     const auto exact = this->exact(state);
     this->see(got.dtau_dq, exact.dtau_dq, this->bound.dtau_dq);
     this->see(got.dtau_dqd, exact.dtau_dqd, this->bound.dtau_dqd);
-    for (int i = 0; i < TypeParam::joints; ++i)
+    this->see(got.M, exact.M, this->bound.M);
+    for (int i = 0; i < TypeParam::joints && !Checked::template has<Looped>; ++i)
       EXPECT_EQ(got.tau[i].raw, inverse_dynamics<Checked>(state.q, state.qd, state.qdd)[i].raw);
   }
   EXPECT_EQ(range_overflows, 0U);
@@ -107,10 +113,13 @@ struct PushedArm : robots::RoarmM2 {
 
 }  // namespace
 
-TEST(FixedDerivativesUnderLoad, StayInsideTheirCertifiedErrors) {
+namespace {
+
+template <class... Form>
+void expect_inside_under_load() {
   using R = PushedArm;
   using Exact = Scene<R, RuntimeGravity, RotorInertia, TipWrench>;
-  using Checked = Scene<R, RuntimeGravity, RotorInertia, TipWrench, RangeCheck>;
+  using Checked = Scene<R, RuntimeGravity, RotorInertia, TipWrench, RangeCheck, Form...>;
   using Format = InputFormats<R, Fixed32>;
   constexpr auto bound = error_bound<Checked>(algorithm::inverse_dynamics_derivatives);
   range_overflows = 0;
@@ -138,8 +147,6 @@ TEST(FixedDerivativesUnderLoad, StayInsideTheirCertifiedErrors) {
   EXPECT_EQ(range_overflows, 0U);
   EXPECT_GT(nearest, 0.05) << "a bound as loose as this says little";
 }
-
-namespace {
 
 // A payload of any declared mass, centre and inertia; one in four at the ends of its ranges.
 template <class R, class In, class ExactIn>
@@ -225,3 +232,9 @@ TEST(FixedDerivativesWithPayload, StayInsideTheirCertifiedErrors) {
   expect_inside_with_payload<LoadedArm>();
   expect_inside_with_payload<robots::Scara, HighWord>();
 }
+TEST(FixedDerivativesWithPayload, LoopedStayInsideTheirCertifiedErrors) {
+  expect_inside_with_payload<LoadedArm, Looped>();
+  expect_inside_with_payload<robots::Scara, Looped, HighWord>();
+}
+TEST(FixedDerivativesUnderLoad, StayInsideTheirCertifiedErrors) { expect_inside_under_load<>(); }
+TEST(FixedDerivativesUnderLoad, LoopedStayInsideTheirCertifiedErrors) { expect_inside_under_load<Looped>(); }

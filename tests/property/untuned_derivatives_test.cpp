@@ -6,6 +6,12 @@
 namespace property {
 namespace {
 
+template <class R>
+class DerivedRobots : public testing::Test {};
+TYPED_TEST_SUITE_P(DerivedRobots);
+TYPED_TEST_P(DerivedRobots, StayInsideTheirCertifiedErrors) { expect_derivatives_inside_their_bounds<TypeParam>(); }
+REGISTER_TYPED_TEST_SUITE_P(DerivedRobots, StayInsideTheirCertifiedErrors);
+
 using Some = testing::Types<robots::Scara, robots::ScaraRrpr, robots::Puma560, robots::Panda, robots::RoarmM2,
                             Drawn<2, 5, 3>, Drawn<6, 4, 1>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Some, DerivedRobots, Some);

@@ -17,14 +17,14 @@ inline std::uint64_t untuned_states() {
 }
 
 /// Its states in words, and what they stand for, of a model that knows nothing of fixed point.
-template <class R>
+template <class R, class... Features>
 class UntunedReference {
  public:
   using T = axial::Fixed32;
   using Model = axial::Model<8>;
   using Values = axial::Joints<Model, double>;
   /// Counts overflows.
-  using Checked = axial::Scene<R, axial::Gravity, axial::RotorInertia, axial::RangeCheck>;
+  using Checked = axial::Scene<R, axial::Gravity, axial::RotorInertia, axial::RangeCheck, Features...>;
   using State = exhaustive::FixedState<Checked, T>;
   static constexpr int joints = R::chain.size;
 

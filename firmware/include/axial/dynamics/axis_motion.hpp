@@ -17,11 +17,13 @@ struct AxisFrame {
   V v{};       ///< m/s, of its origin
   A a{};       ///< m/s^2, of its origin, against gravity
   U column{};  ///< rad^2/s^2 and rad/s^2: U's third column
-  /// This frame as numbers.
+  /// This frame as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
-    return derivatives::AxisFrame{w.template dense<T>(), v.template dense<T>(), a.template dense<T>(),
-                                  column.template dense<T>()};
+    return derivatives::AxisFrame{w.template dense<Kept<T, quantity::AngularVelocity>>(),
+                                  v.template dense<Kept<T, quantity::LinearVelocity>>(),
+                                  a.template dense<Kept<T, quantity::LinearAcceleration>>(),
+                                  column.template dense<Kept<T, quantity::AngularAcceleration>>()};
   }
 };
 template <class W, class V, class A, class U>
@@ -85,10 +87,10 @@ template <class F, class V>
 struct Passage {
   F frame{};   ///< an AxisFrame
   V origin{};  ///< m/s
-  /// This passage as numbers.
+  /// This passage as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
-    return derivatives::Passage{frame.template dense<T>(), origin.template dense<T>()};
+    return derivatives::Passage{frame.template dense<T>(), origin.template dense<Kept<T, quantity::LinearVelocity>>()};
   }
 };
 template <class F, class V>
@@ -195,10 +197,17 @@ struct AxisMotion {
   P first{};    ///< psi, 1/s
   D doubled{};  ///< 2 psi
   A second{};   ///< 1/s^2
-  /// This motion as numbers.
+  /// This motion as numbers, in the forms in which T keeps how a turning joint's axis moves; a slide's is kept in the
+  /// same.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
-    return derivatives::AxisMotion{first.template dense<T>(), doubled.template dense<T>(), second.template dense<T>()};
+    using namespace quantity;
+    return derivatives::AxisMotion{MotionVector{first.angular.template dense<Kept<T, AngularVelocity>>(),
+                                                first.linear.template dense<Kept<T, LinearVelocity>>()},
+                                   MotionVector{doubled.angular.template dense<KeptTwice<T, AngularVelocity>>(),
+                                                doubled.linear.template dense<KeptTwice<T, LinearVelocity>>()},
+                                   MotionVector{second.angular.template dense<Kept<T, AngularAcceleration>>(),
+                                                second.linear.template dense<Kept<T, AxisAcceleration>>()}};
   }
 };
 template <class P, class D, class A>

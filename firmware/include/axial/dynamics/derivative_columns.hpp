@@ -84,11 +84,13 @@ struct Columns {
   B row{};           ///< b
   U speed{};         ///< B phi + 2 I psi
   T position{};      ///< B psi + I d(psi)/dt + phi x* F
-  /// These columns as numbers.
+  /// These columns as numbers, each quantity in the form in which N keeps it; a slide's row as a turning joint's.
   template <class N>
   AXIAL_INLINE constexpr auto dense() const {
-    return derivatives::Columns{acceleration.template dense<N>(), row.template dense<N>(), speed.template dense<N>(),
-                                position.template dense<N>()};
+    using namespace quantity;
+    return derivatives::Columns{
+        dense_force<N, UnitMoment, UnitForce>(acceleration), row.template dense<Kept<N, FlowMoment>>(),
+        dense_force<N, FlowMoment, FlowMomentum>(speed), dense_force<N, PositionMoment, PositionForce>(position)};
   }
 };
 template <class F, class B, class U, class T>

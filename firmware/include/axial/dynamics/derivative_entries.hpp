@@ -11,10 +11,13 @@
 namespace axial {
 namespace derivatives {
 
-/// Doubled moments of a link with what it bears: constants of the model where the compiler knows that this is nothing.
+/// Doubled moments of a link with what it bears: constants of the model where the compiler knows that this is nothing,
+/// of a link of a table whose numbers have formats rounded as those of a loaded one.
 template <class Link, class B>
 AXIAL_INLINE constexpr auto loaded_moments(const Link& link, const B& body) {
-  if constexpr (!Link::Scene::template has<Payload>) {
+  if constexpr (!Link::Scene::template has<Payload> && Link::ranged && !Link::unrolled) {
+    return doubled_moments(link, body);
+  } else if constexpr (!Link::Scene::template has<Payload>) {
     return doubled_moments(link);
   } else if constexpr (Link::unrolled) {
     if constexpr (Link::is_last)
@@ -56,9 +59,9 @@ AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const Q
     link.on_joint([&](auto joint) AXIAL_INLINE {
       auto columns = link.shape(columns_of(joint, link, turned, axes[i]));
       out.effort(i, rnea::joint_effort(links, i, turned.force, q, qd, qdd));
-      out.mass(i, i, along_joint(joint, columns.acceleration) + link.rotor());
+      out.mass(i, i, unrounded_sum(along_joint(joint, columns.acceleration), link.rotor()));
       out.position(i, i, along_joint(joint, columns.position) + spring_slope(link));
-      out.velocity(i, i, along_joint(joint, columns.speed) + friction_slope(link, qd[i]));
+      out.velocity(i, i, unrounded_sum(along_joint(joint, columns.speed), friction_slope(link, qd[i])));
       climb(links, screws, axes, columns, i, i, out);
     });
     return rnea::InwardResult{link.shape(to_parent(link.x_inboard(), turned, link.outer()))};

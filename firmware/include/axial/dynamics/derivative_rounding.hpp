@@ -3,6 +3,7 @@
 #pragma once
 
 #include <axial/spatial/spatial_vector.hpp>
+#include <utility>
 
 #include <axial/options/begin.hpp>
 
@@ -19,6 +20,16 @@ struct UnitForce {};         ///< kg m or kg: what a joint's unit acceleration t
 struct PositionMoment {};    ///< N m/rad or N: what a joint's position takes
 struct PositionForce {};     ///< N/rad or N/m: what a joint's position takes
 }  // namespace quantity
+
+/// What 2 x is kept as, of x of a quantity.
+template <class T, class Quantity>
+using KeptTwice = std::decay_t<decltype(twice(std::declval<const Kept<T, Quantity>&>()))>;
+
+/// a + b where the sum may fit no format of either: number systems with exponents leave it unrounded.
+template <class A, class B>
+AXIAL_INLINE constexpr auto unrounded_sum(const A& a, const B& b) {
+  return a + b;
+}
 
 namespace derivatives {
 
@@ -43,6 +54,12 @@ struct ForceRounding {
 template <class OfMoment, class OfForce, class Link>
 AXIAL_INLINE constexpr ForceRounding<Link, OfMoment, OfForce> as_forces(const Link& link) {
   return {link};
+}
+
+/// A force as numbers, kept as those quantities.
+template <class T, class OfMoment, class OfForce, class F>
+AXIAL_INLINE constexpr auto dense_force(const F& f) {
+  return ForceVector{f.moment.template dense<Kept<T, OfMoment>>(), f.force.template dense<Kept<T, OfForce>>()};
 }
 
 /// The sum of forces as those quantities.

@@ -18,10 +18,11 @@ struct MassFlow {
   C moment{};    ///< kg m^2/s, a Mat3: C
   P momentum{};  ///< kg m/s: P
 
-  /// This flow as numbers.
+  /// This flow as numbers, each quantity in the form in which T keeps it.
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
-    return axial::MassFlow{moment.template dense<T>(), momentum.template dense<T>()};
+    return axial::MassFlow{moment.template dense<Kept<T, quantity::FlowMoment>>(),
+                           momentum.template dense<Kept<T, quantity::FlowMomentum>>()};
   }
 };
 template <class C, class P>

@@ -174,6 +174,24 @@ TEST(Flows, OfAPayloadByItsNorms) {
       },
       0.5);
 }
+// Links of one mass: a constant of their table, beside moments that are words of it.
+TEST(Flows, OfATableTakeTheErrorsOfItsWords) {
+  static constexpr WordRounding tabled{32, true, false, 0.0, true};
+  struct TabledLink : FineLink {
+    const WordRounding& rounding() const { return tabled; }
+  };
+  const auto entry = [](double value) { return Number{{std::fabs(value), 1e-6}, value, fine, false}; };
+  const bounds::Body body{literal_of(1.0),
+                          {entry(0.1), entry(0.2), entry(-0.3), {}},
+                          {{entry(2.0), entry(3.0), entry(4.0), entry(0.1), entry(0.2), entry(0.3)}, {}}};
+  const auto moments = doubled_moments(TabledLink{}, body);
+  EXPECT_DOUBLE_EQ(moments.mass.bound.size, 2.0);
+  EXPECT_DOUBLE_EQ(moments.first.z.bound.size, 0.6);
+  EXPECT_DOUBLE_EQ(moments.first.z.bound.error, 2e-6);
+  EXPECT_DOUBLE_EQ(moments.second.of.xx.bound.size, 5.0);
+  EXPECT_DOUBLE_EQ(moments.second.of.xx.bound.error, 3e-6);
+  EXPECT_DOUBLE_EQ(moments.second.of.yz.bound.error, 2e-6);
+}
 TEST(Flows, ThroughTheJointsScrew) { expect_flows<ZAxis>(0.5); }
 TEST(Flows, ThroughAnXScrew) { expect_flows<XAxis>(0.5); }
 TEST(Flows, TakeAForceWhereTheirFrameTurns) {

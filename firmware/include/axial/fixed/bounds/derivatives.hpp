@@ -17,6 +17,9 @@ struct EntryBounds {
   constexpr Ball& operator()(int i, int j) { return of[i][j]; }              ///< of entry (i, j)
   constexpr const Ball& operator()(int i, int j) const { return of[i][j]; }  ///< of entry (i, j)
 };
+/// How far an entry may be doubled from the format that all of its matrix share.
+inline constexpr int most_doublings = 30;
+
 /// The derivatives in bounds.
 template <int N>
 struct DerivativeBounds {
@@ -25,42 +28,56 @@ struct DerivativeBounds {
 
 /// Exponents of no result: where sizes alone are wanted.
 struct NoExponents {
-  /// one for all
-  constexpr int mass(int, int) const { return 0; }
-  constexpr int position(int, int) const { return 0; }  ///< one for all
-  constexpr int velocity(int, int) const { return 0; }  ///< one for all
+  static constexpr int mass(int, int) { return 0; }      ///< one for all
+  static constexpr int position(int, int) { return 0; }  ///< one for all
+  static constexpr int velocity(int, int) { return 0; }  ///< one for all
 };
+/// The least exponent of the entries of a matrix, at which all of them fit.
+template <int N, class Exponent>
+constexpr int least_exponent(const Exponent& exponent) {
+  int least = exponent(0, 0);
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j < N; ++j)
+      least = axial::detail::smaller(least, exponent(i, j));
+  return least;
+}
 
-/// Where the kernel writes its entries: each is rounded into its exponent.
+/// Where the kernel writes its entries: each is rounded into its exponent, in the looped form into the least of the
+/// matrix, from which it moves on without loss. An entry too small to say anything there is 0.
 template <int N, class Exponents>
 struct BoundedEntries {
-  const WordRounding& rounding;  ///< of the arithmetic
-  const Exponents& exponents;    ///< of results
-  DerivativeBounds<N>& all;      ///< what is found
+  const WordRounding& rounding;                                 ///< of the arithmetic
+  bool shared;                                                  ///< whether one step writes all entries
+  const Exponents& exponents;                                   ///< of results
+  DerivativeBounds<N>& all;                                     ///< what is found
+  int least_mass = least_exponent<N>(Exponents::mass);          ///< of M
+  int least_position = least_exponent<N>(Exponents::position);  ///< of d tau / d q
+  int least_velocity = least_exponent<N>(Exponents::velocity);  ///< of d tau / d qd
 
   /// Efforts are among the ranges of their links.
   static constexpr void effort(int, const Number&) {}
   /// M(i, j), either way round
   template <class X>
   constexpr void mass(int i, int j, const X& x) {
-    all.mass(i, j) = all.mass(j, i) = rounded(x, exponents.mass(i, j));
+    all.mass(i, j) = all.mass(j, i) = rounded(x, exponents.mass(i, j), least_mass);
   }
   /// d tau_i / d q_j
   template <class X>
   constexpr void position(int i, int j, const X& x) {
-    all.position(i, j) = rounded(x, exponents.position(i, j));
+    all.position(i, j) = rounded(x, exponents.position(i, j), least_position);
   }
   /// d tau_i / d qd_j
   template <class X>
   constexpr void velocity(int i, int j, const X& x) {
-    all.velocity(i, j) = rounded(x, exponents.velocity(i, j));
+    all.velocity(i, j) = rounded(x, exponents.velocity(i, j), least_velocity);
   }
 
  private:
   template <class X>
-  constexpr Ball rounded(const X& x, int exponent) const {
+  constexpr Ball rounded(const X& x, int exponent, int least) const {
     const NumberSum sum = term_of(x);
-    return {sum.bound.size, sum.bound.error + sum.terms.rounding(exponent, rounding)};
+    if (shared && exponent - least > most_doublings) return {sum.bound.size, sum.bound.size};
+    return {sum.bound.size, sum.bound.error + sum.terms.rounding(shared ? least : exponent, rounding)};
   }
 };
 
@@ -69,7 +86,7 @@ namespace detail {
 template <int N, class Exponents>
 constexpr DerivativeBounds<N> derive(Account<N>& account, const Exponents& exponents) {
   DerivativeBounds<N> all;
-  BoundedEntries<N, Exponents> entries{account.rounding, exponents, all};
+  BoundedEntries<N, Exponents> entries{account.rounding, account.mechanism.steps.shared, exponents, all};
   with_loads(account.mechanism.loads, [&](auto scene) {
     const BoundedLinks<decltype(scene), N> links(account);
     const GivenLoads in = given_loads(account.mechanism.loads, account.rounding);
@@ -98,7 +115,8 @@ constexpr DerivativeBounds<N> derivative_sizes(const Mechanism<N>& m, const Word
 template <int N, class Exponents>
 constexpr DerivativeBounds<N> derivative_errors(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges,
                                                 const Exponents& exponents) {
-  Account<N> account{m, r, false, false, ranges};
+  const Mechanism<N> in_formats = r.tabled ? axial::detail::sharing(m, r, ranges) : m;
+  Account<N> account{in_formats, r, false, false, ranges};
   return detail::derive(account, exponents);
 }
 
@@ -107,10 +125,12 @@ constexpr DerivativeBounds<N> derivative_errors(const Mechanism<N>& m, const Wor
 /// Ranges, formats and errors of what the derivatives' recursion keeps.
 template <int N>
 constexpr Ranges<N> derivative_ranges(const Mechanism<N>& m, const WordRounding& r, Wanted wanted = Wanted::errors) {
-  bounds::Account<N> account{m, r};
-  bounds::detail::sizes(account);
-  if (wanted == Wanted::errors) bounds::detail::derive(account, bounds::NoExponents{});
-  return account.ranges;
+  return detail::ranges_by(m, r, wanted, [&r](const Mechanism<N>& of, Wanted part) {
+    bounds::Account<N> account{of, r};
+    bounds::detail::sizes(account);
+    if (part == Wanted::errors) bounds::detail::derive(account, bounds::NoExponents{});
+    return account.ranges;
+  });
 }
 
 }  // namespace axial

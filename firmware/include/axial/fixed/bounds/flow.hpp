@@ -125,7 +125,7 @@ template <class Link>
 constexpr auto doubled_moments(const Link& link, const Body& body) {
   using namespace quantity;
   const auto constants = doubled_moments(body);
-  if (body.mass.is_literal) return constants;
+  if (body.mass.is_literal && !link.rounding().tabled) return constants;
   const auto& h = body.first_moment;
   const auto& j = body.inertia;
   const auto about = [&](const Number& a, const Number& b, const Number& c, const Number& own) {
@@ -217,6 +217,36 @@ constexpr ForceVector<VectorSum, VectorSum> inertial_force(const CompositeBody& 
 constexpr Number row_along(Revolute, const BoundedVector& row) { return axial_part(row); }
 constexpr Zero row_along(Prismatic, const BoundedVector&) { return {}; }
 ///@}
+
+/// How an axis moves, as the looped form keeps it: a slide's in the formats of what turns. Sizes are noted from the
+/// first run on, in which links have formats apart.
+template <class Link>
+constexpr auto kept_by(const Link& link, derivatives::AxisMotion<BoundedMotion, BoundedMotion, BoundedMotion> axis) {
+  if (!link.rounding().tabled) return axis;
+  axis.first.linear = link.sum(quantity::LinearVelocity{}, axis.first.linear);
+  axis.doubled.linear = doubled(axis.first.linear);
+  axis.second.linear = link.sum(quantity::AxisAcceleration{}, axis.second.linear);
+  return axis;
+}
+/// What a joint carries: a step for all links adds first moments before and behind a shift where there is none, too.
+template <class Link>
+constexpr auto kept_by(const Link& link,
+                       const derivatives::Subtree<CompositeBody, BoundedFlow, BoundedForce>& carried) {
+  if (link.rounding().tabled)
+    link.leave_room(quantity::FirstMoment{}, 2.0 * carried.body.first_moment.bound.whole.size);
+  return carried;
+}
+/// A joint's columns as the looped form keeps them: those of its inertia as unit forces, a slide's row as that of what
+/// turns.
+template <class Link>
+constexpr auto kept_by(const Link& link,
+                       derivatives::Columns<BoundedForce, BoundedVector, BoundedForce, BoundedForce> columns) {
+  using namespace quantity;
+  if (!link.rounding().tabled) return columns;
+  columns.acceleration = derivatives::sum_of<UnitMoment, UnitForce>(link, columns.acceleration);
+  columns.row = link.sum(FlowMoment{}, columns.row);
+  return columns;
+}
 
 /// Viscous friction: no slope describes the jump of dry friction at rest.
 template <class S, int N>

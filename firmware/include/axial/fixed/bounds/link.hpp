@@ -13,6 +13,12 @@
 
 namespace axial::bounds {
 
+/// What a link keeps of a result: the result, for bounds have no form of their own.
+template <class Link, class V>
+constexpr const V& kept_by(const Link&, const V& v) {
+  return v;
+}
+
 /// Link `index` of a robot in bounds.
 template <class SceneType, int N>
 class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, double> {
@@ -184,11 +190,11 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
     link.noting_ = parent >= 0 || rounding().tabled;
     return link;
   }
-  /// Results are bounds already.
+  /// Results are bounds already; what the looped form moves into other formats is rounded.
   ///@{
   template <class V>
-  static constexpr const V& shape(const V& v) {
-    return v;
+  constexpr decltype(auto) shape(const V& v) const {
+    return kept_by(*this, v);
   }
   static constexpr ForceVector<BoundedVector, BoundedVector> shape(const ForceVector<ZeroVec3, ZeroVec3>&) {
     return {};

@@ -42,6 +42,37 @@ struct JointMatrixFormat {
 };
 template <class S, class Word, class By>
 inline constexpr JointMatrixFormat<S, Word, By> joint_matrix_format = JointMatrixFormat<S, Word, By>::chosen();
+
+/// The format that one step writes all entries in, and doublings of each from there into its own. An entry beyond
+/// `most_doublings` is less than that format's unit: it is 0.
+template <class S, class Word, class By>
+struct EntryDoublings {
+  static constexpr int size = joint_count<S>;
+  int exponent = 0;
+  unsigned char of[size * size] = {};
+
+  static constexpr EntryDoublings chosen() {
+    constexpr const auto& format = joint_matrix_format<S, Word, By>;
+    EntryDoublings doublings;
+    doublings.exponent = bounds::least_exponent<size>([](int i, int j) { return format.of[i][j]; });
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j)
+        doublings.of[i * size + j] =
+            static_cast<unsigned char>(smaller(format.of[i][j] - doublings.exponent, bounds::most_doublings + 1));
+    return doublings;
+  }
+};
+template <class S, class Word, class By>
+inline constexpr auto entry_doublings = EntryDoublings<S, Word, By>::chosen();
+
+/// x 2^doublings, held within a word: what is exact fits, so that a word that would not is no farther off when held. 0
+/// for more doublings than 30.
+template <class S>
+AXIAL_INLINE constexpr typename S::Word doubled_word(typename S::Word x, unsigned char doublings) {
+  const auto factor = static_cast<std::int32_t>((std::uint32_t{2} << doublings) >> 1);
+  bool held = false;
+  return held_in_word<S>(held, integer::multiply(x, factor));
+}
 }  // namespace detail
 
 /// Matrix of joints in fixed point: entry (i, j) = raw 2^-exponent(i, j).
@@ -62,6 +93,13 @@ struct JointMatrix<S, Stored<Word>, By> {
   template <int I, int J, class V>
   AXIAL_INLINE constexpr void set(Index<I>, Index<J>, const V& value) {
     if constexpr (!is_zero_v<V>) values[I * size + J] = {round_to<exponent(I, J)>(value).raw};
+  }
+  /// Rounds into a format that all entries share, and moves on into that of entry (i, j).
+  template <class V>
+  AXIAL_INLINE constexpr void set(int i, int j, const V& value) {
+    constexpr const auto& doublings = detail::entry_doublings<S, Word, By>;
+    const auto shared = round_to<doublings.exponent>(value);
+    values[i * size + j] = {detail::doubled_word<typename V::Arithmetic>(shared.raw, doublings.of[i * size + j])};
   }
 };
 

@@ -39,6 +39,16 @@ struct MassMatrixFormat {
 template <class S, class Word>
 inline constexpr MassMatrixFormat<S, Word> mass_matrix_format = MassMatrixFormat<S, Word>::chosen();
 
+/// The least exponent of the entries.
+template <class S, class Word>
+inline constexpr int least_entry = [] {
+  int least = mass_matrix_format<S, Word>.of[0][0];
+  for (const auto& row : mass_matrix_format<S, Word>.of)
+    for (const int exponent : row)
+      least = smaller(least, exponent);
+  return least;
+}();
+
 /// How far entries, each in its format, are from exponent E: in either direction.
 template <class S, class Word, int E>
 struct MatrixShifts {
@@ -82,6 +92,11 @@ struct MassMatrix<S, Stored<Word>> {
   AXIAL_INLINE constexpr void set(int i, int j, const Fx<E, A>& value) {
     constexpr const auto& shifts = detail::matrix_shifts<S, Word, E>;
     values[at(i, j)] = {detail::moved_either_way<A>(value.raw, shifts.down[at(i, j)], shifts.up[at(i, j)])};
+  }
+  /// Sets an entry from a sum that nobody has rounded: in the least exponent of the entries.
+  template <class A, class B>
+  AXIAL_INLINE constexpr void set(int i, int j, const Sum<A, B>& value) {
+    set(i, j, round_to<detail::least_entry<S, Word>>(value));
   }
   AXIAL_INLINE constexpr void set(int, int, Zero) {}  ///< what is zero by type is zero already
 

@@ -32,13 +32,14 @@ constexpr bool has_own_parameters() {
 /// The recursions whose quantities have room for one format all along an arm.
 template <class Scene, class Recursion>
 constexpr void check_fixed_form() {
-  static_assert(!Scene::template has<Looped> || std::is_same_v<Recursion, recursion::NewtonEuler> ||
-                    std::is_same_v<Recursion, recursion::CompositeBodies> ||
-                    std::is_same_v<Recursion, recursion::Kinematics> || std::is_same_v<Recursion, recursion::Momenta> ||
-                    std::is_same_v<Recursion, recursion::BaseForce>,
-                "axial: forward dynamics, separation and derivatives in fixed point need a format per link, which the "
-                "looped form "
-                "has not; take Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)");
+  static_assert(
+      !Scene::template has<Looped> || std::is_same_v<Recursion, recursion::NewtonEuler> ||
+          std::is_same_v<Recursion, recursion::CompositeBodies> || std::is_same_v<Recursion, recursion::Kinematics> ||
+          std::is_same_v<Recursion, recursion::Momenta> || std::is_same_v<Recursion, recursion::BaseForce> ||
+          std::is_same_v<Recursion, recursion::Derivatives>,
+      "axial: forward dynamics, its derivatives and separation in fixed point need a format per link, which the "
+      "looped form "
+      "has not; take Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)");
   static_assert(!std::is_same_v<Recursion, recursion::Separation> || !Scene::template has<TipWrench>,
                 "axial: separate() in fixed point has no wrenches; take TipWrench out of the scene");
   static_assert(!std::is_same_v<Recursion, recursion::BaseForce>,

@@ -195,6 +195,12 @@ AXIAL_INLINE constexpr auto operator-(const A& a, const B& b) {
 }
 ///@}
 
+/// The sum of a format's numbers, which may be more than the format holds.
+template <int E, class S>
+AXIAL_INLINE constexpr auto unrounded_sum(const Fx<E, S>& a, const Fx<E, S>& b) {
+  return Sum<Fx<E, S>, Fx<E, S>>{a, b};
+}
+
 /// 2 x, exactly: the same bits.
 template <int E, class S>
 AXIAL_INLINE constexpr Fx<E - 1, S> twice(const Fx<E, S>& x) {
