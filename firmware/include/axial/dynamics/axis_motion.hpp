@@ -161,7 +161,7 @@ AXIAL_INLINE constexpr auto passages(const Links& links, const Input& in, const 
   auto base = rnea::base(links, in);
   auto still = no_motion(links);
   if constexpr (Links::unrolled) {
-    const Index<1> resting;
+    const Index<(Links::capacity > 1 ? 1 : 0)> resting;  // there is one, for who compiles what nobody calls
     auto rest = [&](auto i) AXIAL_INLINE {
       return passage_at_rest(links.link(i), screws[i], motions[Index<0>{}], motions[i], qd[i]);
     };
