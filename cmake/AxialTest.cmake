@@ -1,11 +1,12 @@
-# axial_add_test(<name> <source>... [LIBS <library>...] [DEFINES <definition>...] [TIMEOUT <seconds>] [FEW_ROBOTS_SANITIZED]
+# axial_add_test(<name> <source>... [LIBS <library>...] [DEFINES <definition>...] [TIMEOUT <seconds>] [COST <seconds>] [FEW_ROBOTS_SANITIZED]
 #   [ARITHMETIC_SANITIZED | ADDRESS_SANITIZED])
 #
 # A GoogleTest program linked to axial::axial, our warnings and the oracle; every TEST becomes a ctest test named
 # <folder>.<Suite.Test> with the folder below tests/ as its label. With FEW_ROBOTS_SANITIZED it is defined AXIAL_FEW_ROBOTS under
 # sanitizers, and runs whole without them too. With ARITHMETIC_SANITIZED sanitizers see its arithmetic and the bounds of its arrays
 # alone, a third of the time to compile: for kernels, which follow no pointer; every_kernel_test runs each kernel under the address sanitizer.
-# In tests/property that is the default, and ADDRESS_SANITIZED asks for all of them.
+# In tests/property that is the default, and ADDRESS_SANITIZED asks for all of them. COST is how long the longest of its tests takes: those
+# of over a minute begin first, so that no processor waits for the last one.
 #
 # Every test runs once: under the address and undefined-behaviour sanitizers (AXIAL_TESTS is sanitized), and those that these builds
 # do without, in an ordinary build (unsanitized). Both together are all.
@@ -26,7 +27,7 @@ set(AXIAL_UNSANITIZED_TESTS counts_test robots_test unrolled_test scenes_test sh
 # Folders of kernels over many robots.
 set(AXIAL_ARITHMETIC_SANITIZED_FOLDERS property)
 
-set(AXIAL_ARITHMETIC_SANITIZERS -fno-sanitize=address,null,alignment,object-size,vptr)
+set(AXIAL_ARITHMETIC_SANITIZERS -fno-sanitize=address,null,alignment,object-size,vptr,pointer-overflow)
 
 # axial_arithmetic_sanitized(<source>...): sources that do little but instantiate kernels; the standard library's own assertions watch
 # their containers.
@@ -49,7 +50,7 @@ function(axial_test_is_left_out name label both variable)
 endfunction()
 
 function(axial_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "FEW_ROBOTS_SANITIZED;ARITHMETIC_SANITIZED;ADDRESS_SANITIZED" "TIMEOUT" "LIBS;DEFINES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FEW_ROBOTS_SANITIZED;ARITHMETIC_SANITIZED;ADDRESS_SANITIZED" "TIMEOUT;COST" "LIBS;DEFINES")
   cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME label)
   axial_test_is_left_out(${name} ${label} ${arg_FEW_ROBOTS_SANITIZED} left_out)
   if(left_out)
@@ -57,6 +58,9 @@ function(axial_add_test name)
   endif()
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 300)
+  endif()
+  if(NOT arg_COST)
+    set(arg_COST 0)
   endif()
   if(arg_FEW_ROBOTS_SANITIZED AND AXIAL_TESTS STREQUAL sanitized)
     list(APPEND arg_DEFINES AXIAL_FEW_ROBOTS=1)
@@ -77,5 +81,5 @@ function(axial_add_test name)
     target_link_libraries(${name} PRIVATE axial_oracle)
   endif()
   gtest_discover_tests(${name} TEST_PREFIX ${label}. NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS ${label} TIMEOUT ${arg_TIMEOUT})
+    PROPERTIES LABELS ${label} TIMEOUT ${arg_TIMEOUT} COST ${arg_COST})
 endfunction()
