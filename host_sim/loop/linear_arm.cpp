@@ -17,10 +17,10 @@ namespace host_sim::loop {
 namespace {
 
 using Dense = Eigen::MatrixXd;
-using Values = simulation::Values<double>;
 
-Values values_of(const std::vector<double>& from) {
-  Values to{};
+template <class Model>
+axial::Joints<Model, double> values_of(const std::vector<double>& from) {
+  axial::Joints<Model, double> to{};
   std::copy(from.begin(), from.end(), to.values);
   return to;
 }
@@ -39,9 +39,10 @@ void fill(Dense& into, int row, int column, int n, const Matrix& from) {
 }
 
 /// d/dt (q, qd, tau) = rates (q, qd, tau), tau held.
-Dense rates(const simulation::Model& model, const SetPoint& at, const Values& tau) {
+template <class Model>
+Dense rates(const Model& model, const SetPoint& at, const axial::Joints<Model, double>& tau) {
   const int n = model.size(), all = 3 * n;
-  const auto d = axial::forward_dynamics_derivatives(model, values_of(at.q), values_of(at.qd), tau);
+  const auto d = axial::forward_dynamics_derivatives(model, values_of<Model>(at.q), values_of<Model>(at.qd), tau);
   if (!d.qdd.status.met()) throw std::runtime_error("the arm has no accelerations there");
   Dense F = Dense::Zero(all, all);
   F.block(0, n, n, n).setIdentity();
@@ -57,12 +58,12 @@ Table2 table(const Dense& from) {
   return to;
 }
 
-void add_limits(LinearArm& arm, const std::vector<axial::LinkParameters>& links) {
+/// `links` are the joints, or the drives where joints share them; of these `slides` tells what an error is measured in.
+void add_limits(LinearArm& arm, const std::vector<axial::LinkParameters>& links, const std::vector<bool>& slides) {
   for (std::size_t i = 0; i < links.size(); ++i) {
     arm.low_x.push_back(links[i].position_min - arm.at.q[i]), arm.high_x.push_back(links[i].position_max - arm.at.q[i]);
     arm.low_u.push_back(-links[i].effort_limit - arm.tau[i]), arm.high_u.push_back(links[i].effort_limit - arm.tau[i]);
-    const bool slides = links[i].type == axial::JointType::prismatic;
-    arm.Q.push_back(axial::apps::position_weight(slides)),
+    arm.Q.push_back(axial::apps::position_weight(slides[i])),
         arm.R.push_back(axial::apps::effort_weight(links[i].effort_limit));
   }
   for (std::size_t i = 0; i < links.size(); ++i) {
@@ -72,24 +73,52 @@ void add_limits(LinearArm& arm, const std::vector<axial::LinkParameters>& links)
   }
 }
 
-}  // namespace
-
-LinearArm linear_arm(const std::string& robot, double time, double tick) {
-  if (simulation::shares_drives(robot))
-    throw std::runtime_error("joints of '" + robot +
-                             "' share drives, of which there are no derivatives to linearise by");
-  auto links = simulation::robot_links(robot);
-  for (auto& link : links)
-    link.viscous = link.coulomb_forward = link.coulomb_backward = link.static_friction = 0.0;
-  const auto model = simulation::model_of(robot, links);
+/// The system of a model without friction, whatever its values belong to.
+template <class Model>
+LinearArm linearised(const std::string& robot, const Model& model, double time, double tick) {
   LinearArm arm;
   arm.robot = robot, arm.at = point_of(robot, time), arm.tick = tick;
-  const auto tau = axial::inverse_dynamics(model, values_of(arm.at.q), values_of(arm.at.qd), values_of(arm.at.qdd));
+  const auto tau = axial::inverse_dynamics(model, values_of<Model>(arm.at.q), values_of<Model>(arm.at.qd),
+                                           values_of<Model>(arm.at.qdd));
   const int n = model.size();
   arm.tau.assign(tau.values, tau.values + n);
   const Dense after = (tick * rates(model, arm.at, tau)).exp();
   arm.A = table(after.topLeftCorner(2 * n, 2 * n)), arm.B = table(after.topRightCorner(2 * n, n));
-  add_limits(arm, links);
+  return arm;
+}
+
+/// What each drive is by itself, with the limits of a joint that nothing else moves.
+std::vector<axial::LinkParameters> drives_of(const std::vector<axial::LinkParameters>& links,
+                                             std::vector<bool>& slides) {
+  axial::LinkParameters all[axial::joint_count<simulation::DrivenModel>] = {};
+  std::copy(links.begin(), links.end(), all);
+  const auto g = axial::drive_matrix_of(all);
+  std::vector<axial::LinkParameters> drives;
+  for (int k = 0; k < g.drives && g.owner[k] < static_cast<int>(links.size()); ++k) {
+    const auto& owner = links[static_cast<std::size_t>(g.owner[k])];
+    drives.push_back(axial::detail::drive_by_itself(owner, g.is_alone(g.owner[k])));
+    slides.push_back(owner.type == axial::JointType::prismatic && g.is_alone(g.owner[k]));
+  }
+  return drives;
+}
+
+}  // namespace
+
+LinearArm linear_arm(const std::string& robot, double time, double tick) {
+  auto links = simulation::robot_links(robot);
+  for (auto& link : links)
+    link.viscous = link.coulomb_forward = link.coulomb_backward = link.static_friction = 0.0;
+  std::vector<bool> slides;
+  if (simulation::shares_drives(robot)) {
+    auto arm = linearised(robot, simulation::driven_model_of(robot, links), time, tick);
+    const auto drives = drives_of(links, slides);
+    add_limits(arm, drives, slides);
+    return arm;
+  }
+  auto arm = linearised(robot, simulation::model_of(robot, links), time, tick);
+  for (const auto& link : links)
+    slides.push_back(link.type == axial::JointType::prismatic);
+  add_limits(arm, links, slides);
   return arm;
 }
 

@@ -18,7 +18,8 @@ struct Table2 {
 };
 
 /// dx' = A dx + B du a tick later, for small deviations dx of x = (q, qd) from the motion and du of the efforts that it
-/// takes, which are held in between.
+/// takes, which are held in between. Where joints share drives all are the drives', with their own limits: those of
+/// joints that several move are not linear bounds of one state, and are left out.
 struct LinearArm {
   std::string robot;
   SetPoint at;                                       ///< where in the cycle, and how it moves there

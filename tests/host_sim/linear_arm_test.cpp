@@ -1,9 +1,8 @@
 // What ./axial loop --export writes: read back from the header, held to the oracle's nonlinear arm, and regulated.
 #include <host_sim/loop/linear_arm.hpp>
+#include <host_sim/robots/driven_robot.hpp>
 
 #include <gtest/gtest.h>
-#include <oracle/from_axial.hpp>
-#include <oracle/lagrange.hpp>
 
 #include <Eigen/Dense>
 
@@ -13,8 +12,7 @@
 #include <regex>
 #include <sstream>
 
-#include <robots/puma560.hpp>
-#include <robots/scara.hpp>
+#include <robots/robots.hpp>
 
 using namespace host_sim::loop;
 
@@ -63,7 +61,7 @@ Problem read(const std::string& header) {
 template <class Robot>
 class Arm {
  public:
-  Arm() : chain_(oracle::of_robot<double, Robot>()) {}
+  Arm() : chain_(host_sim::driven_robot<double, Robot>()) {}
 
   /// (q, qd) after `seconds` under held efforts: Runge-Kutta, eight steps.
   Vector after(Vector x, const Vector& tau, double seconds) const {
@@ -80,12 +78,12 @@ class Arm {
   Vector rate(const Vector& x, const Vector& tau) const {
     const Eigen::Index n = tau.size();
     const auto list = [](const Vector& v) { return oracle::Vector<double>(v.data(), v.data() + v.size()); };
-    const auto qdd = oracle::forward_dynamics(chain_, list(x.head(n)), list(x.tail(n)), list(tau));
+    const auto qdd = chain_.forward_dynamics(list(x.head(n)), list(x.tail(n)), list(tau));
     Vector dx(2 * n);
     dx << x.tail(n), Eigen::Map<const Vector>(qdd.data(), n);
     return dx;
   }
-  oracle::Chain<double> chain_;
+  oracle::DrivenChain<double> chain_;
 };
 
 Vector vector(const std::vector<double>& v) {
@@ -133,25 +131,28 @@ Dense gains(const Problem& p, int steps) {
 }
 
 template <class Robot>
-void expect_regulated(double deviation) {
-  const LinearArm arm = linear_arm(Robot::name, 0.0, 0.01);
+void expect_regulated(double deviation, double tick = 0.01) {
+  const LinearArm arm = linear_arm(Robot::name, 0.0, tick);
   const Problem p = read(tinympc_header(arm, 10, 1.0));
   const Dense K = gains(p, 400);
   const double radius = (p.A - p.B * K).eval().eigenvalues().cwiseAbs().maxCoeff();
-  EXPECT_LT(radius, 0.95);
+  EXPECT_LT(radius, std::pow(0.95, tick / 0.01));
   const Arm<Robot> real;
   const Vector wanted = state(arm), tau = vector(arm.tau);
   Vector x = wanted;
   x.head(p.n).array() += deviation;
-  for (int k = 0; k < 100; ++k)
-    x = real.after(x, tau + (-K * (x - wanted)).cwiseMax(p.low_u).cwiseMin(p.high_u), 0.01);
+  for (int k = 0; k < std::lround(1.0 / tick); ++k)
+    x = real.after(x, tau + (-K * (x - wanted)).cwiseMax(p.low_u).cwiseMin(p.high_u), tick);
   EXPECT_LT((x - wanted).cwiseAbs().maxCoeff(), 1e-3) << Robot::name;
 }
 
 }  // namespace
 
-TEST(LinearArm, IsRefusedWhereJointsShareDrives) {
-  EXPECT_THROW(linear_arm("scara_quill", 0.0, 0.01), std::runtime_error);
+TEST(LinearArm, OfSharedDrivesPredictsAndIsRegulated) {
+  EXPECT_LT(prediction_error<robots::WristArm>(0.0, 0.01), 1e-6);
+  EXPECT_LT(prediction_error<robots::ScaraQuill>(0.0, 0.001), 1e-6);
+  EXPECT_LT(prediction_error<robots::Palletiser>(0.7, 0.001), 1e-4);
+  expect_regulated<robots::WristArm>(0.02, 0.001);
 }
 
 TEST(LinearArm, PredictsTheNonlinearArm) {
@@ -166,7 +167,7 @@ TEST(LinearArm, PredictsTheNonlinearArm) {
 }
 
 TEST(LinearArm, EveryStateCanBeReached) {
-  for (const char* robot : {"puma560", "scara", "panda", "scara_rrpr", "planar2r"})
+  for (const char* robot : {"puma560", "scara", "panda", "scara_rrpr", "planar2r", "wrist_arm", "palletiser"})
     for (const double time : {0.0, 0.7}) {
       const Problem p = read(tinympc_header(linear_arm(robot, time, 0.01), 10, 1.0));
       Dense reach(2 * p.n, 2 * p.n);
