@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Checks the structure of the tree: includes point one way and never in a circle, kernels know no number system, the
-library stays freestanding, answers are [[nodiscard]], folders explain themselves.
+library stays freestanding, answers are [[nodiscard]], folders explain themselves, nothing is there that a program left.
 
 usage: check.py ROOT
 Prints each violation and exits 1 if there is one.
@@ -37,6 +37,10 @@ OPTIONAL = {"eigen.hpp": {"Eigen/Core"}}  # headers that no other header include
 FREESTANDING = {"cstddef", "cstdint", "limits", "type_traits", "utility"}
 PAIR = ("axial/options/begin.hpp", "axial/options/end.hpp")  # around every header's own code
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+
+TOP_LEVEL = {".clang-format", ".clang-tidy", ".editorconfig", ".gitignore", "CHANGELOG.md", "CMakeLists.txt", "CMakePresets.json",
+             "CONTRIBUTING.md", "COPYING", "LICENSE", "LICENSE.md", "LICENSE.txt", "README.md", "axial"}
+LARGEST = 2_000_000  # bytes of a file
 
 # A line that compiles to something: neither blank, nor a comment, nor a directive or what one goes on with.
 CODE = re.compile(r"^(?<!\\\n)(?!\s*(?://|#|$)).+", re.MULTILINE)
@@ -170,9 +174,22 @@ def check_folder(root, folder, pattern, reason):
                 yield f"{path}: includes {name}; {reason}"
 
 
-def check_readmes(root):
+def tracked(root):
     files = subprocess.run(["git", "-C", root, "ls-files"], capture_output=True, text=True, check=True).stdout.split("\n")
-    folders = {str(pathlib.PurePath(f).parent) for f in files if f}
+    return [pathlib.PurePath(f) for f in files if f]
+
+
+def check_products(root):
+    """What a program wrote where it ran, or more than a reader's share of a clone."""
+    for file in tracked(root):
+        if len(file.parts) == 1 and file.name not in TOP_LEVEL:
+            yield f"{file}: the top level has {', '.join(sorted(TOP_LEVEL))} alone"
+        elif (root / file).is_file() and (root / file).stat().st_size > LARGEST:
+            yield f"{file}: has more than {LARGEST} bytes"
+
+
+def check_readmes(root):
+    folders = {str(file.parent) for file in tracked(root)}
     for folder in sorted(folders - {".ci", ".github/workflows"}):
         if folder.startswith("cmake/packages/"):  # what a package has, and no more
             continue
@@ -214,6 +231,7 @@ def violations(root):
     yield from check_results(root)
     yield from check_host_sim(root)
     yield from check_readmes(root)
+    yield from check_products(root)
 
 
 def main():
