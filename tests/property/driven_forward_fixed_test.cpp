@@ -139,6 +139,17 @@ TEST(ForwardDynamicsOfDrives, StaysInsideBothBounds) {
   expect_inside<robots::Gripper, RotorInertia, Friction>();
   expect_inside<property::Followers, RotorInertia, Friction>();
 }
+// By one step for all joints.
+TEST(ForwardDynamicsOfDrives, LoopedStaysInsideBothBounds) {
+  expect_inside<robots::WristArm, RotorInertia, Friction, Looped>();
+  expect_inside<robots::Gripper, RotorInertia, Friction, Looped>();
+  expect_inside<property::Followers, RotorInertia, Friction, Looped>();
+#ifdef AXIAL_EVERY_UNTUNED
+  expect_inside<robots::ScaraQuill, RotorInertia, Friction, Looped>();
+  expect_inside<robots::Palletiser, RotorInertia, Friction, Looped>();
+  expect_inside<property::Coupled<3>, RotorInertia, Friction, Looped>();
+#endif
+}
 TEST(ForwardDynamicsOfDrives, StaysInsideThemWithoutRotorsAndWithRandomCouplings) {
   expect_inside<robots::Gripper>();
   expect_inside<property::Coupled<0>, RotorInertia, Friction>();

@@ -19,10 +19,10 @@ std::uint64_t states_asked() {
   return asked != nullptr ? std::strtoull(asked, nullptr, 10) : 2000;
 }
 
-template <class R, class T>
+template <class R, class T, class... Features>
 class SharedKernels {
  public:
-  using Checked = Scene<R, Gravity, RotorInertia, Friction, RangeCheck>;
+  using Checked = Scene<R, Gravity, RotorInertia, Friction, RangeCheck, Features...>;
   using Exact = Scene<R, Gravity, RotorInertia, Friction>;
   using State = exhaustive::FixedState<Checked, T>;
   using Values = Joints<R, double>;
@@ -124,10 +124,10 @@ class SharedKernels {
   }
 };
 
-template <class R, class T>
+template <class R, class T, class... Features>
 void expect_kernels_inside_their_bounds(double looseness) {
-  SharedKernels<R, T> robot;
-  using State = typename SharedKernels<R, T>::State;
+  SharedKernels<R, T, Features...> robot;
+  using State = typename SharedKernels<R, T, Features...>::State;
   const std::uint64_t states = states_asked(), seed = 5;
   exhaustive::Random random(seed);
   for (std::uint64_t k = 0; k < states; ++k)
@@ -162,6 +162,18 @@ TEST(SharedDrivesInFixedPoint, StayInsideTheirBounds) {
   expect_kernels_inside_their_bounds<robots::Palletiser, Fixed32>(50.0);
   expect_kernels_inside_their_bounds<robots::Gripper, Fixed32>(50.0);
   expect_kernels_inside_their_bounds<robots::Gripper, Fixed16>(50.0);
+#endif
+}
+// By one step for all joints.
+TEST(SharedDrivesInFixedPoint, LoopedStayInsideTheirBounds) {
+  expect_kernels_inside_their_bounds<robots::WristArm, Fixed32, Looped>(100.0);
+  expect_kernels_inside_their_bounds<Followers, Fixed32, Looped, HighWord>(100.0);
+#ifdef AXIAL_EVERY_UNTUNED
+  expect_kernels_inside_their_bounds<robots::ScaraQuill, Fixed32, Looped>(100.0);
+  expect_kernels_inside_their_bounds<Followers, Fixed32, Looped, RoundDown>(100.0);
+  expect_kernels_inside_their_bounds<robots::Palletiser, Fixed32, Looped>(100.0);
+  expect_kernels_inside_their_bounds<robots::Gripper, Fixed32, Looped>(100.0);
+  expect_kernels_inside_their_bounds<robots::Gripper, Fixed16, Looped>(100.0);
 #endif
 }
 TEST(SharedDrivesInFixedPoint, CountTurnsOfDrivesThatPassOne) {

@@ -147,9 +147,11 @@ class DriveErrors {
   /// Errors of the momenta's drifts, N m or N.
   static constexpr auto drifts() {
     const auto m = mechanism<Parameters>(0.0, role::Effort{});
-    int exponents[joints] = {};
+    int exponents[joints] = {}, least = MomentumRatesOf<Joint, T>::exponent(0);
     for (int i = 0; i < joints; ++i)
-      exponents[i] = MomentumRatesOf<Joint, T>::exponent(i);
+      exponents[i] = MomentumRatesOf<Joint, T>::exponent(i), least = smaller(least, exponents[i]);
+    for (int& exponent : exponents)
+      exponent = Joint::template has<Looped> ? least : exponent;  // links that share formats round at one
     const auto found = bounds::drift_bounds(m, rounding, ranges_of<Joint, Parameters, A, recursion::NewtonEuler>,
                                             ranges_of<Joint, Parameters, A, recursion::Momenta>, exponents);
     return each_drive([&](int k) {

@@ -73,6 +73,15 @@ struct ConstantsOfLink {
   static constexpr const auto& of() { return robot_constants<Robot, Parameters>.links[I]; }
 };
 
+// x / 2, of a constant that is a type, too.
+template <class T, class X>
+AXIAL_INLINE constexpr auto halved(const X& x) {
+  if constexpr (is_structural_v<X> && !is_zero_v<X>)
+    return literal<T>([] { return 0.5 * X::value; });
+  else
+    return half(x);
+}
+
 }  // namespace detail
 
 /// Doubled moments of a link that the compiler knows: constants, too.
@@ -87,8 +96,10 @@ AXIAL_INLINE constexpr auto doubled_moments(const Link& link, const RigidInertia
   if constexpr (Link::ranged) {
     const auto& h = body.first_moment;
     const auto& j = body.inertia;
+    using T = typename Link::Scalar;
     const auto about = [&](const auto& a, const auto& b, const auto& c) AXIAL_INLINE {
-      return twice(link.sum(quantity::RotationalInertia{}, half(a), half(b), -half(c)));
+      using detail::halved;
+      return twice(link.sum(quantity::RotationalInertia{}, halved<T>(a), halved<T>(b), -halved<T>(c)));
     };
     return DoubledMoments{twice(body.mass), Vec3{twice(h.x), twice(h.y), twice(h.z)},
                           Sym3{about(j.yy, j.zz, j.xx), about(j.xx, j.zz, j.yy), about(j.xx, j.yy, j.zz), -twice(j.xy),

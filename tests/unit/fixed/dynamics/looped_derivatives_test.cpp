@@ -60,6 +60,19 @@ struct Uneven {
                                                  .acceleration_limit(4.0)
                                                  .viscous(1e-9));
 };
+// Slides on slides: each mass has room in a word that their sum has not.
+constexpr Link slide(double mass) {
+  return prismatic()
+      .mass(mass)
+      .inertia_com(0.01, 0.01, 0.01)
+      .position_limits(-0.5, 0.5)
+      .speed_limit(1.0)
+      .acceleration_limit(5.0);
+}
+struct Gantry {
+  static constexpr auto chain = axial::chain(gravity(0.0, 0.0, -9.81), slide(0.9), slide(0.8).alpha_deg(90),
+                                             slide(0.7).theta_deg(90).alpha_deg(90));
+};
 // One joint, whose unit force passes no screw.
 struct Lone {
   static constexpr auto chain = axial::chain(gravity(0.0, -9.81, 0.0), revolute()
@@ -69,6 +82,13 @@ struct Lone {
                                                                            .rotor_inertia(1e-4, 30.0)
                                                                            .speed_limit(3.0)
                                                                            .acceleration_limit(9.0));
+};
+
+// A table whose only inertia is 1, a type.
+struct Flywheel {
+  static constexpr auto chain =
+      axial::chain(gravity(0.0, -9.81, 0.0),
+                   revolute().mass(1.0).inertia_com(1.0, 1.0, 1.0).speed_limit(3.0).acceleration_limit(9.0));
 };
 
 // Largest shares of certified errors, matrix by matrix and of the efforts, over states inside the limits.
@@ -124,7 +144,18 @@ TEST(LoopedDerivativesInWords, HoldEntriesOfAnySize) {
   const Shares s = expect_inside<Uneven>();
   EXPECT_GT(std::fmin(std::fmin(s.mass, s.position), s.velocity), 0.02) << "bounds as loose as this say little";
 }
-TEST(LoopedDerivativesInWords, KnowAJointAlone) { EXPECT_GT(expect_inside<Lone>().mass, 0.02); }
+TEST(LoopedDerivativesInWords, AddMassesOfSlides) {
+  expect_inside<Gantry>();
+  using S = Scene<Gantry, Gravity, Looped, RangeCheck>;
+  range_overflows = 0;
+  const auto mass = mass_matrix<S>(Positions<Gantry, T>{});
+  EXPECT_EQ(range_overflows, 0U);
+  EXPECT_NEAR(std::ldexp(mass(0, 0).raw, -mass.exponent(0, 0)), 2.4, error_bound<S>(algorithm::mass_matrix)[0]);
+}
+TEST(LoopedDerivativesInWords, KnowAJointAlone) {
+  EXPECT_GT(expect_inside<Lone>().mass, 0.02);
+  expect_inside<Flywheel>();
+}
 
 // A word moves up exactly, is held where it would leave its word, and says nothing beyond thirty doublings.
 TEST(LoopedDerivativesInWords, DoubleWords) {

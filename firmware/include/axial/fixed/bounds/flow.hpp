@@ -228,12 +228,15 @@ constexpr auto kept_by(const Link& link, derivatives::AxisMotion<BoundedMotion, 
   axis.second.linear = link.sum(quantity::AxisAcceleration{}, axis.second.linear);
   return axis;
 }
-/// What a joint carries: a step for all links adds first moments before and behind a shift where there is none, too.
+/// What a joint carries: a step for all links adds masses that are words, and first moments before and behind a shift
+/// where there is none, too.
 template <class Link>
 constexpr auto kept_by(const Link& link,
                        const derivatives::Subtree<CompositeBody, BoundedFlow, BoundedForce>& carried) {
-  if (link.rounding().tabled)
+  if (link.rounding().tabled) {
     link.leave_room(quantity::FirstMoment{}, 2.0 * carried.body.first_moment.bound.whole.size);
+    link.leave_room(quantity::Mass{}, carried.body.mass.bound.size);
+  }
   return carried;
 }
 /// A joint's columns as the looped form keeps them: those of its inertia as unit forces, a slide's row as that of what

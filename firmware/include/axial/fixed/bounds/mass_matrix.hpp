@@ -38,7 +38,8 @@ constexpr void rows_with_loads(Account<N>& account, Rows& all) {
   with_loads(account.mechanism.loads, [&](auto scene) { rows<decltype(scene)>(account, all); });
 }
 
-// The looped form keeps a joint's unit force, a column of its composite body, in the formats of forces.
+// The looped form keeps a joint's unit force, a column of its composite body, in the formats of forces, and adds masses
+// that are words.
 template <int N>
 constexpr void note_unit_forces(Account<N>& account) {
   const auto widen = [](double& widest, double size) { widest = size > widest ? size : widest; };
@@ -53,6 +54,7 @@ constexpr void note_unit_forces(Account<N>& account) {
     widen(widest.of[place_of(quantity::Moment{}).index()], (slides ? own.first_moment : own.rotational_inertia).size);
     widen(widest.of[place_of(quantity::Force{}).index()], slides ? carried[i] : own.first_moment.size);
     widen(widest.of[place_of(quantity::JointInertia{}).index()], slides ? carried[i] : 0.0);
+    if (account.rounding.tabled) widen(widest.of[place_of(quantity::Mass{}).index()], carried[i]);
   }
 }
 

@@ -90,8 +90,6 @@ namespace detail {
 /// The recursions that go from joints to drives by a sum.
 template <class Scene, class Recursion>
 constexpr void check_shared_drives() {
-  static_assert(!Scene::template has<Looped>,
-                "axial: joints that share drives have no looped form in fixed point; take Looped out of the scene");
   static_assert(std::is_same_v<Recursion, recursion::NewtonEuler> ||
                     std::is_same_v<Recursion, recursion::CompositeBodies> ||
                     std::is_same_v<Recursion, recursion::Kinematics> || std::is_same_v<Recursion, recursion::Momenta>,
