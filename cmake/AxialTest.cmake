@@ -21,7 +21,7 @@ set(AXIAL_SANITIZED_FOLDERS oracle cases hal unit property simulation host_sim d
 # errors, not times: nothing is inlined by force, which would take the compiler up to three times as long.
 set(AXIAL_UNSANITIZED_TESTS counts_test robots_test unrolled_test scenes_test shared_drives_test driven_derivatives_test drawn_derivatives_test shared_drives_fixed_test driven_forward_fixed_test driven_tool_fixed_test driven_payload_fixed_test drive_clusters_test driven_motion_test driven_regressor_test rotor_dynamics_test derivatives_test fixed_derivatives_test untuned_derivatives_test looped_derivatives_test along_test
   floating_base_test underwater_test operation_counts_test errors_test forward_overflow_test fixed_error_test repeated_solves_test repeated_solves_by_halves_test motion_test cycle_test loop_test pushes_test observers_test
-  linear_arm_test regulator_test c_interface_test
+  linear_arm_test driven_regulator_test regulator_test c_interface_test
   untuned_forward_derivatives_test forward_derivatives_test)
 
 # Folders of kernels over many robots.

@@ -58,17 +58,17 @@ Table2 table(const Dense& from) {
   return to;
 }
 
-/// `links` are the joints, or the drives where joints share them; of these `slides` tells what an error is measured in.
-void add_limits(LinearArm& arm, const std::vector<axial::LinkParameters>& links, const std::vector<bool>& slides) {
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    arm.low_x.push_back(links[i].position_min - arm.at.q[i]), arm.high_x.push_back(links[i].position_max - arm.at.q[i]);
-    arm.low_u.push_back(-links[i].effort_limit - arm.tau[i]), arm.high_u.push_back(links[i].effort_limit - arm.tau[i]);
-    arm.Q.push_back(axial::apps::position_weight(slides[i])),
-        arm.R.push_back(axial::apps::effort_weight(links[i].effort_limit));
+void add_limits(LinearArm& arm, const std::vector<axial::LinkParameters>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto& of = values[i];
+    arm.low_x.push_back(of.position_min - arm.at.q[i]), arm.high_x.push_back(of.position_max - arm.at.q[i]);
+    arm.low_u.push_back(-of.effort_limit - arm.tau[i]), arm.high_u.push_back(of.effort_limit - arm.tau[i]);
+    arm.Q.push_back(axial::apps::position_weight(of.type == axial::JointType::prismatic)),
+        arm.R.push_back(axial::apps::effort_weight(of.effort_limit));
   }
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    arm.low_x.push_back(-links[i].speed_limit - arm.at.qd[i]),
-        arm.high_x.push_back(links[i].speed_limit - arm.at.qd[i]);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    arm.low_x.push_back(-values[i].speed_limit - arm.at.qd[i]),
+        arm.high_x.push_back(values[i].speed_limit - arm.at.qd[i]);
     arm.Q.push_back(0.0);
   }
 }
@@ -87,38 +87,15 @@ LinearArm linearised(const std::string& robot, const Model& model, double time, 
   return arm;
 }
 
-/// What each drive is by itself, with the limits of a joint that nothing else moves.
-std::vector<axial::LinkParameters> drives_of(const std::vector<axial::LinkParameters>& links,
-                                             std::vector<bool>& slides) {
-  axial::LinkParameters all[axial::joint_count<simulation::DrivenModel>] = {};
-  std::copy(links.begin(), links.end(), all);
-  const auto g = axial::drive_matrix_of(all);
-  std::vector<axial::LinkParameters> drives;
-  for (int k = 0; k < g.drives && g.owner[k] < static_cast<int>(links.size()); ++k) {
-    const auto& owner = links[static_cast<std::size_t>(g.owner[k])];
-    drives.push_back(axial::detail::drive_by_itself(owner, g.is_alone(g.owner[k])));
-    slides.push_back(owner.type == axial::JointType::prismatic && g.is_alone(g.owner[k]));
-  }
-  return drives;
-}
-
 }  // namespace
 
 LinearArm linear_arm(const std::string& robot, double time, double tick) {
   auto links = simulation::robot_links(robot);
   for (auto& link : links)
     link.viscous = link.coulomb_forward = link.coulomb_backward = link.static_friction = 0.0;
-  std::vector<bool> slides;
-  if (simulation::shares_drives(robot)) {
-    auto arm = linearised(robot, simulation::driven_model_of(robot, links), time, tick);
-    const auto drives = drives_of(links, slides);
-    add_limits(arm, drives, slides);
-    return arm;
-  }
-  auto arm = linearised(robot, simulation::model_of(robot, links), time, tick);
-  for (const auto& link : links)
-    slides.push_back(link.type == axial::JointType::prismatic);
-  add_limits(arm, links, slides);
+  auto arm = simulation::shares_drives(robot) ? linearised(robot, simulation::driven_model_of(robot, links), time, tick)
+                                              : linearised(robot, simulation::model_of(robot, links), time, tick);
+  add_limits(arm, simulation::robot_values(robot));
   return arm;
 }
 

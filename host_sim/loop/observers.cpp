@@ -7,6 +7,7 @@
 #include <firmware/apps/ekf/controller.hpp>
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>
+#include <robots/wrist_arm.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -29,7 +30,7 @@ class OnHostObserver : public Observer {
   }
   std::vector<double> velocity() const override {
     const auto& qd = app_.app().velocity();
-    return {qd.values, qd.values + Robot::chain.size};
+    return {qd.values, qd.values + axial::joint_count<Robot>};
   }
 
  private:
@@ -37,15 +38,18 @@ class OnHostObserver : public Observer {
 };
 
 [[noreturn]] void refuse(const std::string& robot) {
-  throw std::runtime_error("no filter watches '" + robot + "'; there are: scara, puma560");
+  throw std::runtime_error("no filter watches '" + robot + "'; there are: scara, puma560, wrist_arm");
 }
 
 /// What encoders say, as counts and their size.
 class Differences {
  public:
   explicit Differences(const std::string& robot) {
-    for (const auto& link : simulation::robot_links(robot))
-      count_.push_back(link.type == axial::JointType::prismatic ? 1e-7 : 2.0 * 3.14159265358979323846 / 4294967296.0);
+    const bool counts_numbers = simulation::shares_drives(robot);  // a drive's encoder counts all of its turns
+    for (const auto& value : simulation::robot_values(robot))
+      count_.push_back(counts_numbers || value.type == axial::JointType::prismatic
+                           ? 1e-7
+                           : 2.0 * 3.14159265358979323846 / 4294967296.0);
   }
   void add(const link::Measurement& seen) {
     past_.push_back(seen);
@@ -92,11 +96,13 @@ struct Squares {
 std::unique_ptr<Observer> observer_on_host(const std::string& robot) {
   if (robot == "scara") return std::make_unique<OnHostObserver<::robots::Scara>>();
   if (robot == "puma560") return std::make_unique<OnHostObserver<::robots::Puma560>>();
+  if (robot == "wrist_arm") return std::make_unique<OnHostObserver<::robots::WristArm>>();
   refuse(robot);
 }
 
 std::unique_ptr<Controller> observer_in_firmware(const std::string& board, const std::string& robot) {
-  if (robot != "scara" && robot != "puma560") refuse(robot);
+  if (robot != "scara" && robot != "puma560")
+    throw std::runtime_error("no image filters '" + robot + "'; there are: scara, puma560");
   return emulated(board, "ekf", robot);
 }
 

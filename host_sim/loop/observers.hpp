@@ -12,7 +12,8 @@ class Observer : public Controller {
   virtual std::vector<double> velocity() const = 0;
 };
 
-/// For robots_of_single_drives(). Throw std::runtime_error that names them.
+/// For robots_of_single_drives(); on the host also for wrist_arm, by its drives. Throw std::runtime_error that names
+/// them.
 std::unique_ptr<Observer> observer_on_host(const std::string& robot);
 std::unique_ptr<Controller> observer_in_firmware(const std::string& board, const std::string& robot);
 

@@ -24,7 +24,7 @@ double beyond(double off, double push) {
 
 std::vector<double> push_of(const std::string& robot, int joint) {
   std::vector<double> push;
-  for (const auto& link : simulation::robot_links(robot)) {
+  for (const auto& link : simulation::robot_values(robot)) {
     const bool wanted = joint < 0 || static_cast<std::size_t>(joint) == push.size();
     push.push_back(!wanted ? 0.0 : link.type == axial::JointType::prismatic ? push_m : push_rad);
   }

@@ -2,6 +2,7 @@
 
 #include <robots/robots.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
@@ -105,6 +106,22 @@ DrivenModel driven_model_of(const std::string& robot, const std::vector<axial::L
 std::vector<std::string> driven_robot_names() { return names_where(true); }
 
 bool shares_drives(const std::string& robot) { return find(robot).shares_drives; }
+
+std::vector<axial::LinkParameters> robot_values(const std::string& robot) {
+  const Description& d = find(robot);
+  if (!d.shares_drives) return d.links;
+  axial::LinkParameters all[axial::joint_count<DrivenModel>] = {};
+  std::copy(d.links.begin(), d.links.end(), all);
+  const auto g = axial::drive_matrix_of(all);
+  std::vector<axial::LinkParameters> drives;
+  for (int k = 0; k < g.drives && g.owner[k] < static_cast<int>(d.links.size()); ++k) {
+    const auto& owner = all[g.owner[k]];
+    const bool alone = g.is_alone(g.owner[k]);
+    drives.push_back(axial::detail::drive_by_itself(owner, alone));
+    drives.back().type = alone ? owner.type : axial::JointType::revolute;
+  }
+  return drives;
+}
 
 Model pendulum() {
   Model model;

@@ -35,6 +35,9 @@ std::vector<std::string> driven_robot_names();
 /// Whether a robot is one of them.
 bool shares_drives(const std::string& robot);
 ///@}
+/// What a robot's values belong to: its links, or its drives by themselves where joints share them. A drive is
+/// prismatic that alone moves a slide, whose unit it then has, else revolute.
+std::vector<axial::LinkParameters> robot_values(const std::string& robot);
 
 /// IFToMM benchmark A01: a point mass of 1 kg on a rod of 1 m, horizontal at q = 0, g = 9.81 m/s^2.
 Model pendulum();

@@ -155,6 +155,13 @@ TEST(LinearArm, OfSharedDrivesPredictsAndIsRegulated) {
   expect_regulated<robots::WristArm>(0.02, 0.001);
 }
 
+TEST(LinearArm, OfSharedDrivesHasTheDrivesBoundsAndUnits) {
+  const LinearArm quill = linear_arm("scara_quill", 0.0, 0.001), gripper = linear_arm("gripper", 0.0, 0.001);
+  EXPECT_NEAR(quill.high_u[2] + quill.tau[2], 1.1, 1e-12);
+  EXPECT_NEAR(quill.high_x[4] + quill.at.qd[0], 6.5, 1e-12);
+  EXPECT_DOUBLE_EQ(quill.Q[2], 1.0 / (0.03 * 0.03));  // a nut turns, though its joint slides
+  EXPECT_DOUBLE_EQ(gripper.Q[1], 1.0 / (0.01 * 0.01));
+}
 TEST(LinearArm, PredictsTheNonlinearArm) {
   for (const double tick : {0.001, 0.01, 0.02}) {  // at rest: exact but for the differences
     EXPECT_LT(prediction_error<robots::Puma560>(0.0, tick), 1e-7);

@@ -20,7 +20,8 @@ class EkfController : public TrackingController<Scene, float> {
   using Tracking = TrackingController<Scene, float>;
   using Plain = Controller<Scene, float>;
   using Robot = robot_of<Scene>;
-  static constexpr int n = Robot::chain.size;
+  using Values = typename scene_of<Scene>::Robot;  // what has values: joints, or drives that they share
+  static constexpr int n = Values::chain.size;
   static constexpr Gains<n> gains = tracking_gains<Scene>();
 
  public:
@@ -41,7 +42,7 @@ class EkfController : public TrackingController<Scene, float> {
   static constexpr StateNoise<n> make_noise() {
     StateNoise<n> noise{};
     for (int i = 0; i < n; ++i) {
-      const auto& link = Robot::chain.links[i];
+      const auto& link = Values::chain.links[i];
       constexpr double count_rad = 2.0 * 3.14159265358979323846 / (1 << encoder_bits);
       noise.encoder[i] = static_cast<float>(link.type == JointType::prismatic ? slide_step_m : count_rad);
       noise.acceleration[i] = static_cast<float>(unknown_acceleration * link.acceleration_limit);

@@ -19,8 +19,8 @@ template <class Scene>
 class LqrController : public TrackingController<Scene, float> {
   using Tracking = TrackingController<Scene, float>;
   using Plain = Controller<Scene, float>;
-  using Robot = robot_of<Scene>;
-  static constexpr int n = Robot::chain.size;
+  using Values = typename scene_of<Scene>::Robot;  // what has values: joints, or drives that they share
+  static constexpr int n = Values::chain.size;
 
  public:
   void compute() {
@@ -45,9 +45,8 @@ class LqrController : public TrackingController<Scene, float> {
   static constexpr Weights make_weights() {
     Weights w{};
     for (int i = 0; i < n; ++i) {
-      const auto& link = Robot::chain.links[i];
-      w.state[i] = static_cast<float>(position_weight(link.type == JointType::prismatic));
-      w.effort[i] = static_cast<float>(effort_weight(link.effort_limit));
+      w.state[i] = static_cast<float>(position_weight(is_in_metres<Scene>(i)));
+      w.effort[i] = static_cast<float>(effort_weight(Values::chain.links[i].effort_limit));
     }
     return w;
   }
