@@ -60,13 +60,14 @@ struct Uneven {
                                                  .acceleration_limit(4.0)
                                                  .viscous(1e-9));
 };
-// Slides on slides: each mass has room in a word that their sum has not.
+// Fast slides on slides, which move farther than they reach and turn nothing: each mass has room in a word that their
+// sum has not, and a slide's row, a momentum, is larger than any moment.
 constexpr Link slide(double mass) {
   return prismatic()
       .mass(mass)
       .inertia_com(0.01, 0.01, 0.01)
-      .position_limits(-0.5, 0.5)
-      .speed_limit(1.0)
+      .position_limits(-0.01, 0.01)
+      .speed_limit(20.0)
       .acceleration_limit(5.0);
 }
 struct Gantry {
