@@ -177,7 +177,7 @@ inline void refuse_bad(const axial::Status& status, const Kernel& kernel) {
                            std::to_string(static_cast<int>(status.code)));
 }
 
-/// What the library does not offer where joints share drives: derivatives, elastic joints; in fixed point loops, and
+/// What has no row where joints share drives: derivatives, elastic joints; in fixed point loops, and
 /// forward dynamics but that of 32 bits. Nor, in fixed point, derivatives of forward dynamics of more than eight
 /// joints.
 template <class Algorithm, class S, class T>
