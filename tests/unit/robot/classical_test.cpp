@@ -112,7 +112,7 @@ constexpr bool same_costs() {
 }
 
 /// A link about whose drive everything is said.
-constexpr auto driven = [](auto link) {
+constexpr auto with_drive = [](auto link) {
   return link.rotor_inertia(1e-4, 50)
       .viscous(0.5)
       .coulomb(0.3, -0.2)
@@ -168,10 +168,11 @@ TEST(ClassicalChain, PayloadLimitReachesAroundTheFarEnd) {
 }
 
 TEST(ClassicalChain, DriveLimitsBaseAndOffsetsCarryOver) {
-  constexpr auto c = classical_chain(gravity(1, 2, 3), base(4, 5, 6), base_body().mass(7),
-                                     driven(classical_prismatic().theta_deg(90).d(0.5).a(1)).position_limits(-1, 2));
+  constexpr auto c =
+      classical_chain(gravity(1, 2, 3), base(4, 5, 6), base_body().mass(7),
+                      with_drive(classical_prismatic().theta_deg(90).d(0.5).a(1)).position_limits(-1, 2));
   constexpr auto m = axial::chain(gravity(1, 2, 3), base(4, 5, 6), base_body().mass(7),
-                                  driven(prismatic().theta_deg(90).d(0.5)).position_limits(-1, 2));
+                                  with_drive(prismatic().theta_deg(90).d(0.5)).position_limits(-1, 2));
   constexpr auto p = c.links[0], r = m.links[0];
   static_assert(p.type == r.type && same(p, r) && p.rotor_inertia == r.rotor_inertia && p.gear == r.gear);
   static_assert(p.viscous == r.viscous && p.coulomb_forward == r.coulomb_forward && p.spring_rest == r.spring_rest &&
