@@ -52,13 +52,13 @@ struct EntryDoublings {
   unsigned char of[size * size] = {};
 
   static constexpr EntryDoublings chosen() {
-    constexpr const auto& format = joint_matrix_format<S, Word, By>;
+    constexpr auto own = [](int i, int j) { return joint_matrix_format<S, Word, By>.of[i][j]; };
     EntryDoublings doublings;
-    doublings.exponent = bounds::least_exponent<size>([](int i, int j) { return format.of[i][j]; });
+    doublings.exponent = bounds::least_exponent<size>(own);
     for (int i = 0; i < size; ++i)
       for (int j = 0; j < size; ++j)
         doublings.of[i * size + j] =
-            static_cast<unsigned char>(smaller(format.of[i][j] - doublings.exponent, bounds::most_doublings + 1));
+            static_cast<unsigned char>(smaller(own(i, j) - doublings.exponent, bounds::most_doublings + 1));
     return doublings;
   }
 };
@@ -97,9 +97,9 @@ struct JointMatrix<S, Stored<Word>, By> {
   /// Rounds into a format that all entries share, and moves on into that of entry (i, j).
   template <class V>
   AXIAL_INLINE constexpr void set(int i, int j, const V& value) {
-    constexpr const auto& doublings = detail::entry_doublings<S, Word, By>;
-    const auto shared = round_to<doublings.exponent>(value);
-    values[i * size + j] = {detail::doubled_word<typename V::Arithmetic>(shared.raw, doublings.of[i * size + j])};
+    const auto shared = round_to<detail::entry_doublings<S, Word, By>.exponent>(value);
+    const unsigned char doublings = detail::entry_doublings<S, Word, By>.of[i * size + j];
+    values[i * size + j] = {detail::doubled_word<typename V::Arithmetic>(shared.raw, doublings)};
   }
 };
 
