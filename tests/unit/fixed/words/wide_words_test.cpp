@@ -26,7 +26,7 @@ TEST(WideWords, AreComparedAndChosenByTheirSigns) {
 TEST(WideWords, AreRaisedAndMoved) {
   exhaustive::Random random(7);
   for (int k = 0; k < 20000; ++k) {
-    const std::int64_t x = random.between(-(std::int64_t{1} << 62), std::int64_t{1} << 62) >> random.between(0, 62);
+    const std::int64_t x = random.between(-(std::int64_t{1} << 61), std::int64_t{1} << 61) >> random.between(0, 62);
     const int shift = static_cast<int>(random.between(0, 31));
     const auto raised = static_cast<std::int64_t>(static_cast<std::uint64_t>(x) << shift);
     ASSERT_EQ(detail::wide_raised(x, shift), raised) << x << " << " << shift;
