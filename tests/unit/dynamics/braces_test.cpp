@@ -1,26 +1,9 @@
 // Numbers in braces give what joint values of the same numbers give.
-#include <axial/axial.hpp>
-#include <robots/scara.hpp>
-
-#include <gtest/gtest.h>
+#include "joint_values.hpp"
 
 namespace {
 
-using R = robots::Scara;
-using Q = axial::Joints<R, float>;
-
-constexpr Q joints{0.4F, -0.7F, 0.06F}, rates{1.1F, -0.3F, 0.2F}, loads{2.0F, -1.0F, 9.0F};
-
-struct One {
-  static constexpr auto chain =
-      axial::chain(axial::gravity(0.0, -9.81, 0.0), axial::revolute().mass(1).com(0.5, 0, 0).stiffness(4000.0));
-};
-
-template <class Left, class Right>
-void expect_same(const Left& left, const Right& right) {
-  for (int i = 0; i < 3; ++i)
-    EXPECT_EQ(left[i], right[i]) << i;
-}
+using namespace every_kernel;
 
 TEST(Braces, EveryKernelTakesThem) {
   expect_same(axial::inverse_dynamics<R>({0.4F, -0.7F, 0.06F}, {1.1F, -0.3F, 0.2F}, {2.0F, -1.0F, 9.0F}),
@@ -56,8 +39,8 @@ TEST(Braces, DerivativesTakeThem) {
 }
 
 TEST(Braces, ElasticFeedforwardOfOneJointTakesThem) {
-  const axial::Joints<One, float> x{0.3F};
-  using S = axial::Scene<One, axial::Gravity, axial::RotorInertia, axial::ElasticJoints>;
+  const axial::Joints<Elastic, float> x{0.3F};
+  using S = axial::Scene<Elastic, axial::Gravity, axial::RotorInertia, axial::ElasticJoints>;
   EXPECT_EQ(axial::elastic_feedforward<S>({0.3F}, {0.3F}, {0.3F}, {0.3F}, {0.3F}).tau_m[0],
             axial::elastic_feedforward<S>(x, x, x, x, x).tau_m[0]);
 }

@@ -1,32 +1,16 @@
 // Arrays, std::array and pointers with a length give what joint values of the same numbers give.
-#include <axial/axial.hpp>
-#include <robots/scara.hpp>
-
-#include <gtest/gtest.h>
-
 #include <array>
+
+#include "joint_values.hpp"
 
 namespace {
 
-using R = robots::Scara;
-using Q = axial::Joints<R, float>;
+using namespace every_kernel;
 
-constexpr Q joints{0.4F, -0.7F, 0.06F}, rates{1.1F, -0.3F, 0.2F}, loads{2.0F, -1.0F, 9.0F};
 constexpr float q[3] = {0.4F, -0.7F, 0.06F};
 constexpr std::array<float, 3> qd{1.1F, -0.3F, 0.2F};
 constexpr float far[5] = {9.0F, 2.0F, -1.0F, 9.0F, 9.0F};
 const auto u = axial::pointed<3>(&far[1]);
-
-struct Elastic {
-  static constexpr auto chain =
-      axial::chain(axial::gravity(0.0, -9.81, 0.0), axial::revolute().mass(1).com(0.5, 0, 0).stiffness(4000.0));
-};
-
-template <class Left, class Right>
-void expect_same(const Left& left, const Right& right) {
-  for (int i = 0; i < 3; ++i)
-    EXPECT_EQ(left[i], right[i]) << i;
-}
 
 TEST(PlainArrays, EveryKernelTakesThem) {
   expect_same(axial::inverse_dynamics<R>(q, qd, u), axial::inverse_dynamics<R>(joints, rates, loads));

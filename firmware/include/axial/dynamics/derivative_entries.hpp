@@ -11,22 +11,24 @@
 namespace axial {
 namespace derivatives {
 
-/// Doubled moments of a link with what it bears: constants of the model where the compiler knows that this is nothing,
-/// of a link of a table whose numbers have formats rounded as those of a loaded one.
+/// Whether doubled moments of a link are constants of the model: it bears nothing, as far as the compiler knows, and is
+/// none of a table whose numbers have formats, where one step rounds them as a loaded link's.
+template <class Link>
+constexpr bool has_constant_moments() {
+  if constexpr (!Link::Scene::template has<Payload>)
+    return Link::unrolled || !Link::ranged;
+  else if constexpr (Link::unrolled)
+    return !Link::is_last;
+  else
+    return false;
+}
+/// Doubled moments of a link with what it bears.
 template <class Link, class B>
 AXIAL_INLINE constexpr auto loaded_moments(const Link& link, const B& body) {
-  if constexpr (!Link::Scene::template has<Payload> && Link::ranged && !Link::unrolled) {
-    return doubled_moments(link, body);
-  } else if constexpr (!Link::Scene::template has<Payload>) {
+  if constexpr (has_constant_moments<Link>())
     return doubled_moments(link);
-  } else if constexpr (Link::unrolled) {
-    if constexpr (Link::is_last)
-      return doubled_moments(link, body);
-    else
-      return doubled_moments(link);
-  } else {
+  else
     return doubled_moments(link, body);
-  }
 }
 /// What link i is by itself.
 template <class Links, class Input, class Motions, class Passages, class Water, class I>

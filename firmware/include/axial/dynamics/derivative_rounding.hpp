@@ -3,6 +3,7 @@
 #pragma once
 
 #include <axial/spatial/spatial_vector.hpp>
+
 #include <utility>
 
 #include <axial/options/begin.hpp>
