@@ -1,11 +1,11 @@
-// expect: joints that share drives do not go with FloatingBase, SineCosines or ExternalWrenches
+// expect: joints that share drives do not go with FloatingBase or SineCosines
 #include <axial/axial.hpp>
 #include <robots/gripper.hpp>
 
 #ifdef MENDED
-using S = axial::Scene<robots::Gripper, axial::Gravity, axial::TipWrench>;
+using S = axial::Scene<robots::Gripper, axial::RuntimeGravity, axial::BaseMotion>;
 #else
-using S = axial::Scene<robots::Gripper, axial::Gravity, axial::ExternalWrenches>;
+using S = axial::Scene<robots::Gripper, axial::RuntimeGravity, axial::FloatingBase>;
 #endif
 
 auto tau(const axial::Joints<robots::Gripper, float>& u, const axial::Inputs<S, float>& in) {

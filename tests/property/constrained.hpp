@@ -223,6 +223,26 @@ class Constrained {
   oracle::Load<quad> load_;
 };
 
+/// A wrench on every link and on the tip, as the oracle and as scenes take them; all numbers are floats.
+///@{
+inline oracle::Load<quad> load_on_links(int links) {
+  oracle::Load<quad> load;
+  load.tip = {{quad(3), quad(-2), quad(5)}, {quad(0.5), quad(-0.25), quad(0.75)}};
+  for (int i = 0; i < links; ++i)
+    load.links.push_back({{quad(2), quad(i), quad(-1.5)}, {quad(0.5) * i, quad(-1), quad(0.25)}});
+  return load;
+}
+template <class S, class T>
+Inputs<S, T> inputs(int links = link_count<S>) {
+  Inputs<S, T> in{};
+  if constexpr (S::template has<TipWrench>) in.tip_wrench = {{T(0.5), T(-0.25), T(0.75)}, {T(3), T(-2), T(5)}};
+  if constexpr (S::template has<ExternalWrenches>)
+    for (int i = 0; i < links; ++i)
+      in.wrenches[i] = {{T(0.5 * i), T(-1), T(0.25)}, {T(2), T(i), T(-1.5)}};
+  return in;
+}
+///@}
+
 template <class T>
 constexpr double tolerance = std::is_same_v<T, double> ? 1e-12 : 5e-6;
 

@@ -93,12 +93,6 @@ void expect_along(int n, const MotionDirection<S, T>& by, const I& inverse, cons
             4 * tolerance<T>);
 }
 
-template <class S, class T>
-Inputs<S, T> inputs() {
-  Inputs<S, T> in{};
-  if constexpr (S::template has<TipWrench>) in.tip_wrench = {{T(0.5), T(-0.25), T(0.75)}, {T(3), T(-2), T(5)}};
-  return in;
-}
 template <class R, class T, class... Features>
 void expect_slopes(const oracle::Load<quad>& load, unsigned seed, int states) {
   using S = Scene<R, Features...>;

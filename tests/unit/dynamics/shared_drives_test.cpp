@@ -164,6 +164,15 @@ TEST(Differential, SharesTorqueAndAddsSpeeds) {
   EXPECT_EQ(tau[3], 2.5);
   EXPECT_EQ(tau[4], 1.5);
 }
+TEST(SharedDrives, AForceOnEachFingerIsFeltByTheDriveOfBoth) {
+  using S = Scene<robots::Gripper, ExternalWrenches>;
+  Inputs<S, double> in{};
+  static_assert(sizeof(in.wrenches) == 3 * 6 * sizeof(double), "one per link");
+  in.wrenches[1].force.z = -20.0, in.wrenches[2].force.z = -5.0;  // against their slides
+  const auto held = gravity_torque<S>({0.3, 0.02}, in);
+  EXPECT_NEAR(held[1], 25.0, 1e-13);
+  EXPECT_NEAR(held[0], 0.0, 1e-13) << "slides across the roll's axis, through it";
+}
 TEST(SharedDrives, ForwardDynamicsUndoesInverseDynamicsWithColumnsOfM) {
   using R = robots::WristArm;
   const Joints<R, double> u{0.1, 0.2, 0.3, 0.4, 0.5}, ud{1, -2, 0.5, 3, -1}, udd{4, 3, -2, 1, 8};

@@ -23,10 +23,9 @@ struct DrivenLinks {
   static constexpr const auto& matrix =
       detail::drive_matrix_of_scene(static_cast<const Scene*>(nullptr));  ///< G and q0
 
-  static_assert(!Scene::template has<FloatingBase> && !Scene::template has<SineCosines> &&
-                    !Scene::template has<ExternalWrenches>,
-                "axial: joints that share drives do not go with FloatingBase, SineCosines or ExternalWrenches; take "
-                "them out of the scene, or compute with axial::JointCoordinates<Robot>");
+  static_assert(!Scene::template has<FloatingBase> && !Scene::template has<SineCosines>,
+                "axial: joints that share drives do not go with FloatingBase or SineCosines; take them out of the "
+                "scene, or compute with axial::JointCoordinates<Robot>");
 
   static_assert(!Scene::template has<RotorDynamics>,
                 "axial: joints that share drives do not go with RotorDynamics; take it out of the scene and name "

@@ -32,9 +32,9 @@ class DrivenModelLinks {
   static constexpr int capacity = N;               ///< number of drives, at most
 
   static_assert(!Scene::template has<FloatingBase> && !Scene::template has<SineCosines> &&
-                    !Scene::template has<ExternalWrenches> && !Scene::template has<RotorDynamics>,
-                "axial: SharedDrives does not go with FloatingBase, SineCosines, ExternalWrenches or RotorDynamics; "
-                "take them out of the model's features");
+                    !Scene::template has<RotorDynamics>,
+                "axial: SharedDrives does not go with FloatingBase, SineCosines or RotorDynamics; take them out of the "
+                "model's features");
 
   /// The links refer to the model.
   constexpr DrivenModelLinks(const JointLinks& joints, const DriveLinks& drives, const DriveMatrix<N>& matrix)

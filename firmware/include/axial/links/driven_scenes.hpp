@@ -9,6 +9,11 @@
 namespace axial {
 namespace detail {
 
+template <class R>
+struct LinksOwner<DriveCoordinates<R>> {
+  using type = JointCoordinates<R>;
+};
+
 template <class Kept, class... Features>
 struct WithoutDrives {
   using type = Kept;

@@ -21,6 +21,11 @@ template <class T>
 struct UnknownTurn {
   static constexpr T value() { return NumberTraits<T>::constant(std::numeric_limits<double>::quiet_NaN()); }
 };
+// Whose values are one per link: the robot's, or its joints' where they share drives (links/driven_scenes.hpp).
+template <class Robot>
+struct LinksOwner {
+  using type = Robot;
+};
 }  // namespace detail
 
 /// Base of every tag that a Scene may list. A tag with a run-time input declares its own `Input<Robot, T>`.
@@ -31,8 +36,7 @@ struct Feature {
   struct Input {};
 };
 
-/// A load rigidly fixed to the last link, known at run time: mass (kg), centre of mass (m, last link's frame) and
-/// inertia about that centre (kg m^2, axes of the last link's frame).
+/// A load rigidly fixed to the last link, known at run time.
 template <class T>
 struct PayloadBody {
   T mass{};               ///< kg
@@ -40,8 +44,7 @@ struct PayloadBody {
   Sym3<T> inertia_com{};  ///< kg m^2 about com, axes of the last link's frame
 };
 
-/// Given motion of frame 0, in its own axes: angular velocity (rad/s), angular acceleration (rad/s^2), and the
-/// acceleration of its origin (m/s^2, without gravity).
+/// Given motion of frame 0, in its own axes.
 template <class T>
 struct GivenMotion {
   Vec3<T> angular_velocity{};      ///< rad/s, axes of frame 0
@@ -89,9 +92,7 @@ struct BaseMotion : Feature<BaseMotion> {
 struct FloatingBase : Feature<FloatingBase> {
   /// Run-time input of the feature.
   template <class Robot, class T>
-  struct Input {
-    GivenMotion<T> base_motion{};  ///< starts at rest
-  };
+  struct Input : BaseMotion::Input<Robot, T> {};
 };
 
 /// Force that the environment (thrusters, a contact) exerts on a floating base: axes and origin of frame 0, input
@@ -104,8 +105,7 @@ struct BaseWrench : Feature<BaseWrench> {
   };
 };
 
-/// Links and base body in still water as they declare it: added mass, buoyancy (where the scene names gravity) and
-/// drag. doc/guides/moving_base.md.
+/// Links and base body in still water: added mass, buoyancy (where gravity is named), drag. doc/guides/moving_base.md.
 struct Underwater : Feature<Underwater> {};
 
 /// Velocity of the origin of frame 0 through the water, input `velocity_through_water`, m/s in axes of frame 0: its own
@@ -154,7 +154,7 @@ struct ExternalWrenches : Feature<ExternalWrenches> {
   /// Run-time input of the feature.
   template <class Robot, class T>
   struct Input {
-    Joints<Robot, ForceVector<Vec3<T>, Vec3<T>>> wrenches{};  ///< N m, N; start as 0
+    Joints<typename detail::LinksOwner<Robot>::type, ForceVector<Vec3<T>, Vec3<T>>> wrenches{};  ///< N m, N; start as 0
   };
 };
 
