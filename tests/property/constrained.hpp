@@ -2,6 +2,7 @@
 // all, in 113 bits; and the robots that tests hold to them.
 #pragma once
 
+#include <oracle/rotors.hpp>
 #include <robots/robots.hpp>
 #include <utility>
 
@@ -128,6 +129,29 @@ class Constrained {
       link.rotor_inertia = link.viscous = link.coulomb_forward = link.coulomb_backward = quad(0);
     c.couplings_ = couplings;
     c.load_ = load;
+    return c;
+  }
+  /// The drives' rotors are bodies of their own behind the links, about the axes given: as many joints more, each of
+  /// which turns gear times as fast as the drive of its link, or not at all.
+  template <class R>
+  static Constrained with_rotors(Couplings couplings, const Vector<oracle::RotorAxis<quad>>& axes,
+                                 oracle::Load<quad> load = {}) {
+    const auto chain = oracle::of_robot<quad, R>();
+    const int n = chain.size(), m = int(couplings.owner.size());
+    Matrix<quad> g(2 * n, m);
+    for (int i = 0; i < n; ++i)
+      for (int k = 0; k < m; ++k) {
+        g(i, k) = couplings.g(i, k);
+        if (couplings.owner[std::size_t(k)] == i) g(n + i, k) = chain[i].gear;
+      }
+    couplings.g = g, couplings.q0.resize(std::size_t(2 * n), quad(0));
+    if (!load.links.empty()) load.links.resize(std::size_t(2 * n));
+    auto c = of<R>(couplings, load);
+    c.chain_ = oracle::RotorChain<quad>(chain, axes).bodies();
+    for (auto& link : c.chain_.links)
+      link.viscous = link.coulomb_forward = link.coulomb_backward = quad(0);
+    for (auto& link : c.drives_)
+      link.rotor_inertia = quad(0);
     return c;
   }
   int joints() const { return chain_.size(); }

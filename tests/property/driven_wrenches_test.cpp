@@ -2,29 +2,20 @@
 // robots and of couplings that numbers alone describe; power.
 #include <axial/batch.hpp>
 
-#include "driven_robots.hpp"
+#include "drawn_couplings.hpp"
 #include "driven_slopes.hpp"
 
 namespace {
 
 using namespace constrained;
 
-/// A robot, which of its numbers a random one has, and its G without the library's matrix.
 template <class R>
 Constrained exact_of(const oracle::Load<quad>& load, const R*) {
   return Constrained::of<R>(load);
 }
 template <int Number>
 Constrained exact_of(const oracle::Load<quad>& load, const property::Coupled<Number>*) {
-  using R = property::Coupled<Number>;
-  Couplings c{Matrix<quad>(R::n, R::n), Vector<quad>(std::size_t(R::n), quad(0)), {}};
-  for (int i = 0; i < R::n; ++i) {
-    c.owner.push_back(i);
-    c.g(i, i) = R::number(50 * i + 40) > 0.0 ? 0.7 : -1.3;
-    for (int k = 0; k < i; ++k)
-      if (R::number(50 * i + 20 + k) > -0.3) c.g(i, k) = 1.5 * R::number(50 * i + 30 + k);
-  }
-  return Constrained::of<R>(c, load);
+  return Constrained::of<property::Coupled<Number>>(drawn_couplings<Number>(), load);
 }
 template <class R>
 Constrained loaded() {

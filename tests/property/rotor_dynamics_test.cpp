@@ -3,10 +3,10 @@
 #include <axial/batch.hpp>
 #include <cases/to_axial.hpp>
 #include <oracle/moving_base.hpp>
-#include <oracle/rotors.hpp>
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>
 
+#include "rotor_axis.hpp"
 #include "scene_robot.hpp"
 
 namespace {
@@ -51,20 +51,9 @@ struct Turntable {
       revolute().mass(2).com(0.1, 0, 0).inertia_com(0.1, 0.1, 0.1).rotor_inertia(1e-4, 50).rotor_axis(1, 1, 0));
 };
 
-/// The axis of a rotor as angles, of an axis that was given: alpha in [0, pi].
-oracle::RotorAxis<quad> axis_of(const LinkParameters& p, int parent) {
-  const int carrier = p.rotor_carrier == LinkParameters::previous ? parent : p.rotor_carrier;
-  const quad x = p.rotor_axis[0], y = p.rotor_axis[1], z = p.rotor_axis[2];
-  if (x == 0 && y == 0 && z == 0)
-    return {parent, oracle::angle_from_axial<quad>(p.gamma), oracle::angle_from_axial<quad>(p.alpha)};
-  return {carrier, atan2q(x, -y), atan2q(sqrtq(x * x + y * y), z)};
-}
 template <class Robot>
 oracle::RotorChain<quad> reference() {
-  Vector<oracle::RotorAxis<quad>> axes;
-  for (int i = 0; i < Robot::chain.size; ++i)
-    axes.push_back(axis_of(Robot::chain.links[i], Robot::chain.parent(i)));
-  return {oracle::of_robot<quad, Robot>(), axes};
+  return {oracle::of_robot<quad, Robot>(), property::rotor_axes<Robot>()};
 }
 
 struct Sample {
@@ -191,7 +180,7 @@ TEST(RotorDynamicsOfModels, EqualsAChainWithTheRotorsAsLinks) {
         for (double& x : p.rotor_axis)
           x = random.uniform(-2, 2);
       }
-      axes.push_back(axis_of(p, link.parent));
+      axes.push_back(property::rotor_axis(p, link.parent));
       ASSERT_TRUE(model.add(p));
     }
     model.set_gravity(chain.gravity.x, chain.gravity.y, chain.gravity.z);

@@ -173,6 +173,52 @@ TEST(SharedDrives, AForceOnEachFingerIsFeltByTheDriveOfBoth) {
   EXPECT_NEAR(held[1], 25.0, 1e-13);
   EXPECT_NEAR(held[0], 0.0, 1e-13) << "slides across the roll's axis, through it";
 }
+/// Two parallel axes and a third across them; the belt of the second brings the turn of the first back. The rotor of
+/// the second's drive stands upright on the first link, that of the third lies there.
+struct Spinning {
+  static constexpr auto chain = axial::chain(body, body.rotor_inertia(1e-3, 20).rotor_axis(0, 0, 2).driven_by(0, -1.0),
+                                             body.alpha_deg(90).rotor_inertia(1e-3, -10).rotor_axis(1, 0, 0, 1));
+};
+TEST(SharedDrives, RotorsAsBodiesTurnByTheirDrivesOnLinksThatJointsCarry) {
+  using Without = Scene<Spinning, RotorInertia>;
+  using With = Scene<Spinning, RotorInertia, RotorDynamics>;
+  using J = Joints<Spinning, double>;
+  const J u{0.3, 0.5, 0.7};
+  const auto added = [&](const J& ud, const J& udd) {
+    const auto with = inverse_dynamics<With>(u, ud, udd), without = inverse_dynamics<Without>(u, ud, udd);
+    return J{with[0] - without[0], with[1] - without[1], with[2] - without[2]};
+  };
+  const auto expect = [](const J& found, const J& wanted) {
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(found[k], wanted[k], 1e-13) << k;
+  };
+  // 1/2 J (w + 20 u1')^2 of the second's, w = u0': 0.02 u0' u1' beside what each has alone.
+  expect(added({}, {0, 3, 0}), {0.06, 0, 0});
+  expect(added({}, {5, 0, 0}), {0, 0.1, 0});
+  // The third's lies across all turning of its carrier, the second link, which by its belt turns as u1 alone.
+  expect(added({}, {0, 0, 7}), {0, 0, 0});
+  expect(added({1, 2, 3}, {}), {0, 0, 0});
+  const auto m = mass_matrix<With>(u), alone = mass_matrix<Without>(u);
+  EXPECT_NEAR(m(1, 0) - alone(1, 0), 0.02, 1e-14);
+  EXPECT_NEAR(m(2, 1) - alone(2, 1), 0.0, 1e-14);
+  EXPECT_NEAR(m(0, 0) - alone(0, 0), 0.0, 1e-14);
+}
+template <class R>
+void expect_solved_with_rotors() {
+  using S = Scene<R, Gravity, RotorInertia, RotorDynamics>;
+  Joints<R, double> u{}, ud{}, udd{};
+  for (int k = 0; k < joint_count<R>; ++k)
+    u[k] = 0.3 + 0.2 * k, ud[k] = 4.0 - 2.5 * k, udd[k] = 7.0 * (k - 1);
+  const auto answer = forward_dynamics<S>(u, ud, inverse_dynamics<S>(u, ud, udd));
+  EXPECT_TRUE(answer.status.ok());
+  for (int k = 0; k < joint_count<R>; ++k)
+    EXPECT_NEAR(answer[k], udd[k], 1e-9) << R::chain.size << ' ' << k;
+}
+TEST(SharedDrives, RotorsAsBodiesAreSolvedFor) {
+  expect_solved_with_rotors<Spinning>();
+  expect_solved_with_rotors<robots::ScaraQuill>();  // nothing but its rotor couples the nut to the arm
+  expect_solved_with_rotors<robots::WristArm>();
+}
 TEST(SharedDrives, ForwardDynamicsUndoesInverseDynamicsWithColumnsOfM) {
   using R = robots::WristArm;
   const Joints<R, double> u{0.1, 0.2, 0.3, 0.4, 0.5}, ud{1, -2, 0.5, 3, -1}, udd{4, 3, -2, 1, 8};

@@ -13,6 +13,9 @@ namespace driven {
 /// coefficients of products. Only those of the four that Out has room for are computed.
 template <class Out, class S, class T, class Links, class Input, class U>
 constexpr Out separated(const Links& links, const Input& in, const U& u) {
+  static_assert(!Links::Scene::template has<RotorDynamics>,
+                "axial: separate() has no rotors as bodies; take RotorDynamics out of the scene, or use "
+                "inverse_dynamics, bias_torque and mass_matrix");
   using Joint = typename Links::JointScene;
   using Whole = Separated<Joint, T>;
   const auto joints = separation::collected<Whole, Joint, T>(links.joints(), in, links.positions(u));

@@ -77,7 +77,7 @@ constexpr Route chosen_route() {
     if constexpr (articulated)
       return Route::split_articulated_body;
     else if constexpr (Scene::template has<CompositeBody> || Scene::template has<Looped> ||
-                       Scene::template has<Underwater>)
+                       Scene::template has<Underwater> || Scene::template has<RotorDynamics>)
       return Route::composite_body;
     else
       return clusters_cost_less<Scene>() ? Route::split_articulated_body : Route::composite_body;

@@ -3,6 +3,7 @@
 
 #include <axial/dynamics/clustered_dynamics.hpp>
 #include <axial/dynamics/drive_shares.hpp>
+#include <axial/dynamics/driven_rotors.hpp>
 #include <axial/dynamics/driven_separation.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/kinematics.hpp>
@@ -44,15 +45,32 @@ struct DrivenKernels {
   template <class Input, class Q, class V, class A, class Tau>
   AXIAL_INLINE static constexpr void efforts(const Links& links, const Input& in, const Q& u, const V& ud, const A& udd,
                                              Tau& tau) {
-    typename Links::JointValues at_joints{};
-    rnea::run(links.joints(), in, links.positions(u), links.kernel_rates(ud), links.kernel_rates(udd), at_joints);
-    const auto felt = links.felt_by_drives(at_joints);
-    const auto speeds = links.read_drives(ud);
-    const auto accelerations = links.read_drives(udd);
-    links.each_drive([&](auto k) AXIAL_INLINE {
-      const auto drive = links.drives().link(k);
-      links.answer(tau, k, felt, friction_effort(drive, speeds[k]), drive.rotor() * accelerations[k]);
-    });
+    if constexpr (Links::Scene::template has<RotorDynamics>) {
+      driven::efforts_with_rotors(links, in, u, ud, udd, tau);
+    } else {
+      typename Links::JointValues at_joints{};
+      rnea::run(links.joints(), in, links.positions(u), links.kernel_rates(ud), links.kernel_rates(udd), at_joints);
+      const auto felt = links.felt_by_drives(at_joints);
+      const auto speeds = links.read_drives(ud);
+      const auto accelerations = links.read_drives(udd);
+      links.each_drive([&](auto k) AXIAL_INLINE {
+        const auto drive = links.drives().link(k);
+        links.answer(tau, k, felt, friction_effort(drive, speeds[k]), drive.rotor() * accelerations[k]);
+      });
+    }
+  }
+
+  /// Newton and Euler's recursion over the joints with rotors on them (driven_rotors.hpp): calls each(i, effort),
+  /// answers what effort_on_rotor() takes.
+  template <class... Parts>
+  AXIAL_INLINE static constexpr auto bear(const Parts&... parts) {
+    return driven::bear(parts...);
+  }
+  /// What the turning of its carrier asks of drive k: gear J z . dw_c.
+  template <class Joints, class Input, class K, class Motions>
+  AXIAL_INLINE static constexpr auto effort_on_rotor(const Links& links, const Joints& joints, const Input& in, K k,
+                                                     const Motions& motions) {
+    return driven::effort_on_drive(links, joints, in, k, motions);
   }
 
   /// M of the drives.
@@ -61,6 +79,7 @@ struct DrivenKernels {
     JointMatrix joints{};
     crba::entries(links.joints(), in, screws, joints);
     reduce(links, joints, m);
+    if constexpr (Links::Scene::template has<RotorDynamics>) driven::couple_rotors(links, screws, m);
   }
   /// G^T M G and the rotors.
   template <class M, class Drives>
@@ -115,8 +134,19 @@ struct DrivenKernels {
   AXIAL_INLINE static constexpr void left_efforts(const Of& links, const Input& in, const Q& q, const Screws& screws,
                                                   const W& qd, const V& ud, const Tau& tau, A& left) {
     typename Links::JointValues bias{};
-    rnea::efforts(links.joints(), in, q, screws, qd, NoMotion{}, bias);
-    leave(links, bias, ud, tau, left);
+    if constexpr (Links::Scene::template has<RotorDynamics>) {
+      const auto& joints = links.joints();
+      const auto motions =
+          driven::bear(links, joints, in, q, screws, qd, NoMotion{}, ud, NoMotion{},
+                       [&](auto i, const auto& effort) AXIAL_INLINE { joints.write(bias, i, effort); });
+      leave(links, bias, ud, tau, left);
+      links.each_drive([&](auto k) AXIAL_INLINE {
+        left[k] = static_cast<T>(left[k] - driven::effort_on_drive(links, joints, in, k, motions));
+      });
+    } else {
+      rnea::efforts(links.joints(), in, q, screws, qd, NoMotion{}, bias);
+      leave(links, bias, ud, tau, left);
+    }
   }
   /// What the drives' efforts leave besides efforts of the joints and the drives' friction.
   template <class Of, class Values, class V, class Tau, class A>
@@ -152,8 +182,13 @@ inline constexpr auto structure<StaticLinks<Scene<DriveCoordinates<R>, Features.
   using Links = DrivenLinks<Scene<DriveCoordinates<R>, Features...>, T, BaseParameters>;
   Structure<Links::capacity> met;
   driven::each_share_of<Links>([&](const driven::Share& share) { met.present[share.k][share.l] = true; });
-  for (int k = 0; k < Links::capacity; ++k)
+  for (int k = 0; k < Links::capacity; ++k) {
     met.present[k][k] = true;
+    if constexpr (Links::Scene::template has<RotorDynamics>)
+      for (int l = 0; l < k; ++l)
+        met.present[k][l] =
+            met.present[k][l] || driven::turns_carrier<Links>(l, k) || driven::turns_carrier<Links>(k, l);
+  }
   met.fill();
   return met;
 }();

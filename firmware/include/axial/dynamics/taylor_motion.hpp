@@ -69,21 +69,44 @@ AXIAL_INLINE constexpr void run_in_time(const Links& plain, const Input& in, con
   }
 }
 
+/// As run_in_time() for the joints that drives share; answers what of their rotors, where those are bodies, drive k
+/// feels besides: of_rotor(k). `speeds` and `accelerations` are the drives', with their rates.
+template <class Links, class Input, class Q, class V, class A, class J, class S, class W, class B, class Each>
+AXIAL_INLINE constexpr auto run_joints_in_time(const Links& plain, const Input& in, const Q& q, const V& qd,
+                                               const A& qdd, const J& q3, const S& q4, const W& speeds,
+                                               const B& accelerations, const Each& each) {
+  if constexpr (Links::Scene::template has<RotorDynamics>) {
+    using Kernels = DrivenKernels<Links>;
+    using T = typename Links::Scalar;
+    const auto links = differentiated<Taylor<T, T, T>>(plain.joints());
+    const TaylorValues position{q, qd, qdd};
+    const auto motions =
+        Kernels::bear(plain, links, in, position, moving_screws(plain.joints(), links, in, position),
+                      TaylorValues{qd, qdd, q3}, TaylorValues{qdd, q3, q4}, speeds, accelerations, each);
+    return [&plain, &in, links, motions](auto k)
+               AXIAL_INLINE { return Kernels::effort_on_rotor(plain, links, in, k, motions); };
+  } else {
+    run_in_time(plain.joints(), in, q, qd, qdd, q3, q4, each);
+    return [](auto) AXIAL_INLINE { return Zero{}; };
+  }
+}
+
 template <class Links, class Input, class U, class V, class A, class J, class S, class Each>
 AXIAL_INLINE constexpr void run_drives_in_time(const Links& plain, const Input& in, const U& u, const V& ud,
                                                const A& udd, const J& u3, const S& u4, const Each& each) {
   typename Links::JointValues effort{}, rate{}, curve{};
-  run_in_time(plain.joints(), in, plain.positions(u), plain.rates(ud), plain.rates(udd), plain.rates(u3),
-              plain.rates(u4), [&](auto i, const auto& x) AXIAL_INLINE {
-                plain.write(effort, i, value_at_0(x));
-                plain.write(rate, i, linear_of(x));
-                plain.write(curve, i, quadratic_of(x));
-              });
+  const TaylorValues accelerations{udd, u3, u4};
+  const auto of_rotor = run_joints_in_time(plain, in, plain.positions(u), plain.rates(ud), plain.rates(udd),
+                                           plain.rates(u3), plain.rates(u4), TaylorValues{ud, udd, u3}, accelerations,
+                                           [&](auto i, const auto& x) AXIAL_INLINE {
+                                             plain.write(effort, i, value_at_0(x));
+                                             plain.write(rate, i, linear_of(x));
+                                             plain.write(curve, i, quadratic_of(x));
+                                           });
   const auto felt = plain.felt_by_drives(effort), first = plain.felt_by_drives(rate);
   const auto second = plain.felt_by_drives(curve);
-  const TaylorValues accelerations{udd, u3, u4};
   plain.each_drive([&](auto k) AXIAL_INLINE {
-    each(k, with_rates(felt[k], first[k], second[k]) + plain.drives().link(k).rotor() * accelerations[k]);
+    each(k, with_rates(felt[k], first[k], second[k]) + plain.drives().link(k).rotor() * accelerations[k] + of_rotor(k));
   });
 }
 

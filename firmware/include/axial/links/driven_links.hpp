@@ -27,10 +27,6 @@ struct DrivenLinks {
                 "axial: joints that share drives do not go with FloatingBase or SineCosines; take them out of the "
                 "scene, or compute with axial::JointCoordinates<Robot>");
 
-  static_assert(!Scene::template has<RotorDynamics>,
-                "axial: joints that share drives do not go with RotorDynamics; take it out of the scene and name "
-                "RotorInertia");
-
   /// The joints, as links of their own that a recursion walks over.
   template <class Recursion = recursion::NewtonEuler>
   AXIAL_INLINE static constexpr auto joints() {

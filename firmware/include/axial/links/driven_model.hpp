@@ -31,10 +31,9 @@ class DrivenModelLinks {
   static constexpr bool unrolled = false;          ///< loops walk over joints and drives
   static constexpr int capacity = N;               ///< number of drives, at most
 
-  static_assert(!Scene::template has<FloatingBase> && !Scene::template has<SineCosines> &&
-                    !Scene::template has<RotorDynamics>,
-                "axial: SharedDrives does not go with FloatingBase, SineCosines or RotorDynamics; take them out of the "
-                "model's features");
+  static_assert(!Scene::template has<FloatingBase> && !Scene::template has<SineCosines>,
+                "axial: SharedDrives does not go with FloatingBase or SineCosines; take them out of the model's "
+                "features");
 
   /// The links refer to the model.
   constexpr DrivenModelLinks(const JointLinks& joints, const DriveLinks& drives, const DriveMatrix<N>& matrix)
@@ -48,6 +47,9 @@ class DrivenModelLinks {
   constexpr const DriveLinks& drives() const { return drives_; }  ///< rotor and friction of each drive
   constexpr int size() const { return matrix_.drives; }           ///< number of drives
   constexpr int joint_count() const { return joints_.size(); }    ///< number of joints
+  constexpr int owner(int k) const { return matrix_.owner[k]; }   ///< index of the joint that owns drive k
+  /// G(joint, drive) as a number.
+  constexpr Scalar ratio(int joint, int drive) const { return number(matrix_.ratio[joint][drive]); }
   template <class U>
   static constexpr const U& read_drives(const U& u) {  ///< values of drives, as they are
     return u;
