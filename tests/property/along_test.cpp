@@ -141,7 +141,7 @@ TEST(Along, RobotsAreTheOracles) {
 TEST(Along, RobotsInFloat) {
   expect_robot<robots::Puma560, float>(40, 1e-6, 1e-6);
   expect_robot<robots::Panda, float>(40, 1e-6, 1e-5);
-  expect_robot<robots::Scara, float>(40, 1e-6, 1e-6);
+  expect_robot<robots::Scara, float>(40, 1e-6, 2.5e-6);
 }
 
 TEST(Along, RandomChainsAndTreesAreTheOracles) {

@@ -194,7 +194,7 @@ TEST(Derivatives, OfRobotsAreThoseOfTheOracle) {
 TEST(Derivatives, OfRobotsInFloat) {
   expect_robot<robots::Puma560, float>(40, 1e-6, 1e-6);
   expect_robot<robots::Panda, float>(40, 1e-6, 5e-6);
-  expect_robot<robots::Scara, float>(40, 1e-6, 1e-6);
+  expect_robot<robots::Scara, float>(40, 1e-6, 2.5e-6);
 }
 
 TEST(Derivatives, OfRandomChainsAndTreesAreThoseOfTheOracle) {

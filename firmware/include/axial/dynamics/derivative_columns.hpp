@@ -24,6 +24,11 @@ struct Subtree {
 };
 template <class B, class W, class F>
 Subtree(B, W, F) -> Subtree<B, W, F>;
+/// A subtree as the links inboard feel it.
+template <class B, class W, class F>
+AXIAL_INLINE constexpr auto felt_inboard(const Subtree<B, W, F>& t) {
+  return Subtree{axial::felt_inboard(t.body), t.flow, t.force};
+}
 /// Two subtrees of one frame as one.
 template <class A, class B, class C, class D, class E, class F>
 AXIAL_INLINE constexpr auto operator+(const Subtree<A, B, C>& a, const Subtree<D, E, F>& b) {

@@ -66,7 +66,7 @@ AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const Q
       out.velocity(i, i, unrounded_sum(along_joint(joint, columns.speed), friction_slope(link, qd[i])));
       climb(links, screws, axes, columns, i, i, out);
     });
-    return rnea::InwardResult{link.shape(to_parent(link.x_inboard(), turned, link.outer()))};
+    return rnea::InwardResult{link.shape(to_parent(link.x_inboard(), felt_inboard(turned), link.outer()))};
   });
 }
 

@@ -18,13 +18,14 @@ struct DoubledMoments {
 template <class M, class H, class S>
 DoubledMoments(M, H, S) -> DoubledMoments<M, H, S>;
 
-/// Doubled moments of a body.
+/// Doubled moments of a body. Speeds of an axial mass along its axis turn nothing that feels it: none.
 template <class M, class H, class J>
 AXIAL_INLINE constexpr auto doubled_moments(const RigidInertia<M, H, J>& body) {
+  const auto& mass = mass_across_z(body.mass);
   const auto& h = body.first_moment;
   const auto& j = body.inertia;
   return DoubledMoments{
-      body.mass + body.mass, h + h,
+      mass + mass, h + h,
       Sym3{j.yy + j.zz - j.xx, j.xx + j.zz - j.yy, j.xx + j.yy - j.zz, -(j.xy + j.xy), -(j.xz + j.xz), -(j.yz + j.yz)}};
 }
 
@@ -56,11 +57,18 @@ AXIAL_INLINE constexpr auto second_moment_constant() {
   else
     return literal<T>([] { return second_moment<Constants, A, B, C>(); });
 }
-template <class T, class Constants>
+template <class T, class Constants, bool axial>
+AXIAL_INLINE constexpr auto twice_mass() {
+  if constexpr (axial)
+    return Zero{};
+  else
+    return twice_constant<T, Constants, &LinkConstants<double>::mass>();
+}
+template <class T, class Constants, bool axial_mass>
 AXIAL_INLINE constexpr auto twice_of_link() {
   using C = LinkConstants<double>;
   return DoubledMoments{
-      twice_constant<T, Constants, &C::mass>(),
+      twice_mass<T, Constants, axial_mass>(),
       Vec3{twice_constant<T, Constants, &C::hx>(), twice_constant<T, Constants, &C::hy>(),
            twice_constant<T, Constants, &C::hz>()},
       Sym3{second_moment_constant<T, Constants, &C::jyy, &C::jzz, &C::jxx>(),
@@ -87,7 +95,8 @@ AXIAL_INLINE constexpr auto halved(const X& x) {
 /// Doubled moments of a link that the compiler knows: constants, too.
 template <class Scene, int I, class T, class Parameters, class Rounder>
 AXIAL_INLINE constexpr auto doubled_moments(const StaticLink<Scene, I, T, Parameters, Rounder>&) {
-  return detail::twice_of_link<T, detail::ConstantsOfLink<typename Scene::Robot, Parameters, I>>();
+  using Constants = detail::ConstantsOfLink<typename Scene::Robot, Parameters, I>;
+  return detail::twice_of_link<T, Constants, StaticLink<Scene, I, T, Parameters, Rounder>::has_axial_mass>();
 }
 /// Doubled moments of a body that a link bears. Where results have formats each second moment is rounded as half of
 /// what it says: that has room where an inertia has.

@@ -191,7 +191,7 @@ using with_rotors =
 template <class Scene, class Recursion>
 inline constexpr bool knows_axial_masses =
     !Scene::template has<Payload> && !Scene::template has<Underwater> &&
-    !std::is_same_v<Recursion, recursion::ArticulatedBodies> && !std::is_same_v<Recursion, recursion::Derivatives> &&
+    !std::is_same_v<Recursion, recursion::ArticulatedBodies> &&
     !std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>;
 // Whether no link declares a rotor: then a scene that leaves them out is the one that names them.
 template <class Robot>
