@@ -1,13 +1,14 @@
-// expect: of joints that share drives have no formats in fixed point
+// expect: its derivatives and separation in fixed point need a format per link
 #include <axial/axial.hpp>
 #include <axial/fixed.hpp>
 #include <robots/gripper.hpp>
 
 using R = robots::Gripper;
-#ifdef MENDED
-using T = double;
-#else
 using T = axial::Fixed32;
+#ifdef MENDED
+using S = axial::Scene<R, axial::Gravity>;
+#else
+using S = axial::Scene<R, axial::Gravity, axial::Looped>;
 #endif
 
-auto terms(const axial::Positions<R, T>& u) { return axial::separate<R>(u); }
+auto terms(const axial::Positions<R, T>& u) { return axial::separate<S>(u); }

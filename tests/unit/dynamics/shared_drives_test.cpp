@@ -332,6 +332,12 @@ TEST(SharedDrives, SeparatedTermsAreInverseDynamicsWithAOfTheDrives) {
     for (int pair = 0; pair < terms.pairs; ++pair)
       EXPECT_EQ(b.B[k][pair], terms.B[k][pair]);
   }
+  const auto by_loops = separate<Scene<R, Gravity, RotorInertia, Friction, Looped>>(u);
+  for (int k = 0; k < 5; ++k)
+    for (int pair = 0; pair < terms.pairs; ++pair) {
+      EXPECT_NEAR(by_loops.B[k][pair], terms.B[k][pair], 1e-14);
+      EXPECT_NEAR(by_loops.C[k][pair / 2], terms.C[k][pair / 2], 1e-14);
+    }
   // Each coefficient by itself: of one rate, and of two.
   const auto at = [&](const Joints<R, double>& rates) { return bias_torque<Scene<R>>(u, rates); };
   const auto one = at({0, 1, 0, 0, 0}), other = at({0, 0, 0, 1, 0}), both = at({0, 1, 0, 1, 0});

@@ -1,54 +1,16 @@
 // Torque from dynamics with its terms apart: separated once at q, for many velocities and accelerations.
 #pragma once
 
-#include <axial/dynamics/separation.hpp>
+#include <axial/dynamics/separation_structure.hpp>
 
 #include <axial/options/begin.hpp>
 
 namespace axial {
 namespace separation {
 
-/// Which coefficients of a scene are not zero for every q.
-template <class S>
-struct Present : Separated<S, bool> {
-  /// whether a value differs from zero by type
-  template <class V>
-  static constexpr bool is = !is_zero_v<V>;
-  template <class V>
-  constexpr void inertia(int i, int j, const V&) {
-    this->A[i][j] = this->A[j][i] = is<V>;
-  }  ///< notes A(i, j)
-  template <class V>
-  constexpr void product(int i, int j, int k, const V&) {
-    this->B[i][this->pair(j, k)] = is<V>;
-  }  ///< notes B(i; j k)
-  template <class V>
-  constexpr void square(int i, int j, const V&) {
-    this->C[i][j] = is<V>;
-  }  ///< notes C(i, j)
-  template <class V>
-  constexpr void rest(int i, const V&) {
-    this->G[i] = is<V>;
-  }  ///< notes G(i)
-};
-
-/// Found by types alone, so at any q: the compiler runs the algorithm once over zeros.
-template <class S>
-constexpr auto present_terms() {
-  constexpr auto links = links_of<S, double, BaseParameters>();
-  Present<S> found{};
-  run(links, Inputs<S, double>{}, Joints<robot_of<S>, double>{},
-      map_links(links, [&](auto i) { return links.link(i).z(0.0); }), found);
-  return found;
-}
-/// Coefficients of a scene that are not zero for every q.
-template <class S>
-inline constexpr auto present = present_terms<S>();
-
 /// A run-time model and a looped scene have tables: there nothing is known of single coefficients.
 template <class S>
-inline constexpr bool is_table =
-    IsModel<S>::value || scene_of<S>::template has<Looped> || detail::shares_drives_in<typename scene_of<S>::Robot>;
+inline constexpr bool is_table = IsModel<S>::value || scene_of<S>::template has<Looped>;
 
 /// Whether a coefficient of qdd_j may differ from zero. I, J: Index<...>, or int in a loop.
 template <class S, class I, class J>

@@ -221,6 +221,8 @@ class DriveErrors {
     whole.error += components * terms.rounding(exponent - column_headroom<S>, r);
     return whole;
   }
+  /// The joints as inverse dynamics has them, with what their words are off.
+  static constexpr auto motion_mechanism() { return mechanism<Parameters>(0.0, role::Effort{}); }
   /// The joints as kinematics have them, with what their words are off.
   static constexpr auto kinematic_mechanism() { return mechanism<KinematicParameters>(0.0, role::Effort{}); }
   /// Bounds of the Jacobian's columns by drives, from those by joints; `lengths` is the exponent of the latter.

@@ -28,6 +28,18 @@ struct CoefficientOf {
   AXIAL_INLINE static constexpr T rest(I, const V& value) {
     return static_cast<T>(value);
   }
+  /// A(I, J) and the coefficient of qd_J qd_P in joint I's effort as they were kept.
+  template <int I, int J, class Terms>
+  AXIAL_INLINE static constexpr const T& inertia_in(const Terms& terms) {
+    return terms.A[I][J];
+  }
+  template <int I, int J, int P, class Terms>
+  AXIAL_INLINE static constexpr const T& rates_in(const Terms& terms) {
+    if constexpr (J == P)
+      return terms.C[I][J];
+    else
+      return terms.B[I][Terms::pair(J, P)];
+  }
 };
 
 }  // namespace detail

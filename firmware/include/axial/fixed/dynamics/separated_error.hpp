@@ -1,6 +1,7 @@
 // Certified errors of separated terms and of the torque that is made of them: both kernels, run on bounds.
 #pragma once
 
+#include <axial/fixed/driven_separation_error.hpp>
 #include <axial/fixed/dynamics/separated_torque.hpp>
 #include <axial/fixed/error_bound.hpp>
 
@@ -35,27 +36,42 @@ class BoundsOfTerms {
   using A = detail::ArithmeticOf<Scene, typename T::Word>;
   using Parameters = detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>;
   static constexpr int n = joint_count<S>;
+  static constexpr bool shared = detail::has_shared_drives<S>;
 
  public:
   /// Coefficients, by the kernel on bounds.
   static constexpr bounds::SeparatedBounds<n> terms() {
-    return bounds::separated_bounds(mechanism_of<Scene, Parameters>, rounding_in<Scene, A>(), ranges,
-                                    SeparatedExponents<S, T>::all());
+    if constexpr (shared)
+      return detail::DrivenTermErrors<S, T>::terms();
+    else
+      return bounds::separated_bounds(mechanism(), rounding_in<Scene, A>(), ranges(), SeparatedExponents<S, T>::all());
   }
   /// Efforts, of coefficients `s`.
   static constexpr Row<bounds::Number, n> torque(const bounds::SeparatedBounds<n>& s) {
-    const auto& m = mechanism_of<Scene, Parameters>;
+    const auto& m = mechanism();
     const WordRounding rounding = rounding_in<Scene, A>();
-    bounds::Account<n> account{m, rounding, false, false, ranges};
+    bounds::Account<n> account{m, rounding, false, false, ranges()};
     const bounds::BoundedLinks<bounds::detail::NoLoads, n> links(account);
     const bounds::detail::JointBounds<n> at(m, rounding);
     Row<bounds::Number, n> tau{};
-    sum_terms<S, T>(links, BoundedTorqueWords<robot_of<S>, A>{rounding}, s, at.qd, at.qdd, tau);
+    sum_terms<S, T>(links, BoundedTorqueWords<typename scene_of<S>::Robot, A>{rounding}, s, at.qd, at.qdd, tau);
     return tau;
   }
 
  private:
-  static constexpr const auto& ranges = detail::ranges_of<Scene, Parameters, A, recursion::Separation>;
+  // Of the links, or of drives by themselves.
+  static constexpr const auto& mechanism() {
+    if constexpr (shared)
+      return detail::DrivenTermErrors<S, T>::mechanism();
+    else
+      return mechanism_of<Scene, Parameters>;
+  }
+  static constexpr Ranges<n> ranges() {
+    if constexpr (shared)
+      return detail::DrivenTermErrors<S, T>::ranges();
+    else
+      return detail::ranges_of<Scene, Parameters, A, recursion::Separation>;
+  }
 };
 
 }  // namespace separation

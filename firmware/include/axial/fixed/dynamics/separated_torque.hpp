@@ -101,7 +101,14 @@ struct TorqueOf<S, Stored<Word>> {
                                                      const Velocities<robot_of<S>, T>& qd,
                                                      const Accelerations<robot_of<S>, T>& qdd) {
     EffortsOf<S, T> tau{};
-    sum_terms<S, T>(links, TorqueWords<robot_of<S>, typename Links::Scalar>{}, s, links.read(qd), links.read(qdd), tau);
+    const auto sum = [&](const auto& at) AXIAL_INLINE {
+      sum_terms<S, T>(at, TorqueWords<typename scene_of<S>::Robot, typename Links::Scalar>{}, s, at.read(qd),
+                      at.read(qdd), tau);
+    };
+    if constexpr (is_driven<Links>)
+      sum(links.drives());
+    else
+      sum(links);
     return tau;
   }
 };

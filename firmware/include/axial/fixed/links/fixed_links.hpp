@@ -91,9 +91,9 @@ template <class Scene, class Recursion>
 constexpr void check_shared_drives() {
   static_assert(std::is_same_v<Recursion, recursion::NewtonEuler> ||
                     std::is_same_v<Recursion, recursion::CompositeBodies> ||
-                    std::is_same_v<Recursion, recursion::Kinematics> || std::is_same_v<Recursion, recursion::Momenta>,
-                "axial: separation and derivatives of joints that share drives have no formats in fixed point; compute "
-                "them in float");
+                    std::is_same_v<Recursion, recursion::Kinematics> || std::is_same_v<Recursion, recursion::Momenta> ||
+                    std::is_same_v<Recursion, recursion::Separation>,
+                "axial: derivatives of joints that share drives have no formats in fixed point; compute them in float");
 }
 }  // namespace detail
 

@@ -1,6 +1,8 @@
 // Separated dynamics in fixed point: the formats of the coefficients, and how kernels write them.
 #pragma once
 
+#include <axial/dynamics/driven_separation.hpp>
+#include <axial/fixed/formats/drive_formats.hpp>
 #include <axial/fixed/links/fixed_values.hpp>
 #include <axial/links/separated_terms.hpp>
 
@@ -18,7 +20,7 @@ constexpr int outermost(int i, int j, int k) { return i > j ? (i > k ? i : k) : 
 
 /// value = raw 2^-exponent of the words of Separated<S, Stored<Word>>. Joints beyond the outermost one of its indices
 /// have no part in a coefficient, so that joint's body gives the format.
-template <class S, class Word>
+template <class S, class Word, bool shared = shares_drives_in<typename scene_of<S>::Robot>>
 struct SeparatedFormat {
   static constexpr int inertia(int i, int j) { return coefficient(i, j, j); }
   static constexpr int product(int i, int j, int k) { return coefficient(i, j, k); }
@@ -36,6 +38,52 @@ struct SeparatedFormat {
   static constexpr int coefficient(int i, int j, int k) {
     return separation_ranges<S, Word>.format[outermost(i, j, k)].joint_inertia;
   }
+};
+
+/// Exponents of the coefficients of drives that joints share: each by what those of the joints add up to in it.
+template <class S, class Word>
+struct DrivenTermExponents {
+  using Sizes = DriveSizes<S, Word>;
+  using Joint = typename Sizes::Joint;
+  using Shares = driven::TermShares<scene_of<S>>;
+  static constexpr int n = joint_count<S>;
+  int inertia[n][n] = {}, rates[n][n][n] = {};
+
+  static constexpr DrivenTermExponents chosen() {
+    constexpr auto joints =
+        bounds::separated_bounds(mechanism_of<Joint, FullParameters>, joint_rounding<Word>,
+                                 separation_ranges<Joint, Word>, SeparatedFormat<Joint, Word>::all());
+    double inertias[n][n] = {}, products[n][n][n] = {};
+    Shares::each_inertia([&](const driven::Share& share) {
+      inertias[share.k][share.l] += magnitude(share.factor) * joints.A[share.i][share.j].bound.size;
+    });
+    Shares::each_rates([&](const driven::RateShare& share) {
+      const auto& [i, j, p] = share.of;
+      const auto& own = j == p ? joints.C[i][j] : joints.B[i][joints.pair(j, p)];
+      products[share.d][share.k][share.l] += magnitude(share.factor) * own.bound.size;
+    });
+    DrivenTermExponents found;
+    for (int d = 0; d < n; ++d)
+      for (int k = 0; k < n; ++k) {
+        if (k <= d)
+          found.inertia[d][k] = found.inertia[k][d] =
+              joint_rounding<Word>.exponent(inertias[d][k] + (d == k ? Sizes::rotor(k) : 0.0));
+        for (int l = k; l < n; ++l)
+          found.rates[d][k][l] = found.rates[d][l][k] = joint_rounding<Word>.exponent(products[d][k][l]);
+      }
+    return found;
+  }
+};
+template <class S, class Word>
+inline constexpr auto driven_term_exponents = DrivenTermExponents<S, Word>::chosen();
+
+/// Of drives that joints share.
+template <class S, class Word>
+struct SeparatedFormat<S, Word, true> {
+  static constexpr int inertia(int i, int j) { return driven_term_exponents<S, Word>.inertia[i][j]; }
+  static constexpr int product(int i, int j, int k) { return driven_term_exponents<S, Word>.rates[i][j][k]; }
+  static constexpr int square(int i, int j) { return product(i, j, j); }
+  static constexpr int rest(int i) { return exponents_of<S, Word, role::Effort>.of[i]; }
 };
 
 template <class S, class Word, class Scalar>
@@ -56,6 +104,17 @@ struct CoefficientOf<S, Stored<Word>, Scalar> {
   template <class I, class V>
   AXIAL_INLINE static constexpr Stored<Word> rest(I, const V& value) {
     return stored_at<Format::rest(I::value), Scalar>(value);
+  }
+  template <int I, int J, class Terms>
+  AXIAL_INLINE static constexpr auto inertia_in(const Terms& terms) {
+    return Fx<Format::inertia(I, J), Scalar>{terms.A[I][J].raw};
+  }
+  template <int I, int J, int P, class Terms>
+  AXIAL_INLINE static constexpr auto rates_in(const Terms& terms) {
+    if constexpr (J == P)
+      return Fx<Format::square(I, J), Scalar>{terms.C[I][J].raw};
+    else
+      return Fx<Format::product(I, J, P), Scalar>{terms.B[I][Terms::pair(J, P)].raw};
   }
 };
 
