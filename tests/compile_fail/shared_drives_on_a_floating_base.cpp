@@ -1,4 +1,4 @@
-// expect: joints that share drives do not go with FloatingBase or SineCosines
+// expect: forward dynamics of joints that share drives knows no free base
 #include <axial/axial.hpp>
 #include <robots/gripper.hpp>
 
@@ -8,6 +8,6 @@ using S = axial::Scene<robots::Gripper, axial::RuntimeGravity, axial::BaseMotion
 using S = axial::Scene<robots::Gripper, axial::RuntimeGravity, axial::FloatingBase>;
 #endif
 
-auto tau(const axial::Joints<robots::Gripper, float>& u, const axial::Inputs<S, float>& in) {
-  return axial::inverse_dynamics<S>(u, u, u, in);
+auto udd(const axial::Joints<robots::Gripper, float>& u, const axial::Inputs<S, float>& in) {
+  return axial::forward_dynamics<S>(u, u, u, in);
 }

@@ -173,6 +173,16 @@ TEST(SharedDrives, AForceOnEachFingerIsFeltByTheDriveOfBoth) {
   EXPECT_NEAR(held[1], 25.0, 1e-13);
   EXPECT_NEAR(held[0], 0.0, 1e-13) << "slides across the roll's axis, through it";
 }
+TEST(SharedDrives, PairsOfTheCallerAreOfTheJoints) {
+  using R = robots::WristArm;
+  const Joints<R, double> u{0.1, 0.2, 0.3, 0.4, 0.5}, v{1, 2, 3, 4, 5}, somewhere{2, 2, 2, 2, 2};
+  Inputs<Scene<R, Gravity, SineCosines>, double> in{};
+  in.turns = sine_cosines<JointCoordinates<R>>(joint_positions<R>(u));
+  const auto tau = inverse_dynamics<Scene<R, Gravity, SineCosines>>(somewhere, v, v, in);
+  const auto wanted = inverse_dynamics<Scene<R, Gravity>>(u, v, v);
+  for (int k = 0; k < 5; ++k)
+    EXPECT_NEAR(tau[k], wanted[k], 1e-13) << k;
+}
 /// Two parallel axes and a third across them; the belt of the second brings the turn of the first back. The rotor of
 /// the second's drive stands upright on the first link, that of the third lies there.
 struct Spinning {
@@ -203,6 +213,11 @@ TEST(SharedDrives, RotorsAsBodiesTurnByTheirDrivesOnLinksThatJointsCarry) {
   EXPECT_NEAR(m(2, 1) - alone(2, 1), 0.0, 1e-14);
   EXPECT_NEAR(m(0, 0) - alone(0, 0), 0.0, 1e-14);
 }
+/// A lift in two stages on a turntable: nothing but the upright rotor of its drive couples it to the turn.
+struct Lift {
+  static constexpr auto slide = prismatic().mass(1).com(0.1, 0, 0).inertia_com(0.01, 0.01, 0.01);
+  static constexpr auto chain = axial::chain(body, slide.rotor_inertia(1e-3, 20), slide.mimic(1));
+};
 template <class R>
 void expect_solved_with_rotors() {
   using S = Scene<R, Gravity, RotorInertia, RotorDynamics>;
@@ -216,7 +231,8 @@ void expect_solved_with_rotors() {
 }
 TEST(SharedDrives, RotorsAsBodiesAreSolvedFor) {
   expect_solved_with_rotors<Spinning>();
-  expect_solved_with_rotors<robots::ScaraQuill>();  // nothing but its rotor couples the nut to the arm
+  expect_solved_with_rotors<Lift>();
+  expect_solved_with_rotors<robots::ScaraQuill>();
   expect_solved_with_rotors<robots::WristArm>();
 }
 TEST(SharedDrives, ForwardDynamicsUndoesInverseDynamicsWithColumnsOfM) {

@@ -32,13 +32,18 @@ template <class Links, class Input, class Q, class V, class A>
 AXIAL_INLINE constexpr auto force_on_base(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd) {
   static_assert(!Links::Scene::template has<RotorDynamics>,
                 "axial: base_wrench has no rotors as bodies; take RotorDynamics out of the scene");
-  auto screws = joint_screws(links, in, q);
-  auto motions = link_motions(links, in, screws, qd, qdd);
-  auto water = immersions(links, in, screws, qd);
-  auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, water, i); };
-  auto joint = [&](auto i, const auto& force)
-                   AXIAL_INLINE { return InwardResult{sent_force(links, screws, i, force)}; };
-  return with_roots(links, inward(links, own, joint), base_body_force(links, in));
+  if constexpr (is_driven<Links>) {
+    return force_on_base(links.template joints<recursion::BaseForce>(), in, links.positions(q), links.rates(qd),
+                         links.rates(qdd));
+  } else {
+    auto screws = joint_screws(links, in, q);
+    auto motions = link_motions(links, in, screws, qd, qdd);
+    auto water = immersions(links, in, screws, qd);
+    auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, water, i); };
+    auto joint = [&](auto i, const auto& force)
+                     AXIAL_INLINE { return InwardResult{sent_force(links, screws, i, force)}; };
+    return with_roots(links, inward(links, own, joint), base_body_force(links, in));
+  }
 }
 
 }  // namespace rnea

@@ -74,6 +74,9 @@ constexpr Route chosen_route() {
     static_assert(!(articulated && (Scene::template has<Looped> || Scene::template has<Underwater>)),
                   "axial: joints that share drives are solved by articulated bodies over clusters where links are "
                   "unrolled, in air; take ArticulatedBody or SplitArticulatedBody out");
+    static_assert(!Scene::template has<FloatingBase>,
+                  "axial: forward dynamics of joints that share drives knows no free base; where its motion is known, "
+                  "name BaseMotion instead of FloatingBase");
     if constexpr (articulated)
       return Route::split_articulated_body;
     else if constexpr (Scene::template has<CompositeBody> || Scene::template has<Looped> ||

@@ -22,6 +22,9 @@ struct Composites {
   template <class Input, class Q, class V, class Tau, class A>
   AXIAL_INLINE static constexpr auto accelerations(const Links& links, const Input& in, const Q& u, const V& ud,
                                                    const Tau& tau, A& udd) {
+    static_assert(!Links::Scene::template has<FloatingBase>,
+                  "axial: forward dynamics of joints that share drives knows no free base; where its motion is known, "
+                  "name BaseMotion instead of FloatingBase");
     using Kernels = DrivenKernels<Links>;
     const auto q = links.positions(u);
     auto screws = joint_screws(links.joints(), in, q);

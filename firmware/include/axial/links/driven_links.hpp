@@ -23,10 +23,6 @@ struct DrivenLinks {
   static constexpr const auto& matrix =
       detail::drive_matrix_of_scene(static_cast<const Scene*>(nullptr));  ///< G and q0
 
-  static_assert(!Scene::template has<FloatingBase> && !Scene::template has<SineCosines>,
-                "axial: joints that share drives do not go with FloatingBase or SineCosines; take them out of the "
-                "scene, or compute with axial::JointCoordinates<Robot>");
-
   /// The joints, as links of their own that a recursion walks over.
   template <class Recursion = recursion::NewtonEuler>
   AXIAL_INLINE static constexpr auto joints() {

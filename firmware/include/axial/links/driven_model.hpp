@@ -31,10 +31,6 @@ class DrivenModelLinks {
   static constexpr bool unrolled = false;          ///< loops walk over joints and drives
   static constexpr int capacity = N;               ///< number of drives, at most
 
-  static_assert(!Scene::template has<FloatingBase> && !Scene::template has<SineCosines>,
-                "axial: SharedDrives does not go with FloatingBase or SineCosines; take them out of the model's "
-                "features");
-
   /// The links refer to the model.
   constexpr DrivenModelLinks(const JointLinks& joints, const DriveLinks& drives, const DriveMatrix<N>& matrix)
       : joints_(joints), drives_(drives), matrix_(matrix) {}

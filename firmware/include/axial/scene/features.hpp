@@ -174,11 +174,11 @@ struct SineCosines : Feature<SineCosines> {
   /// Run-time input of the feature.
   template <class Robot, class T>
   struct Input {
-    Joints<Robot, SinCos<T>> turns = unknown();  ///< one per joint
+    Joints<typename detail::LinksOwner<Robot>::type, SinCos<T>> turns = unknown();  ///< one per joint
 
    private:
     static constexpr auto unknown() {
-      Joints<Robot, SinCos<T>> turns{};
+      Joints<typename detail::LinksOwner<Robot>::type, SinCos<T>> turns{};
       for (auto& turn : turns.values)
         turn.sin = turn.cos = detail::UnknownTurn<T>::value();
       return turns;

@@ -138,7 +138,7 @@ constexpr Status check_fixed_inputs(const Inputs<S, Stored<Word>>& in) {
     within = within & within_length(in.gravity, length_of(g.x, g.y, g.z), F::gravity);
   }
   if constexpr (Scene::template has<SineCosines>)
-    for (int i = 0; i < joint_count<S>; ++i)
+    for (int i = 0; i < std::decay_t<decltype(in.turns)>::size; ++i)
       within = within & (!turns_of<detail::described_by<S>>.of[i] | is_turn(in.turns[i], F::sine_cosine));
   if constexpr (Scene::template has<RuntimeTool>) within = within & tool_within<S>(in.tool);
   return {within ? Status::Code::ok : Status::Code::input_limit, -1};
