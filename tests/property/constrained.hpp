@@ -2,6 +2,7 @@
 // all, in 113 bits; and the robots that tests hold to them.
 #pragma once
 
+#include <oracle/floating_base.hpp>
 #include <oracle/rotors.hpp>
 #include <robots/robots.hpp>
 #include <utility>
@@ -152,6 +153,26 @@ class Constrained {
       link.viscous = link.coulomb_forward = link.coulomb_backward = quad(0);
     for (auto& link : c.drives_)
       link.rotor_inertia = quad(0);
+    return c;
+  }
+  /// On a free body, whose degrees of freedom are six more joints and drives before the others: those of
+  /// floating.whole().
+  template <class R>
+  static Constrained afloat(const Couplings& couplings, const oracle::FloatingChain<quad>& floating) {
+    const int n = int(couplings.q0.size()), m = int(couplings.owner.size());
+    Couplings all{Matrix<quad>(n + 6, m + 6), Vector<quad>(6, quad(0)), {0, 1, 2, 3, 4, 5}};
+    for (int i = 0; i < 6; ++i)
+      all.g(i, i) = 1;
+    for (int i = 0; i < n; ++i)
+      for (int k = 0; k < m; ++k)
+        all.g(i + 6, k + 6) = couplings.g(i, k);
+    all.q0.insert(all.q0.end(), couplings.q0.begin(), couplings.q0.end());
+    for (const int owner : couplings.owner)
+      all.owner.push_back(owner + 6);
+    auto c = of<R>(all);
+    c.chain_ = floating.whole(), c.drives_ = c.chain_.links;
+    for (auto& link : c.chain_.links)
+      link.rotor_inertia = link.viscous = link.coulomb_forward = link.coulomb_backward = quad(0);
     return c;
   }
   int joints() const { return chain_.size(); }

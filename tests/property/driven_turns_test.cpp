@@ -1,8 +1,6 @@
 // Sines and cosines from the caller, one pair per joint, of robots whose joints share drives; their base as a free
 // body: against constraints with multipliers in 113 bits and, in fixed point, certified errors.
-#include <axial/batch.hpp>
 #include <axial/fixed.hpp>
-#include <oracle/moving_base.hpp>
 
 #include "constrained.hpp"
 #include "driven_robots.hpp"
@@ -97,65 +95,6 @@ void expect_certified(unsigned seed) {
   std::printf("%.3f of the certified error\n", nearest);
 }
 
-/// A robot whose joints share drives, on a body.
-template <class R>
-struct Afloat {
-  static constexpr auto chain = [] {
-    auto chain = R::chain;
-    chain.base_body =
-        axial::chain(base_body().mass(20).com(0.1, -0.2, -0.1).inertia_com(1, 1.25, 1.5), revolute().mass(1)).base_body;
-    chain.has_base_body = true;
-    return chain;
-  }();
-};
-template <class R, class T, class... Features>
-void expect_afloat(unsigned seed) {
-  using S = Scene<Afloat<R>, RuntimeGravity, RotorInertia, FloatingBase, Features...>;
-  const auto exact = Constrained::of<R>();
-  const int m = exact.drives();
-  auto tree = exact.chain();
-  tree.gravity = {quad(-3), quad(2.5), quad(8)};
-  const oracle::BaseMotion<quad> base{
-      {quad(0.75), quad(-1.25), quad(0.5)}, {quad(-2), quad(1.5), quad(3)}, {quad(4), quad(-1), quad(2.5)}};
-  Inputs<S, T> in{};
-  in.gravity = {T(-3), T(2.5), T(8)};
-  in.base_motion = {{T(0.75), T(-1.25), T(0.5)}, {T(-2), T(1.5), T(3)}, {T(4), T(-1), T(2.5)}};
-  oracle::RandomChains random(seed);
-  for (int state = 0; state < 10; ++state) {
-    SCOPED_TRACE(state);
-    const auto x = motion<R>(random, exact.owner());
-    const auto u = property::joints<R, T>(x.u), ud = property::joints<R, T>(x.ud), udd = property::joints<R, T>(x.udd);
-    const auto at = convert<quad>(property::vector(u)), speed = convert<quad>(property::vector(ud)),
-               turn = convert<quad>(property::vector(udd));
-    const auto of_joints =
-        oracle::inverse_dynamics_on_moving_base(tree, base, exact.positions(at), exact.g() * speed, exact.g() * turn);
-    Vector<quad> wanted;
-    for (int k = 0; k < m; ++k) {
-      const LinkParameters& drive = R::chain.links[exact.owner()[std::size_t(k)]];
-      wanted.push_back(quad(drive.gear) * quad(drive.gear) * quad(drive.rotor_inertia) * turn[std::size_t(k)]);
-      for (int i = 0; i < exact.joints(); ++i)
-        wanted.back() += exact.g()(i, k) * of_joints[std::size_t(i)];
-    }
-    Joints<Afloat<R>, T> position{}, velocity{}, acceleration{};
-    for (int k = 0; k < m; ++k)
-      position[k] = u[k], velocity[k] = ud[k], acceleration[k] = udd[k];
-    const auto tau = inverse_dynamics<S>(position, velocity, acceleration, in);
-    expect_close<T>(tau, m, wanted, oracle::largest(wanted));
-    // What carries the robot: that of the joints, which the drives move.
-    using OfJoints = Scene<JointCoordinates<Afloat<R>>, RuntimeGravity, FloatingBase>;
-    Inputs<OfJoints, T> same{};
-    same.gravity = in.gravity, same.base_motion = in.base_motion;
-    const auto carried = base_wrench<S>(position, velocity, acceleration, in);
-    const auto by_joints = base_wrench<OfJoints>(joint_positions<Afloat<R>>(position), joint_rates<Afloat<R>>(velocity),
-                                                 joint_rates<Afloat<R>>(acceleration), same);
-    const double size = std::abs(double(by_joints.force.x)) + std::abs(double(by_joints.force.y)) +
-                        std::abs(double(by_joints.force.z)) + std::abs(double(by_joints.moment.z));
-    EXPECT_NEAR(carried.force.x, by_joints.force.x, tolerance<T> * size);
-    EXPECT_NEAR(carried.force.y, by_joints.force.y, tolerance<T> * size);
-    EXPECT_NEAR(carried.moment.z, by_joints.moment.z, tolerance<T> * size);
-  }
-}
-
 }  // namespace
 
 TEST(DrivenTurns, OfTheCallerAreThoseOfConstraintsInDouble) { expect_turns_of_robots<double>(1); }
@@ -178,12 +117,4 @@ TEST(DrivenTurns, ThatAreNoneAreNamedInFixedPoint) {
   EXPECT_NE(forward_dynamics<S>(u, ud, EffortsOf<S, T>{}, in).status.code, Status::Code::input_limit);
   in.turns[link_count<R> - 1].cos.raw /= 2;
   EXPECT_EQ(forward_dynamics<S>(u, ud, EffortsOf<S, T>{}, in).status.code, Status::Code::input_limit);
-}
-TEST(DrivenFloatingBase, EffortsAreThoseOfAMovingBase) {
-  expect_afloat<robots::ScaraQuill, double>(31);
-  expect_afloat<robots::WristArm, double>(32);
-  expect_afloat<robots::Gripper, double>(33);
-  expect_afloat<Followers, double>(34);
-  expect_afloat<Followers, double, Looped>(35);
-  expect_afloat<robots::WristArm, float>(36);
 }

@@ -71,16 +71,15 @@ template <class Scene>
 constexpr Route chosen_route() {
   if constexpr (shares_drives_in<typename Scene::Robot>) {
     constexpr bool articulated = Scene::template has<ArticulatedBody> || Scene::template has<SplitArticulatedBody>;
-    static_assert(!(articulated && (Scene::template has<Looped> || Scene::template has<Underwater>)),
+    static_assert(!(articulated && (Scene::template has<Looped> || Scene::template has<Underwater> ||
+                                    Scene::template has<FloatingBase>)),
                   "axial: joints that share drives are solved by articulated bodies over clusters where links are "
-                  "unrolled, in air; take ArticulatedBody or SplitArticulatedBody out");
-    static_assert(!Scene::template has<FloatingBase>,
-                  "axial: forward dynamics of joints that share drives knows no free base; where its motion is known, "
-                  "name BaseMotion instead of FloatingBase");
+                  "unrolled, in air, on a base that does not float; take ArticulatedBody or SplitArticulatedBody out");
     if constexpr (articulated)
       return Route::split_articulated_body;
     else if constexpr (Scene::template has<CompositeBody> || Scene::template has<Looped> ||
-                       Scene::template has<Underwater> || Scene::template has<RotorDynamics>)
+                       Scene::template has<Underwater> || Scene::template has<RotorDynamics> ||
+                       Scene::template has<FloatingBase>)
       return Route::composite_body;
     else
       return clusters_cost_less<Scene>() ? Route::split_articulated_body : Route::composite_body;

@@ -3,6 +3,7 @@
 
 #include <axial/dynamics/clustered_dynamics.hpp>
 #include <axial/dynamics/drive_shares.hpp>
+#include <axial/dynamics/driven_floating_base.hpp>
 #include <axial/dynamics/driven_rotors.hpp>
 #include <axial/dynamics/driven_separation.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
@@ -22,16 +23,20 @@ struct Composites {
   template <class Input, class Q, class V, class Tau, class A>
   AXIAL_INLINE static constexpr auto accelerations(const Links& links, const Input& in, const Q& u, const V& ud,
                                                    const Tau& tau, A& udd) {
-    static_assert(!Links::Scene::template has<FloatingBase>,
-                  "axial: forward dynamics of joints that share drives knows no free base; where its motion is known, "
-                  "name BaseMotion instead of FloatingBase");
-    using Kernels = DrivenKernels<Links>;
-    const auto q = links.positions(u);
-    auto screws = joint_screws(links.joints(), in, q);
-    Kernels::left_efforts(links, in, q, screws, links.rates(ud), ud, tau, udd);
-    typename Kernels::Matrix m{};
-    Kernels::matrix(links, in, screws, m);
-    return crba::solve(links.drives(), m, udd);
+    if constexpr (!Links::Scene::template has<FloatingBase>) {
+      using Kernels = DrivenKernels<Links>;
+      const auto q = links.positions(u);
+      auto screws = joint_screws(links.joints(), in, q);
+      Kernels::left_efforts(links, in, q, screws, links.rates(ud), ud, tau, udd);
+      typename Kernels::Matrix m{};
+      Kernels::matrix(links, in, screws, m);
+      return crba::solve(links.drives(), m, udd);
+    } else if constexpr (Links::unrolled) {
+      const auto own = links_of<typename Links::Scene, typename Links::Scalar, FullParameters>();
+      return driven::OnAFreeBase<std::decay_t<decltype(own)>>::accelerations(own, in, u, ud, tau, udd);
+    } else {
+      return driven::OnAFreeBase<Links>::accelerations(links, in, u, ud, tau, udd);
+    }
   }
 };
 }  // namespace driven
@@ -187,6 +192,9 @@ inline constexpr auto structure<StaticLinks<Scene<DriveCoordinates<R>, Features.
   driven::each_share_of<Links>([&](const driven::Share& share) { met.present[share.k][share.l] = true; });
   for (int k = 0; k < Links::capacity; ++k) {
     met.present[k][k] = true;
+    if constexpr (Links::Scene::template has<FloatingBase>)
+      for (int l = 0; l < k; ++l)
+        met.present[k][l] = true;
     if constexpr (Links::Scene::template has<RotorDynamics>)
       for (int l = 0; l < k; ++l)
         met.present[k][l] =
