@@ -189,10 +189,9 @@ using with_rotors =
 
 /// Whether unrolled links may have axial masses: rigid bodies to which neither a payload nor water adds.
 template <class Scene, class Recursion>
-inline constexpr bool knows_axial_masses =
-    !Scene::template has<Payload> && !Scene::template has<Underwater> &&
-    !std::is_same_v<Recursion, recursion::ArticulatedBodies> &&
-    !std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>;
+inline constexpr bool knows_axial_masses = !Scene::template has<Payload> && !Scene::template has<Underwater> &&
+                                           !std::is_same_v<Recursion, recursion::ArticulatedBodies> &&
+                                           !std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>;
 // Whether no link declares a rotor: then a scene that leaves them out is the one that names them.
 template <class Robot>
 constexpr bool has_no_rotor() {
