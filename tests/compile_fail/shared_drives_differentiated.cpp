@@ -1,4 +1,4 @@
-// expect: derivatives of joints that share drives have no formats in fixed point
+// expect: derivatives of forward dynamics of joints that share drives have no formats in fixed point
 #include <axial/axial.hpp>
 #include <axial/fixed.hpp>
 #include <robots/gripper.hpp>
@@ -10,6 +10,6 @@ using T = float;
 using T = axial::Fixed32;
 #endif
 
-auto slopes(const axial::Positions<R, T>& u, const axial::Velocities<R, T>& ud, const axial::Accelerations<R, T>& udd) {
-  return axial::inverse_dynamics_derivatives<R>(u, ud, udd);
+auto slopes(const axial::Positions<R, T>& u, const axial::Velocities<R, T>& ud, const axial::Efforts<R, T>& tau) {
+  return axial::forward_dynamics_derivatives<R>(u, ud, tau);
 }

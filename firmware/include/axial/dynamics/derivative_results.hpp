@@ -172,9 +172,6 @@ namespace detail {
 // Scenes and numbers that derivatives are offered for.
 template <class Scene, class T>
 constexpr void check_derivable() {
-  static_assert(is_number_v<T> || !shares_drives_in<typename Scene::Robot>,
-                "axial: derivatives of joints that share drives have no formats in fixed point; compute them in float, "
-                "or call it for axial::JointCoordinates<Robot>");
   static_assert(!Scene::template has<Underwater>, "axial: derivatives have no water; take Underwater out of the scene");
   static_assert(
       !Scene::template has<RotorDynamics>,
@@ -188,6 +185,9 @@ constexpr void check_forward_derivable() {
   static_assert(!Scene::template has<FloatingBase>,
                 "axial: derivatives of forward dynamics know no free base; where its motion is known, name BaseMotion "
                 "instead of FloatingBase");
+  static_assert(is_number_v<T> || !shares_drives_in<typename Scene::Robot>,
+                "axial: derivatives of forward dynamics of joints that share drives have no formats in fixed point; "
+                "take inverse_dynamics_derivatives and mass_matrix there, or compute them in float");
   check_derivable<Scene, T>();
 }
 

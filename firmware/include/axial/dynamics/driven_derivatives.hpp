@@ -51,6 +51,19 @@ struct SlopeShares {
     else
       return half<I, L, J + 1>(d);
   }
+  /// (G^T D G)(K, L) as one sum, from joints I and J on, where a number system with formats rounds it once.
+  template <int K, int L, int I = 0, int J = 0, class D>
+  AXIAL_INLINE static constexpr auto at_once(const D& d) {
+    if constexpr (I == n)
+      return Zero{};
+    else if constexpr (J == n || !g.is_moved(I, K))
+      return at_once<K, L, I + 1>(d);
+    else if constexpr (is_present(I, J) && g.is_moved(J, L))
+      return Links::add(literal<T>([] { return g.ratio[I][K] * g.ratio[J][L]; }) * Links::template entry<I, J>(d),
+                        at_once<K, L, I, J + 1>(d));
+    else
+      return at_once<K, L, I, J + 1>(d);
+  }
   /// (G^T D G)(K, L), from joint I on.
   template <int K, int L, int I = 0>
   AXIAL_INLINE static constexpr auto whole(const Half& dg) {
@@ -72,10 +85,20 @@ struct MatrixRow {
   AXIAL_INLINE constexpr const auto& operator[](int j) const { return matrix(row, j); }
 };
 
+/// Whether sums over joints wait for their one rounding.
+template <class Links>
+inline constexpr bool rounds_once = Links::unrolled && !is_number_v<typename Links::Value>;
+
 /// Calls out(k, l, entry) for every entry of G^T D G, D a Jacobian of the joints.
 template <class By, class Links, class D, class Out>
 AXIAL_INLINE constexpr void reduce_slopes(const Links& links, const D& d, const Out& out) {
-  if constexpr (Links::unrolled) {
+  if constexpr (rounds_once<Links>) {
+    links.each_drive([&](auto k) AXIAL_INLINE {
+      links.each_drive([&](auto l) AXIAL_INLINE {
+        out(k, l, SlopeShares<Links, By>::template at_once<decltype(k)::value, decltype(l)::value>(d));
+      });
+    });
+  } else if constexpr (Links::unrolled) {
     using Shares = SlopeShares<Links, By>;
     typename Shares::Half half{};
     links.each_joint([&](auto i) AXIAL_INLINE {
@@ -109,10 +132,19 @@ AXIAL_INLINE constexpr void write_slopes(by::Position by, const Links& links, co
 }
 template <class Links, class D, class V, class Matrix>
 AXIAL_INLINE constexpr void write_slopes(by::Velocity by, const Links& links, const D& d, const V& ud, Matrix& matrix) {
-  reduce_slopes<decltype(by)>(
-      links, d, [&](auto k, auto l, const auto& x) AXIAL_INLINE { derivatives::write_entry(matrix, k, l, x); });
-  links.each_drive(
-      [&](auto k) AXIAL_INLINE { matrix.set(k, k, matrix(k, k) + friction_slope(links.drives().link(k), ud[k])); });
+  if constexpr (rounds_once<Links>) {
+    reduce_slopes<decltype(by)>(links, d, [&](auto k, auto l, const auto& x) AXIAL_INLINE {
+      if constexpr (decltype(k)::value == decltype(l)::value)
+        derivatives::write_entry(matrix, k, l, Links::add(x, friction_slope(links.drives().link(k), ud[k])));
+      else
+        derivatives::write_entry(matrix, k, l, x);
+    });
+  } else {
+    reduce_slopes<decltype(by)>(
+        links, d, [&](auto k, auto l, const auto& x) AXIAL_INLINE { derivatives::write_entry(matrix, k, l, x); });
+    links.each_drive(
+        [&](auto k) AXIAL_INLINE { matrix.set(k, k, matrix(k, k) + friction_slope(links.drives().link(k), ud[k])); });
+  }
 }
 ///@}
 
@@ -139,21 +171,26 @@ AXIAL_INLINE constexpr Result slopes(const Links& links, const Input& in, const 
   using Joint = JointResults<Links, Result>;
   const auto& joints = links.template joints<recursion::Derivatives>();
   const auto q = links.positions(u);
+  const auto qd = links.rates(ud);
+  const auto qdd = links.rates(udd);
+  const auto at_q = joints.read(q);
   const Joint at =
-      results_of_joints<Joint>(joints, in, q, joint_screws(joints, in, q), links.rates(ud), links.rates(udd));
+      results_of_joints<Joint>(joints, in, at_q, joint_screws(joints, in, at_q), joints.read(qd), joints.read(qdd));
+  const auto speeds = links.read_drives(ud);
   Result result{};
   if constexpr (Result::template has<with_efforts>) {
     const auto felt = links.felt_by_drives(at.tau);
+    const auto accelerations = links.read_drives(udd);
     links.each_drive([&](auto k) AXIAL_INLINE {
       const auto drive = links.drives().link(k);
-      links.answer(result.tau, k, felt, friction_effort(drive, ud[k]), drive.rotor() * udd[k]);
+      links.answer(result.tau, k, felt, friction_effort(drive, speeds[k]), drive.rotor() * accelerations[k]);
     });
   }
   if constexpr (Result::template has<with_mass_matrix>) DrivenKernels<Links>::reduce(links, at.M, result.M);
   if constexpr (Result::template has<with_position_jacobian>)
-    write_slopes(by::Position{}, links, at.dtau_dq, ud, result.dtau_dq);
+    write_slopes(by::Position{}, links, at.dtau_dq, speeds, result.dtau_dq);
   if constexpr (Result::template has<with_velocity_jacobian>)
-    write_slopes(by::Velocity{}, links, at.dtau_dqd, ud, result.dtau_dqd);
+    write_slopes(by::Velocity{}, links, at.dtau_dqd, speeds, result.dtau_dqd);
   return result;
 }
 

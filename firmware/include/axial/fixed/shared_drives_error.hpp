@@ -102,6 +102,7 @@ class DriveErrors {
     }
     return error + terms.rounding(exponent, rounding);
   }
+  static constexpr int joint_exponent(int i, int j) { return MassMatrixOf<Joint, T>::exponent(i, j); }
   template <class Of>
   static constexpr auto each_drive(const Of& of) {
     Row<double, drives> errors{};
@@ -125,8 +126,10 @@ class DriveErrors {
   }
   ///@}
   /// Errors of efforts, N m or N; `word`: what words of drives are off by themselves, 0 or half a unit.
-  static constexpr auto efforts(double word) {
-    const auto found = joint_ranges(recursion::NewtonEuler{}, word);
+  static constexpr auto efforts(double word) { return efforts_of(joint_ranges(recursion::NewtonEuler{}, word), word); }
+  /// Those of efforts of the joints that an analysis found.
+  template <class Found>
+  static constexpr auto efforts_of(const Found& found, double word) {
     return each_drive([&](int k) {
       return answer(
           k, EffortsOf<S, T>::exponent(k), [&](int i) { return found.range[i].joint_effort; },
@@ -162,11 +165,15 @@ class DriveErrors {
   }
   /// Errors of M's entries up to the diagonal.
   static constexpr auto entries() {
-    using Links = decltype(links_of<S, T, BaseParameters, recursion::CompositeBodies>());
     const auto m = mechanism<Parameters>(0.0, role::Effort{});
     const auto& ranges = ranges_of<Joint, Parameters, A, recursion::CompositeBodies>;
-    const auto exponent = [](int i, int j) { return MassMatrixOf<Joint, T>::exponent(i, j); };
-    const auto found = bounds::mass_matrix_errors(m, rounding, ranges, exponent);
+    const auto found = bounds::mass_matrix_errors(m, rounding, ranges, joint_exponent);
+    return entries_of([&](int i, int) { return found[i]; });
+  }
+  /// Those of M of the joints whose entries are off by own(i, j), i >= j.
+  template <class Own>
+  static constexpr auto entries_of(const Own& off) {
+    using Links = decltype(links_of<S, T, BaseParameters, recursion::CompositeBodies>());
     Row<Row<double, drives>, drives> errors{};
     for (int k = 0; k < drives; ++k)
       for (int l = 0; l <= k; ++l) {
@@ -174,10 +181,11 @@ class DriveErrors {
         double error = 0.0;
         driven::each_share_of<Links>([&](const driven::Share& share) {
           if (share.k != k || share.l != l) return;
-          const double own = found[share.i];
-          const double size = power_of_two(rounding.bits - 1 - exponent(share.i, share.j));  // no more fits the word
+          const double own = off(share.i, share.j);
+          const double size =
+              power_of_two(rounding.bits - 1 - joint_exponent(share.i, share.j));  // no more fits the word
           error += magnitude(share.factor) * own;
-          add(terms, share.factor, exponent(share.i, share.j), size);
+          add(terms, share.factor, joint_exponent(share.i, share.j), size);
         });
         if (k == l && Sizes::rotor(k) > 0.0) terms.add_literal();
         errors[k][l] = error + terms.rounding(MassMatrixOf<S, T>::exponent(k, l), rounding);

@@ -111,13 +111,27 @@ constexpr DerivativeBounds<N> derivative_sizes(const Mechanism<N>& m, const Word
   Account<N> account{m, r};
   return detail::sizes(account);
 }
-/// Errors of the entries in the formats that `ranges` say, each rounded into its exponent.
+/// What is derived in the formats of `ranges`: errors of the entries, and of efforts and all else that the recursion
+/// keeps.
+template <int N>
+struct Derived {
+  DerivativeBounds<N> entries{};  ///< each rounded into its exponent
+  Ranges<N> ranges{};             ///< as given, with errors
+};
+/// Errors in the formats that `ranges` say.
+template <int N, class Exponents>
+constexpr Derived<N> derived(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges,
+                             const Exponents& exponents) {
+  const Mechanism<N> in_formats = r.tabled ? axial::detail::sharing(m, r, ranges) : m;
+  Account<N> account{in_formats, r, false, false, ranges};
+  const DerivativeBounds<N> entries = detail::derive(account, exponents);
+  return {entries, account.ranges};
+}
+/// Errors of the entries alone.
 template <int N, class Exponents>
 constexpr DerivativeBounds<N> derivative_errors(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges,
                                                 const Exponents& exponents) {
-  const Mechanism<N> in_formats = r.tabled ? axial::detail::sharing(m, r, ranges) : m;
-  Account<N> account{in_formats, r, false, false, ranges};
-  return detail::derive(account, exponents);
+  return derived(m, r, ranges, exponents).entries;
 }
 
 }  // namespace bounds

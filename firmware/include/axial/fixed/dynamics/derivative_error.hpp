@@ -1,21 +1,13 @@
 // Certified errors of the derivatives of inverse dynamics: their kernel, run on bounds.
 #pragma once
 
-#include <axial/fixed/dynamics/derivatives.hpp>
+#include <axial/fixed/dynamics/driven_derivative_error.hpp>
 #include <axial/fixed/error_bound.hpp>
 
 #include <axial/options/begin.hpp>
 
 namespace axial {
 namespace detail {
-
-/// Exponents of a scene's derivatives.
-template <class S, class T>
-struct DerivativeExponents {
-  static constexpr int mass(int i, int j) { return MassMatrixOf<S, T>::exponent(i, j); }
-  static constexpr int position(int i, int j) { return JointMatrixOf<S, T, by::Position>::exponent(i, j); }
-  static constexpr int velocity(int i, int j) { return JointMatrixOf<S, T, by::Velocity>::exponent(i, j); }
-};
 
 /// Errors of the entries of one matrix.
 template <class Matrix, int N>
@@ -37,13 +29,21 @@ template <class S, class T = Fixed32>
   using Word = typename T::Word;
   using Result = InverseDynamicsDerivatives<S, double>;
   static_assert((detail::check_bound<S, recursion::Derivatives>(), true));
-  constexpr const auto& ranges = detail::ranges_for<Scene, Word, BaseParameters, recursion::Derivatives>;
-  const auto all = bounds::derivative_errors(
-      detail::loaded_mechanism<Scene, detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>, Word>(),
-      rounding_in<Scene, detail::ArithmeticOf<Scene, Word>>(), ranges, detail::DerivativeExponents<S, T>{});
   Result errors{};
-  for (int i = 0; i < joint_count<S>; ++i)
-    errors.tau[i] = ranges.range[i].joint_effort.error;
+  bounds::DerivativeBounds<joint_count<S>> all;
+  if constexpr (detail::has_shared_drives<S>) {
+    const auto found = detail::DrivenSlopeErrors<S, T>::found();
+    all = found.entries;
+    for (int k = 0; k < joint_count<S>; ++k)
+      errors.tau[k] = found.efforts[k];
+  } else {
+    constexpr const auto& ranges = detail::ranges_for<Scene, Word, BaseParameters, recursion::Derivatives>;
+    all = bounds::derivative_errors(
+        detail::loaded_mechanism<Scene, detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>, Word>(),
+        rounding_in<Scene, detail::ArithmeticOf<Scene, Word>>(), ranges, detail::DerivativeExponents<S, T>{});
+    for (int i = 0; i < joint_count<S>; ++i)
+      errors.tau[i] = ranges.range[i].joint_effort.error;
+  }
   errors.M = detail::errors_in<decltype(Result::M)>(all.mass);
   errors.dtau_dq = detail::errors_in<decltype(Result::dtau_dq)>(all.position);
   errors.dtau_dqd = detail::errors_in<decltype(Result::dtau_dqd)>(all.velocity);

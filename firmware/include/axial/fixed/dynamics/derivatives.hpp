@@ -11,8 +11,52 @@ namespace axial {
 namespace detail {
 /// How large the entries can be, whatever the scene's arithmetic.
 template <class S, class Word>
-inline constexpr auto derivative_sizes_of = bounds::derivative_sizes(mechanism_of<scene_of<S>, FullParameters>,
-                                                                     joint_rounding<Word>);
+constexpr auto found_derivative_sizes();
+template <class S, class Word>
+inline constexpr auto derivative_sizes_of = found_derivative_sizes<S, Word>();
+
+/// Jacobians of drives that joints share, from those of the joints: sums of bounds.
+template <class S, class Word>
+struct DrivenSlopeSizes {
+  using Sizes = DriveSizes<S, Word>;
+  using Links = decltype(links_of<S, Stored<Word>, BaseParameters, recursion::Derivatives>());
+  static constexpr int size = joint_count<S>;
+
+  /// Calls f(k, l, i, j, factor) for what entry (i, j) of the joints' adds to entry (k, l) of the drives'.
+  template <class By, class F>
+  static constexpr void each_share(By, const F& f) {
+    for (int k = 0; k < size; ++k)
+      for (int l = 0; l < size; ++l)
+        for (int i = 0; i < Sizes::joints; ++i)
+          for (int j = 0; j < Sizes::joints; ++j) {
+            const double factor = Sizes::g.ratio[i][k] * Sizes::g.ratio[j][l];
+            if (factor != 0.0 && driven::SlopeShares<Links, By>::is_present(i, j)) f(k, l, i, j, factor);
+          }
+  }
+  template <class By>
+  static constexpr bounds::EntryBounds<size> of(By by, const bounds::EntryBounds<Sizes::joints>& joints) {
+    bounds::EntryBounds<size> all;
+    each_share(by, [&](int k, int l, int i, int j, double factor) {
+      all(k, l) = all(k, l) + magnitude(factor) * joints(i, j);
+    });
+    for (int k = 0; k < size && std::is_same_v<By, by::Velocity>; ++k)
+      all(k, k).size += Sizes::viscous(k);
+    return all;
+  }
+};
+template <class S, class Word>
+constexpr auto found_derivative_sizes() {
+  if constexpr (shares_drives_in<typename scene_of<S>::Robot>) {
+    using Driven = DrivenSlopeSizes<S, Word>;
+    const auto& joints = derivative_sizes_of<typename Driven::Sizes::Joint, Word>;
+    bounds::DerivativeBounds<joint_count<S>> all;
+    all.position = Driven::of(by::Position{}, joints.position);
+    all.velocity = Driven::of(by::Velocity{}, joints.velocity);
+    return all;
+  } else {
+    return bounds::derivative_sizes(mechanism_of<scene_of<S>, FullParameters>, joint_rounding<Word>);
+  }
+}
 
 /// Sizes of the entries of one matrix.
 ///@{

@@ -44,7 +44,6 @@ struct FixedDrivenLinks {
   using JointScene = detail::JointsOf<Scene>;                ///< of the joints
   using JointRobot = typename JointScene::Robot;             ///< the joints
   using JointValues = EffortsOf<JointScene, Value>;          ///< efforts of the joints
-  using JointMatrix = MassMatrixOf<JointScene, Value>;       ///< M of the joints
   static constexpr bool unrolled = true;                     ///< of the drives
   static constexpr int size = JointRobot::chain.size;        ///< number of joints
   static constexpr int capacity = Scene::Robot::chain.size;  ///< number of drives
@@ -52,7 +51,10 @@ struct FixedDrivenLinks {
       detail::drive_matrix_of_scene(static_cast<const Scene*>(nullptr));  ///< G and q0
 
   /// The joints, as links of their own.
-  AXIAL_INLINE static constexpr auto joints() { return links_of<JointScene, Value, Parameters, Recursion>(); }
+  template <class Of = Recursion>
+  AXIAL_INLINE static constexpr auto joints() {
+    return links_of<JointScene, Value, Parameters, Of>();
+  }
   /// The drives: rotor and friction of each.
   AXIAL_INLINE static constexpr auto drives() {
     return StaticLinks<Scene, S, FullParameters, detail::DriveFormats<Scene, FullParameters, S>>{};
@@ -111,10 +113,10 @@ struct FixedDrivenLinks {
   AXIAL_INLINE static constexpr auto add(const X& x, const Y& y) {
     return detail::lazy_sum(x, y);
   }
-  /// Entry (I, J) of M of the joints, with its format.
-  template <int I, int J>
-  AXIAL_INLINE static constexpr auto entry(const JointMatrix& m) {
-    return Fx<JointMatrix::exponent(I, J), S>{m(I, J).raw};
+  /// Entry (I, J) of M of the joints, or of a Jacobian, with its format.
+  template <int I, int J, class M>
+  AXIAL_INLINE static constexpr auto entry(const M& m) {
+    return Fx<M::exponent(I, J), S>{m(I, J).raw};
   }
   /// A component of a Jacobian's column by drive K, from those by joints: one format for all.
   template <int K, class Get>

@@ -89,11 +89,11 @@ namespace detail {
 /// The recursions that go from joints to drives by a sum.
 template <class Scene, class Recursion>
 constexpr void check_shared_drives() {
-  static_assert(std::is_same_v<Recursion, recursion::NewtonEuler> ||
-                    std::is_same_v<Recursion, recursion::CompositeBodies> ||
-                    std::is_same_v<Recursion, recursion::Kinematics> || std::is_same_v<Recursion, recursion::Momenta> ||
-                    std::is_same_v<Recursion, recursion::Separation>,
-                "axial: derivatives of joints that share drives have no formats in fixed point; compute them in float");
+  static_assert(
+      std::is_same_v<Recursion, recursion::NewtonEuler> || std::is_same_v<Recursion, recursion::CompositeBodies> ||
+          std::is_same_v<Recursion, recursion::Kinematics> || std::is_same_v<Recursion, recursion::Momenta> ||
+          std::is_same_v<Recursion, recursion::Separation> || std::is_same_v<Recursion, recursion::Derivatives>,
+      "axial: joints that share drives have no formats of this recursion in fixed point");
 }
 }  // namespace detail
 
