@@ -101,8 +101,7 @@ std::unique_ptr<Observer> observer_on_host(const std::string& robot) {
 }
 
 std::unique_ptr<Controller> observer_in_firmware(const std::string& board, const std::string& robot) {
-  if (robot != "scara" && robot != "puma560")
-    throw std::runtime_error("no image filters '" + robot + "'; there are: scara, puma560");
+  if (robot != "scara" && robot != "puma560" && robot != "wrist_arm") refuse(robot);
   return emulated(board, "ekf", robot);
 }
 

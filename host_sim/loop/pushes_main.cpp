@@ -179,7 +179,7 @@ int check(const Options& options) {
 int main(int count, char** arguments) {
   Options options;
   host_sim::CommandLine line("a linear-quadratic regulator brings an arm back onto its motion", "pushes");
-  line.option("--robot", options.robot, "scara or puma560").show_default();
+  line.option("--robot", options.robot, "scara, puma560 or wrist_arm").show_default();
   line.option("--board", options.board, "folder of hal/boards").one_of({"stm32f405"}).show_default();
   line.option("--number", options.number, "what the regulator computes in").one_of({"float"}).show_default();
   line.option("--seconds", options.seconds, "of the motion without a push").show_default().range(0.001, 3600.0);

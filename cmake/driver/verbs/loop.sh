@@ -8,7 +8,7 @@ usage: ./axial loop [options]
 Installs and builds what is missing, starts the tracking firmware of a board in its emulator and lets it drive a plant in double, in lock-step
 at 1 kHz over the serial line: feed-forward and a proportional-derivative torque, then the feedback alone (at most 10 s of it). Prints
 tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a picture (doc/measurements/simulation.md).
-  --robot ROBOT|DRIVEN  scara (default) or puma560; whose joints share drives, by pd alone: scara_quill, palletiser, wrist_arm, gripper;
+  --robot ROBOT|DRIVEN  scara (default) or puma560; whose joints share drives, by pd: scara_quill, palletiser, wrist_arm (lqr and ekf too), gripper;
                       puma560 is the default of --controller lqr, elastic and --export
   --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt, rp2040, rp2040_ram
   --number float|fixed32  what the firmware computes in; default float
@@ -27,7 +27,8 @@ tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a p
   --json FILE         the rows once more, as an array of objects
 Exits non-zero when feed-forward cuts the error less than 20-fold with exact parameters, or an answer is refused; with lqr when the arm is
 not back within half a second, a torque is beyond its limit, or pd follows the motion better;
-with ekf when velocities are less than ten times as exact as differences; with elastic when the tool's error is not ten times below rigid feed-forward's.
+with ekf when velocities are less than ten times as exact as differences (twice where encoders count steps of drives, which are finer);
+with elastic when the tool's error is not ten times below rigid feed-forward's.
 maintainers:
   --documents         alone: 60 s of each robot (20 s where joints share drives) with sweeps, on the nrf51 in fixed32, to doc/data, doc/pictures and the tables of
                       doc/measurements/simulation.md
@@ -61,7 +62,7 @@ regulate() {
   local name
   name=$(option_of --controller '' "$@")
   build "$HOST_PRESET" "$(regulating "$name")"
-  build_regulators "$name"
+  build_regulators "$name" "$(option_of --robot puma560 "$@")"
   drop_options --controller "$@"
   regulating_program "$name" "${ARGUMENTS[@]}"
 }
@@ -75,6 +76,8 @@ regulating_program() {
 build_regulators() {
   if [[ ${1:-} == elastic ]]; then
     build stm32f405 elastic-scara elastic-puma560
+  elif [[ ${2:-} == wrist_arm ]]; then # built only when asked for
+    build stm32f405 {lqr,ekf,tracking}-wrist_arm
   else
     build stm32f405 {lqr,ekf}-{scara,puma560} tracking-scara tracking-puma560
   fi
