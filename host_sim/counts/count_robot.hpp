@@ -45,10 +45,10 @@ class RobotRows {
     }
     for_each_form<R>([&](auto form) { forward_dynamics(form); });
     chosen_forward_dynamics();
+    both_parameters(axial::algorithm::inverse_dynamics_derivatives);
+    both_parameters(axial::algorithm::forward_dynamics_derivatives);
+    both_parameters(axial::algorithm::torque_rates);
     if constexpr (!shares_drives<R>) {
-      both_parameters(axial::algorithm::inverse_dynamics_derivatives);
-      both_parameters(axial::algorithm::forward_dynamics_derivatives);
-      both_parameters(axial::algorithm::torque_rates);
       add<ElasticScene<R, axial::FullParameters>>(axial::algorithm::elastic_feedforward, "full");
       add<ElasticScene<R>>(axial::algorithm::elastic_feedforward, "base");
     }

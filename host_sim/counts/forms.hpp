@@ -27,8 +27,8 @@ constexpr const char* name_of(axial::Route route) {
 template <class R, class... Features>
 using Bare = axial::Scene<R, axial::Gravity, axial::RotorInertia, Features...>;
 
-/// Whether joints of a robot share drives: articulated bodies are then clusters, by the split form alone, and
-/// derivatives are not counted.
+/// Whether joints of a robot share drives: articulated bodies are then clusters, by the split form alone, and no joint
+/// has a spring before it.
 template <class R>
 inline constexpr bool shares_drives = axial::detail::shares_drives_in<typename axial::scene_of<R>::Robot>;
 

@@ -177,8 +177,8 @@ inline void refuse_bad(const axial::Status& status, const Kernel& kernel) {
                            std::to_string(static_cast<int>(status.code)));
 }
 
-/// What has no row where joints share drives: derivatives, elastic joints; in fixed point loops, and
-/// forward dynamics but that of 32 bits. Nor, in fixed point, derivatives of forward dynamics of more than eight
+/// What has no row where joints share drives: elastic joints; in fixed point loops, derivatives of forward dynamics,
+/// and forward dynamics but that of 32 bits. Nor, in fixed point, derivatives of forward dynamics of more than eight
 /// joints.
 template <class Algorithm, class S, class T>
 constexpr bool is_offered() {
@@ -189,8 +189,9 @@ constexpr bool is_offered() {
   using Run = axial::scene_of<typename SceneOfKernel<Algorithm, S>::type>;
   constexpr bool by_links = Run::template has<axial::ArticulatedBody> || Run::template has<axial::SplitArticulatedBody>;
   constexpr bool other = fixed && (sizeof(T) != 4 || by_links);
-  return !has_blocks(job_of<Algorithm>) && !(other && job_of<Algorithm> == Job::acceleration) &&
-         !(fixed && axial::scene_of<S>::template has<axial::Looped>);
+  constexpr Job job = job_of<Algorithm>;
+  return job != Job::motors && !(fixed && job == Job::acceleration_derivatives) &&
+         !(other && job == Job::acceleration) && !(fixed && axial::scene_of<S>::template has<axial::Looped>);
 }
 
 /// Algorithm on scene S in numbers T.
