@@ -174,8 +174,8 @@ REFUSALS = (
             "axial: fixed point has no smooth_speed(); compute this scene in float",
             lambda c: is_fixed(c) and "smooth" in c["friction"] and "stribeck" not in c["friction"],
             {"number": "fixed32", "friction": "Friction smooth"}),
-    Refusal("`Looped` forward dynamics, its derivatives and separation in fixed point",
-            "axial: forward dynamics, its derivatives and separation in fixed point need a format per link, which the looped form "
+    Refusal("`Looped` forward dynamics and separation in fixed point",
+            "axial: forward dynamics and separation in fixed point need a format per link, which the looped form "
             "has not; take Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)",
             lambda c: is_fixed(c) and c["form"] == "Looped", {"number": "fixed32", "form": "Looped"},
             ("ForwardDynamics", "ForwardErrorBound") + SEPARATED),

@@ -3,6 +3,7 @@
 
 #include <axial/dynamics/forward_dynamics_derivatives.hpp>
 #include <axial/fixed/dynamics/derivatives.hpp>
+#include <axial/fixed/formats/joint_sizes.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -14,21 +15,15 @@ struct Effort {};  ///< tau
 
 namespace detail {
 
-/// Square roots of the largest (M^-1)_ii: |(M^-1)_ij| is at most the product of two.
+/// Equations in the words of motions.
 template <class S, class Word>
-constexpr auto mobilities() {
-  constexpr int size = joint_count<S>;
-  PerJoint<size> all;
-  const ForwardErrorAnalysis<size> analysis(mechanism_of<scene_of<S>, FullParameters>, joint_rounding<Word>,
-                                            free_ranges_of<S, Word>, motion_ranges_of<S, Word>);
-  for (int i = 0; i < size; ++i)
-    all.of[i] = analysis.mobility(i);
-  return all;
-}
+struct MotionEquations {
+  static constexpr int exponent(int i) { return exponents_of<S, Word, role::MotionEffort>.of[i]; }
+};
 
 /// How words of Jacobians of inverse dynamics become right-hand sides whose unknowns are accelerations in the words of
-/// requests, 2^scale of them: all efforts in the words of motions, 2^scale of them, below 2^29.
-template <class S, class Word, class By>
+/// requests, 2^scale of them: all efforts in the words of equations, 2^scale of them, below 2^29.
+template <class S, class Word, class By, class Equations = MotionEquations<S, Word>>
 struct RightHandSides {
   static constexpr int size = joint_count<S>, finest = 31;
   int scale[size] = {};       ///< of each column
@@ -53,11 +48,11 @@ struct RightHandSides {
 
  private:
   static constexpr int relative(int i, int j) {
-    return joint_matrix_format<S, Word, By>.of[i][j] - exponents_of<S, Word, role::MotionEffort>.of[i];
+    return joint_matrix_format<S, Word, By>.of[i][j] - Equations::exponent(i);
   }
 };
-template <class S, class Word, class By>
-inline constexpr auto right_hand_sides = RightHandSides<S, Word, By>::chosen();
+template <class S, class Word, class By, class Equations = MotionEquations<S, Word>>
+inline constexpr auto right_hand_sides = RightHandSides<S, Word, By, Equations>::chosen();
 
 /// Exponents of the entries by their sizes, as fine as they are computed at most.
 template <class S, class Word, class By>
@@ -66,7 +61,7 @@ struct AccelerationFormat {
   int of[size][size] = {};
 
   static constexpr AccelerationFormat chosen() {
-    constexpr auto mobile = mobilities<S, Word>();
+    constexpr const auto& mobile = joint_mobilities<S, Word>;
     AccelerationFormat format;
     for (int i = 0; i < size; ++i)
       for (int j = 0; j < size; ++j)

@@ -20,7 +20,6 @@ namespace detail {
 template <class S, class T>
 struct Certificate {
   using Scene = scene_of<S>;
-  using Structure = decltype(links_of<Scene, T, FullParameters, recursion::ArticulatedBodiesAtRest>());
   using Needs = Joints<Scene, T, role::MotionEffort>;
   using Requests = Accelerations<robot_of<S>, T>;
   using Answers = FreeAccelerations<S, T>;
@@ -31,36 +30,45 @@ struct Certificate {
   int drive_shift[size] = {};                        ///< of the structure's efforts to those of motions
   std::int64_t inside[size] = {}, tight[size] = {};  ///< declared acceleration; a bound that is of use
 
-  template <int... I>
-  static constexpr Certificate made(std::integer_sequence<int, I...>) {
-    constexpr int accelerations[] = {decltype(Structure::link(Index<I>{}))::format.joint_acceleration...};
-    constexpr int efforts[] = {decltype(Structure::link(Index<I>{}))::format.joint_effort...};
-    constexpr auto& needs = ranges_for<Scene, typename T::Word, BaseParameters, recursion::MotionEfforts>;
+  static constexpr Certificate made() {
     Certificate c;
+    c.limit();
+    if constexpr (!Scene::template has<Looped>) c.use_structure(std::make_integer_sequence<int, size>{});
+    return c;
+  }
+
+ private:
+  constexpr void limit() {
     double largest = 0.0;
     for (const auto& link : detail::described_by<S>::chain.links)
       largest = link.acceleration_limit > largest ? link.acceleration_limit : largest;
     for (int i = 0; i < size; ++i) {
       const double unit = power_of_two(Requests::exponent(i));
-      c.need_error[i] = rounded_up(needs.range[i].joint_effort.error * power_of_two(Needs::exponent(i)));
-      c.twice_error[i] = 2 * c.need_error[i];
-      c.column_shift[i] = Requests::exponent(i) - accelerations[i];
-      c.widest = i == 0 || c.column_shift[i] > c.widest ? c.column_shift[i] : c.widest;
-      c.drive_shift[i] = Needs::exponent(i) - efforts[i];
-      c.inside[i] = static_cast<std::int64_t>(detail::described_by<S>::chain.links[i].acceleration_limit * unit);
-      c.tight[i] = static_cast<std::int64_t>(largest * unit / 128.0);
+      inside[i] = static_cast<std::int64_t>(detail::described_by<S>::chain.links[i].acceleration_limit * unit);
+      tight[i] = static_cast<std::int64_t>(largest * unit / 128.0);
     }
-    return c;
   }
-
- private:
+  template <int... I>
+  constexpr void use_structure(std::integer_sequence<int, I...>) {
+    using Structure = decltype(links_of<Scene, T, FullParameters, recursion::ArticulatedBodiesAtRest>());
+    constexpr int accelerations[] = {decltype(Structure::link(Index<I>{}))::format.joint_acceleration...};
+    constexpr int efforts[] = {decltype(Structure::link(Index<I>{}))::format.joint_effort...};
+    constexpr auto& needs = ranges_for<Scene, typename T::Word, BaseParameters, recursion::MotionEfforts>;
+    for (int i = 0; i < size; ++i) {
+      need_error[i] = rounded_up(needs.range[i].joint_effort.error * power_of_two(Needs::exponent(i)));
+      twice_error[i] = 2 * need_error[i];
+      column_shift[i] = Requests::exponent(i) - accelerations[i];
+      widest = i == 0 || column_shift[i] > widest ? column_shift[i] : widest;
+      drive_shift[i] = Needs::exponent(i) - efforts[i];
+    }
+  }
   static constexpr std::int32_t rounded_up(double x) {
     constexpr double most = 1073741823.0;
     return x < most ? static_cast<std::int32_t>(x) + 1 : static_cast<std::int32_t>(most);
   }
 };
 template <class S, class T>
-inline constexpr auto certificate_of = Certificate<S, T>::made(std::make_integer_sequence<int, joint_count<S>>{});
+inline constexpr auto certificate_of = Certificate<S, T>::made();
 
 /// Accelerations of the structure under a drive of joint `j` alone, as large as formats leave room for; returns the
 /// exponent of that drive's word.

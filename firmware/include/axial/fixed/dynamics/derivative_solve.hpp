@@ -45,6 +45,14 @@ struct DerivativeSolve {
       system.proved = system.proved & above & below;
     }
   }
+  /// B by an elimination of M, of which `columns` are solutions for unit efforts.
+  constexpr void set_columns(const std::int32_t (&columns)[size][size]) {
+    constexpr const auto& looped = looped_columns<S, T>;
+    for (int j = 0; j < size; ++j) {
+      set_shifted_column<size>(looped, system, j, columns[j], looped.drive[j]);
+      system.proved = system.proved & is_less(-1, system.shift[j]) & is_less(system.shift[j], 64);
+    }
+  }
   /// Refines B by M and bounds what it lacks.
   template <class M>
   constexpr void hold_against(const M& mass) {
@@ -67,7 +75,7 @@ struct DerivativeSolve {
     std::int64_t seen = units.effort_error;
     for (int i = 0; i < size; ++i) {
       const std::int64_t apart = std::int64_t{tau[i].raw} - needs[i].raw;
-      const std::int64_t wide = apart * (std::int64_t{1} << units.effort_up[i]);
+      const std::int64_t wide = in_equation(i, apart);
       const bool fits = is_less_wide(wide_magnitude(wide), limit);
       known = known & fits;
       left[i] = static_cast<std::int32_t>(wide & -static_cast<std::int64_t>(fits));
@@ -97,7 +105,7 @@ struct DerivativeSolve {
   constexpr void write_inverse(Matrix& values, Matrix& bounds, bool answered) {
     for (int i = 0; i < size; ++i)
       for (int j = 0; j < size; ++j) {
-        const int finer = Matrix::exponent(i, j) + C::Needs::exponent(j) - C::Requests::exponent(i);
+        const int finer = Matrix::exponent(i, j) + EquationsOf<S, T>::exponent(j) - C::Requests::exponent(i);
         bool fits = true, bounded = true;
         const std::int64_t value = moved_wide(system.inverse[i][j], system.shift[j] - finer, fits);
         const std::int64_t off = moved_wide(system.loss[i], MassInverse<size>::loss_bits - 1 - finer, bounded) + 2;
@@ -108,7 +116,7 @@ struct DerivativeSolve {
   template <class By, class From, class Matrix>
   constexpr void write_slopes(By by, const From& from, std::int64_t apart, Matrix& values, Matrix& bounds,
                               bool answered) {
-    constexpr const auto& sides = right_hand_sides<S, typename T::Word, By>;
+    constexpr const auto& sides = right_hand_sides<S, typename T::Word, By, EquationsOf<S, T>>;
     for (int j = 0; j < size; ++j) {
       std::int32_t right[size] = {};
       for (int i = 0; i < size; ++i)
@@ -129,6 +137,14 @@ struct DerivativeSolve {
   }
 
  private:
+  AXIAL_INLINE static constexpr std::int64_t in_equation(int i, std::int64_t effort) {
+    constexpr const auto& units = derivative_units<S, T>;
+    const std::int64_t raised = effort * (std::int64_t{1} << units.effort_up[i]);
+    if constexpr (scene_of<S>::template has<Looped>)
+      return wide_shifted_by(raised, looped_columns<S, T>.effort_down[i]);
+    else
+      return raised;
+  }
   template <class Value>
   constexpr void finish(int i, Value& value, Value& bound_of, std::int64_t wide, std::int64_t off, bool fits,
                         bool answered) {

@@ -12,24 +12,45 @@
 namespace axial {
 namespace detail {
 
-/// What no state changes, in words: accelerations in those of requests, efforts in those of motions.
+/// Errors of what derivatives of forward dynamics are computed from.
+template <class S, class T>
+inline constexpr auto slope_errors = error_bound<S, T>(algorithm::inverse_dynamics_derivatives);
+
+/// Equations in words of motions, in the looped form no finer than leaves an effort's error six bits: links that share
+/// formats have errors of about the same size, and what is known of all equations is that of the worst word.
+template <class S, class T>
+struct LoopedEquations {
+  static constexpr int exponent(int i) {
+    constexpr double most = 64.0;
+    int exponent = MotionEquations<S, typename T::Word>::exponent(i);
+    while (slope_errors<S, T>.tau[i] * power_of_two(exponent) > most)
+      --exponent;
+    return exponent;
+  }
+};
+template <class S, class T>
+using EquationsOf =
+    std::conditional_t<scene_of<S>::template has<Looped>, LoopedEquations<S, T>, MotionEquations<S, typename T::Word>>;
+
+/// What no state changes, in words: accelerations in those of requests, efforts in those of equations.
 template <class S, class T>
 struct DerivativeUnits {
   using C = Certificate<S, T>;
+  using Equations = EquationsOf<S, T>;
   static constexpr int size = C::size;
   static constexpr double largest = 1073741823.0;
 
   MassUnits<size> mass{};
-  int effort_up[size] = {};       ///< of words of efforts to those of motions
+  int effort_up[size] = {};       ///< of words of efforts to those of equations
   std::int32_t effort_error = 0;  ///< of all efforts of inverse dynamics
   /// Of each column of right-hand sides: what the Jacobian can be off, of all of its rows.
   std::int32_t by_position_error[size] = {}, by_velocity_error[size] = {};
 
   static constexpr DerivativeUnits made() {
-    constexpr auto errors = error_bound<S, T>(algorithm::inverse_dynamics_derivatives);
+    constexpr const auto& errors = slope_errors<S, T>;
     DerivativeUnits u;
     for (int i = 0; i < size; ++i) {
-      const int own = C::Needs::exponent(i);
+      const int own = Equations::exponent(i), finer = own - EffortsOf<S, T>::exponent(i);
       for (int k = 0; k < size; ++k) {
         const int relative = MassMatrixOf<S, T>::exponent(i, k) + C::Requests::exponent(k) - own;
         u.mass.scale[i] = k == 0 || relative - 2 < u.mass.scale[i] ? relative - 2 : u.mass.scale[i];
@@ -39,7 +60,7 @@ struct DerivativeUnits {
         u.mass.down[i][k] = smaller(MassMatrixOf<S, T>::exponent(i, k) - unit, 31);
         u.mass.error[i][k] = above(errors.M(i, k), unit);
       }
-      u.effort_up[i] = own - EffortsOf<S, T>::exponent(i);
+      u.effort_up[i] = finer > 0 ? finer : 0;
       u.effort_error = larger(u.effort_error, above(errors.tau[i], own));
       for (int j = 0; j < size; ++j) {
         u.by_position_error[j] =
@@ -52,7 +73,7 @@ struct DerivativeUnits {
   }
   template <class By>
   static constexpr const auto& sides(By) {
-    return right_hand_sides<S, typename T::Word, By>;
+    return right_hand_sides<S, typename T::Word, By, Equations>;
   }
   constexpr std::int32_t error(by::Position, int j) const { return by_position_error[j]; }
   constexpr std::int32_t error(by::Velocity, int j) const { return by_velocity_error[j]; }
@@ -65,6 +86,34 @@ struct DerivativeUnits {
     return static_cast<std::int32_t>(words < largest ? words : largest);
   }
 };
+/// How solutions of M's elimination become columns of an approximate inverse, as a Certificate says it of the
+/// structure's.
+template <class S, class T>
+struct LoopedColumns {
+  using Units = DriveUnits<S, typename T::Word>;
+  static constexpr int size = Units::size;
+  int column_shift[size] = {}, widest = 0;  ///< of solutions to words of requests
+  int drive_shift[size] = {};               ///< of right-hand sides to equations
+  int drive[size] = {};                     ///< exponent of a unit effort's word
+  int effort_down[size] = {};               ///< of words of efforts to those of equations, where these are coarser
+
+  static constexpr LoopedColumns made() {
+    constexpr const auto& u = drive_units<S, typename T::Word>;
+    LoopedColumns c;
+    for (int i = 0; i < size; ++i) {
+      c.column_shift[i] = Certificate<S, T>::Requests::exponent(i) - (Units::bits - u.gain_bits[i] + u.scale[i]);
+      c.widest = i == 0 || c.column_shift[i] > c.widest ? c.column_shift[i] : c.widest;
+      c.drive_shift[i] = EquationsOf<S, T>::exponent(i) - (Units::bits - u.scale[i]);
+      c.drive[i] = Units::bits - u.norm_bits[i];
+      const int coarser = EffortsOf<S, T>::exponent(i) - EquationsOf<S, T>::exponent(i);
+      c.effort_down[i] = coarser > 0 ? coarser : 0;
+    }
+    return c;
+  }
+};
+template <class S, class T>
+inline constexpr auto looped_columns = LoopedColumns<S, T>::made();
+
 template <class S, class T>
 inline constexpr auto derivative_units = DerivativeUnits<S, T>::made();
 

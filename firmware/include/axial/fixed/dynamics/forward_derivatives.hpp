@@ -2,7 +2,7 @@
 // Jacobians by the structure's answers to one drive per joint, held against M in words.
 #pragma once
 
-#include <axial/fixed/dynamics/derivative_solve.hpp>
+#include <axial/fixed/dynamics/derivative_start.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -17,37 +17,6 @@ struct CertifiedDerivatives : ForwardDynamicsDerivatives<S, T, Wanted...> {
 };
 
 namespace detail {
-
-/// First joint whose acceleration is beyond what it declares, -1 for none.
-template <class S, class T>
-AXIAL_INLINE constexpr int first_beyond(const CertifiedDynamics<S, T>& answer) {
-  using C = Certificate<S, T>;
-  int first = -1;
-  for (int i = 0; i < C::size; ++i) {
-    constexpr int finest = 31;
-    const int up = C::Requests::exponent(i) - C::Answers::exponent(i);
-    const std::int64_t raw = up > 0 ? std::int64_t{answer[i].raw} * (std::int64_t{1} << smaller(up, finest))
-                                    : std::int64_t{answer[i].raw >> smaller(-up, finest)};
-    first = first_found(first, is_less_wide(certificate_of<S, T>.inside[i], wide_magnitude(raw)), i);
-  }
-  return first;
-}
-
-/// Results of inverse dynamics that those of forward dynamics need.
-template <class S, class T, class Result>
-AXIAL_INLINE constexpr auto slopes_for(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
-                                       const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in) {
-  constexpr bool position = Result::template has<with_acceleration_by_position>;
-  constexpr bool velocity = Result::template has<with_acceleration_by_velocity>;
-  if constexpr (position && velocity)
-    return inverse_dynamics_derivatives<S>(q, qd, qdd, in);
-  else if constexpr (position)
-    return inverse_dynamics_derivatives<S, with_efforts, with_mass_matrix, with_position_jacobian>(q, qd, qdd, in);
-  else if constexpr (velocity)
-    return inverse_dynamics_derivatives<S, with_efforts, with_mass_matrix, with_velocity_jacobian>(q, qd, qdd, in);
-  else
-    return inverse_dynamics_derivatives<S, with_efforts, with_mass_matrix>(q, qd, qdd, in);
-}
 
 /// What there is to say about an answer that the solver calls `plain`; `beyond` is the first joint beyond what it
 /// declares, `spilt` the first that has an entry beyond its format.
@@ -65,9 +34,9 @@ AXIAL_INLINE constexpr Status derivatives_status(Status plain, int beyond, bool 
 }  // namespace detail
 
 /// forward_dynamics_derivatives() in 32 bits, with a bound of each result's error.
-/// M^-1 starts from the structure's answers to one drive per joint, is refined once by M in words, and what M leaves of
-/// it bounds every solution (mass_inverse.hpp): M, both Jacobians and the efforts at the accelerations found come with
-/// certified errors from one pass of inverse_dynamics_derivatives().
+/// M^-1 starts from the structure's answers to one drive per joint, in the looped form from an elimination of M, is
+/// refined once by M in words, and what M leaves of it bounds every solution (mass_inverse.hpp): M, both Jacobians and
+/// the efforts at the accelerations found come with certified errors from one pass of inverse_dynamics_derivatives().
 /// In and out as there, and `bound`: |exact - result|, each in the format of the result, where the robot is what it
 /// declares and the inputs are what their words say; the largest word where nothing is known. Status: of
 /// forward_dynamics() where it has no answer, and everything is 0; acceleration_limit with the first joint that
@@ -75,7 +44,7 @@ AXIAL_INLINE constexpr Status derivatives_status(Status plain, int beyond, bool 
 /// |1 - M B| are above 2^-10 in the units of the words, or an acceleration is off by more than a 128th of what its
 /// joint declares, at most; saturated with a joint that has an entry beyond its format, which is 0 then, with the
 /// largest word for a bound. Up to eight joints. Cost: forward dynamics, inverse_dynamics_derivatives(), and for each
-/// joint two solves.
+/// joint two solves; looped two passes of inverse_dynamics_derivatives(), and an elimination.
 template <class S, class... Wanted, class T>
 [[nodiscard]] constexpr CertifiedDerivatives<S, T, Wanted...> certified_forward_dynamics_derivatives(
     const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,
@@ -88,7 +57,12 @@ template <class S, class... Wanted, class T>
   Result result{};
   CertifiedDynamics<S, T> answer{};
   const detail::StateCheck<S, T> check(in, q, qd);
-  answer.status = detail::solve<detail::route_over<S, T>, scene_of<S>, T>(in, q, qd, tau, answer);
+  constexpr bool looped = scene_of<S>::template has<Looped>;
+  detail::DerivativeStart<S, T, looped> start;
+  if constexpr (looped)
+    answer.status = start.template accelerate<Result>(q, qd, tau, in, answer);
+  else
+    answer.status = detail::solve<detail::route_over<S, T>, scene_of<S>, T>(in, q, qd, tau, answer);
   const Status plain = answer.status;
   typename Solve::C::Requests x{};
   static_cast<void>(detail::requested<S>(answer, x));
@@ -96,7 +70,10 @@ template <class S, class... Wanted, class T>
 
   const auto needs = detail::slopes_for<S, T, Result>(q, qd, x, in);
   Solve solve;
-  solve.set_inverse(q, in);
+  if constexpr (looped)
+    solve.set_columns(start.columns);
+  else
+    solve.set_inverse(q, in);
   solve.hold_against(needs.M);
   solve.correct(tau, needs.tau);
   const bool formatted = (check.joints.wraps == 0) & (check.inputs == Status::Code::ok);

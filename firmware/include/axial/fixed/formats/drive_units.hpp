@@ -1,23 +1,25 @@
-// The units in which M of drives that joints share is solved in words, by what bounds its inverse.
+// The units in which M of drives that joints share, or of joints, is solved in words, by what bounds its inverse.
 #pragma once
 
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/fixed/formats/drive_formats.hpp>
+#include <axial/fixed/formats/joint_sizes.hpp>
 
 #include <axial/options/begin.hpp>
 
 namespace axial {
 namespace detail {
 
-/// What of M udd = left in words no state changes. M'(k, l) = M(k, l) / 2^(scale[k] + scale[l]) is at most 1, in words
-/// of 30 bits behind the point; 1 <= mobility' = mobility 2^scale bounds what its elimination makes: pivots are at
-/// least 1 / mobility'^2, gains at most mobility', and for a vector w with sum mobility' |w| <= 1 no component passes 1
-/// on the way in, and mobility'[k] on the way out. (w^T M'^-1 w is at most the square of that sum, and what is left of
-/// w[k] has a share of it, over its pivot.)
+/// What of M udd = left in words no state changes. A drive is a joint where joints share none. M'(k, l) = M(k, l) /
+/// 2^(scale[k] + scale[l]) is at most 1, in words of 30 bits behind the point; 1 <= mobility' = mobility 2^scale bounds
+/// what its elimination makes: pivots are at least 1 / mobility'^2, gains at most mobility', and for a vector w with
+/// sum mobility' |w| <= 1 no component passes 1 on the way in, and mobility'[k] on the way out. (w^T M'^-1 w is at most
+/// the square of that sum, and what is left of w[k] has a share of it, over its pivot.)
 template <class S, class Word>
 struct DriveUnits {
   using T = Stored<Word>;
-  using Sizes = DriveSizes<S, Word>;
+  using Sizes =
+      std::conditional_t<shares_drives_in<typename scene_of<S>::Robot>, DriveSizes<S, Word>, JointSizes<S, Word>>;
   using Answers = FreeAccelerations<subject_of<S, T>, T>;
   static constexpr int size = joint_count<S>, bits = 30;
   static constexpr int most_gain_bits = 18;  ///< of which gains leave words enough behind the point

@@ -29,6 +29,18 @@ constexpr bool has_own_parameters() {
                                                    std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>);
 }
 
+/// Formats that follow from what each link resists.
+template <class Scene, class Recursion>
+constexpr void check_resistance() {
+  static_assert(has_own_parameters<Scene, Recursion>(),
+                "axial: forward dynamics in fixed point takes its formats from each link's own parameters, which "
+                "BaseParameters regroups; take BaseParameters out of the scene");
+  static_assert(resisted_by_themselves<Scene, Recursion>(),
+                "axial: forward dynamics in fixed point takes its formats from what each link resists by itself; give "
+                "every link an inertia about its joint's axis (a slide: a mass), or rotor_inertia() and name "
+                "RotorInertia; or compute this scene in float");
+}
+
 /// The recursions whose quantities have room for one format all along an arm.
 template <class Scene, class Recursion>
 constexpr void check_fixed_form() {
@@ -37,19 +49,13 @@ constexpr void check_fixed_form() {
           std::is_same_v<Recursion, recursion::CompositeBodies> || std::is_same_v<Recursion, recursion::Kinematics> ||
           std::is_same_v<Recursion, recursion::Momenta> || std::is_same_v<Recursion, recursion::BaseForce> ||
           std::is_same_v<Recursion, recursion::Derivatives>,
-      "axial: forward dynamics, its derivatives and separation in fixed point need a format per link, which the "
-      "looped form has not; take Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)");
+      "axial: forward dynamics and separation in fixed point need a format per link, which the looped form has not; "
+      " take Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)");
   static_assert(!std::is_same_v<Recursion, recursion::Separation> || !Scene::template has<TipWrench>,
                 "axial: separate() in fixed point has no wrenches; take TipWrench out of the scene");
   static_assert(!std::is_same_v<Recursion, recursion::BaseForce>,
                 "axial: base_wrench() has no formats in fixed point; compute it in float");
-  static_assert(has_own_parameters<Scene, Recursion>(),
-                "axial: forward dynamics in fixed point takes its formats from each link's own parameters, which "
-                "BaseParameters regroups; take BaseParameters out of the scene");
-  static_assert(resisted_by_themselves<Scene, Recursion>(),
-                "axial: forward dynamics in fixed point takes its formats from what each link resists by itself; give "
-                "every link an inertia about its joint's axis (a slide: a mass), or rotor_inertia() and name "
-                "RotorInertia; or compute this scene in float");
+  check_resistance<Scene, Recursion>();
 }
 
 /// The formats of links that have a type each, and how kernels read and write joint values there.
