@@ -85,8 +85,8 @@ struct OnAFreeBase {
       loss.see(whole, reciprocal(m(k, k)));
     });
     auto status = crba::solve(links.drives(), m, udd);
-    const Truth<T> much(is_negative(Ordinal<T>(status.joint)) & (loss.code() != Ordinal<T>(0)));
-    put_where(status, much, Status::Code::inaccurate);
+    put_where(status, loss.code() != Ordinal<T>(0), Status::Code::inaccurate);
+    put_where(status, !is_negative(Ordinal<T>(status.joint)), Status::Code::near_singular);
     put_where(status, alone.singular, Status::Code::near_singular);
     Motion base = alone.acceleration;
     links.each_drive([&](auto k) AXIAL_INLINE {
