@@ -135,6 +135,14 @@ struct ForwardDerivatives {
   }
 };
 
+struct SeparatedTorque {
+  static constexpr const char* name = "separated_torque";
+  template <class S, class T>
+  static constexpr auto run(const Call<S, T>& c) {
+    return torque(separate<S>(c.q), c.qd, c.qdd);
+  }
+};
+
 /// Every word of a result.
 ///@{
 template <class Values>
@@ -228,6 +236,8 @@ void all_golden_drives(Count count, Put put) {
   put(golden<InverseDynamics, S, Fixed32>("32_nearest", count));
   put(golden<ForwardDynamics, S, Fixed32>("32_nearest", count));
   put(golden<CertifiedForwardDynamics, S, Fixed32>("32_nearest", count));
+  put(golden<SeparatedTorque, S, Fixed32>("32_nearest", count));
+  put(golden<InverseDerivatives, S, Fixed32>("32_nearest", count));
 }
 
 }  // namespace axial::apps::fixed
