@@ -22,6 +22,7 @@ void put(const Golden& g) {
 template <class R>
 void print() {
   all_golden<R>(property::WithoutCosts{}, put<R>), all_golden_derivatives<R>(property::WithoutCosts{}, put<R>);
+  all_golden_looped<R>(property::WithoutCosts{}, put<R>);
 }
 template <class R>
 void print_drives() {

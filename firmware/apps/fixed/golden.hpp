@@ -229,6 +229,14 @@ void all_golden_derivatives(Count count, Put put) {
   put(golden<ForwardDerivatives, Exact, Fixed32>("32_nearest", count));
 }
 
+/// Derivatives of a robot by one step for all links likewise.
+template <class R, class Count, class Put>
+void all_golden_looped(Count count, Put put) {
+  using S = Scene<R, Gravity, RotorInertia, Looped>;
+  put(golden<InverseDerivatives, S, Fixed32>("32_looped", count));
+  put(golden<ForwardDerivatives, S, Fixed32>("32_looped", count));
+}
+
 /// Dynamics of a robot whose joints share drives likewise.
 template <class R, class Count, class Put>
 void all_golden_drives(Count count, Put put) {
