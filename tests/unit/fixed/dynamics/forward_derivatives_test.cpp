@@ -186,16 +186,16 @@ void expect_known_errors(double at_least) {
     };
     for (int i = 0; i < 3; ++i) {
       const int own = Units::Equations::exponent(i);
-      see(effort, std::ldexp(got.tau[i].raw, own - got.tau.exponent(i)), exact.tau[i], own, units.effort_error);
+      see(effort, std::ldexp(got.tau[i].raw, own - got.tau.exponent(i)), exact.tau[i], own, units.effort_error[i]);
       for (int j = 0; j < 3; ++j) {
         see(mass, got.M(i, j).raw >> units.mass.down[i][j], exact.M(i, j),
             units.mass.scale[i] + own - Units::C::Requests::exponent(j), units.mass.error[i][j]);
         const auto& by_q = Units::sides(by::Position{});
         see(position, got.dtau_dq(i, j).raw >> by_q.down[i][j], exact.dtau_dq(i, j), own + by_q.scale[j],
-            units.error(by::Position{}, j));
+            units.errors(by::Position{}, j)[i]);
         const auto& by_qd = Units::sides(by::Velocity{});
         see(velocity, got.dtau_dqd(i, j).raw >> by_qd.down[i][j], exact.dtau_dqd(i, j), own + by_qd.scale[j],
-            units.error(by::Velocity{}, j));
+            units.errors(by::Velocity{}, j)[i]);
       }
     }
   }

@@ -70,22 +70,19 @@ struct DerivativeSolve {
   template <class Tau>
   constexpr void correct(const Tau& tau, const Tau& needs) {
     constexpr const auto& units = derivative_units<S, T>;
-    constexpr std::int64_t limit = std::int64_t{1} << 30;
-    std::int32_t left[size] = {};
-    std::int64_t seen = units.effort_error;
+    constexpr std::int64_t limit = MassInverse<size>::right_sides;
+    std::int32_t left[size] = {}, lack[size] = {};
     for (int i = 0; i < size; ++i) {
       const std::int64_t apart = std::int64_t{tau[i].raw} - needs[i].raw;
       const std::int64_t wide = in_equation(i, apart);
       const bool fits = is_less_wide(wide_magnitude(wide), limit);
       known = known & fits;
       left[i] = static_cast<std::int32_t>(wide & -static_cast<std::int64_t>(fits));
-      seen |= word_magnitude(left[i]);
     }
-    // |left| and its error are below a power of 2 each, so their sum below the next.
-    const int largest = 33 - integer::detail::leading_zeros(static_cast<std::uint32_t>(seen));
+    system.find_lack(left, units.effort_error, lack);
     for (int i = 0; i < size; ++i) {
       correction[i] = system.solved(i, left);
-      bound[i] = system.off(i, units.effort_error, smaller(largest, 31));
+      bound[i] = system.off(i, lack);
       const std::int64_t apart = wide_magnitude(correction[i]) + bound[i];
       const bool close = is_less_wide(apart, largest_drift);
       known = known & close;
@@ -108,7 +105,7 @@ struct DerivativeSolve {
         const int finer = Matrix::exponent(i, j) + EquationsOf<S, T>::exponent(j) - C::Requests::exponent(i);
         bool fits = true, bounded = true;
         const std::int64_t value = moved_wide(system.inverse[i][j], system.shift[j] - finer, fits);
-        const std::int64_t off = moved_wide(system.loss[i], MassInverse<size>::loss_bits - 1 - finer, bounded) + 2;
+        const std::int64_t off = moved_wide(system.loss(i, j), MassInverse<size>::loss_bits - finer, bounded) + 2;
         finish(i, values(i, j), bounds(i, j), value, select_wide(bounded, off, std::int64_t{1} << 40), fits, answered);
       }
   }
@@ -118,19 +115,24 @@ struct DerivativeSolve {
                               bool answered) {
     constexpr const auto& sides = right_hand_sides<S, typename T::Word, By, EquationsOf<S, T>>;
     for (int j = 0; j < size; ++j) {
-      std::int32_t right[size] = {};
-      for (int i = 0; i < size; ++i)
+      std::int32_t right[size] = {}, error[size] = {}, lack[size] = {};
+      bool bounded = true;
+      for (int i = 0; i < size; ++i) {
         right[i] = -(from(i, j).raw >> sides.down[i][j]);
-      const std::int64_t error = select_wide(sides.filled[j], derivative_units<S, T>.error(by, j) + apart, 0);
-      const bool bounded = is_less_wide(error, std::int64_t{1} << 30);
+        // Accelerations move an entry by their share of all that it can be.
+        const std::int64_t all = derivative_units<S, T>.errors(by, j)[i] + (apart >> (sides.down[i][j] - 2)) + 1;
+        const bool fits = is_less_wide(all, MassInverse<size>::right_sides);
+        bounded = bounded & fits;
+        error[i] = static_cast<std::int32_t>(all & -static_cast<std::int64_t>(fits));
+      }
+      system.find_lack(right, error, lack);
       for (int i = 0; i < size; ++i) {
         const int coarser = C::Requests::exponent(i) + sides.scale[j] - Matrix::exponent(i, j);
-        bool fits = true;
+        bool fits = true, held = bounded;
         const std::int64_t value = moved_wide(system.solved(i, right), coarser, fits);
-        const std::int64_t off =
-            moved_wide(system.off(i, error & ((std::int64_t{1} << 30) - 1), 30), coarser, fits) + 2;
+        const std::int64_t off = moved_wide(system.off(i, lack), coarser, held) + 2;
         const std::int64_t exact = select_wide(sides.filled[j], off, 0);
-        finish(i, values(i, j), bounds(i, j), value, select_wide(bounded, exact, std::int64_t{1} << 40), fits,
+        finish(i, values(i, j), bounds(i, j), value, select_wide(held, exact, std::int64_t{1} << 40), fits,
                answered);
       }
     }

@@ -38,13 +38,13 @@ struct DerivativeUnits {
   using C = Certificate<S, T>;
   using Equations = EquationsOf<S, T>;
   static constexpr int size = C::size;
-  static constexpr double largest = 1073741823.0;
+  static constexpr double largest = 536870911.0;
 
   MassUnits<size> mass{};
-  int effort_up[size] = {};       ///< of words of efforts to those of equations
-  std::int32_t effort_error = 0;  ///< of all efforts of inverse dynamics
-  /// Of each column of right-hand sides: what the Jacobian can be off, of all of its rows.
-  std::int32_t by_position_error[size] = {}, by_velocity_error[size] = {};
+  int effort_up[size] = {};              ///< of words of efforts to those of equations
+  std::int32_t effort_error[size] = {};  ///< of efforts of inverse dynamics
+  /// Of right-hand sides, column by column: what the Jacobian can be off.
+  std::int32_t by_position_error[size][size] = {}, by_velocity_error[size][size] = {};
 
   static constexpr DerivativeUnits made() {
     constexpr const auto& errors = slope_errors<S, T>;
@@ -61,12 +61,10 @@ struct DerivativeUnits {
         u.mass.error[i][k] = above(errors.M(i, k), unit);
       }
       u.effort_up[i] = finer > 0 ? finer : 0;
-      u.effort_error = larger(u.effort_error, above(errors.tau[i], own));
+      u.effort_error[i] = above(errors.tau[i], own);
       for (int j = 0; j < size; ++j) {
-        u.by_position_error[j] =
-            larger(u.by_position_error[j], above(errors.dtau_dq(i, j), own + sides(by::Position{}).scale[j]));
-        u.by_velocity_error[j] =
-            larger(u.by_velocity_error[j], above(errors.dtau_dqd(i, j), own + sides(by::Velocity{}).scale[j]));
+        u.by_position_error[j][i] = above(errors.dtau_dq(i, j), own + sides(by::Position{}).scale[j]);
+        u.by_velocity_error[j][i] = above(errors.dtau_dqd(i, j), own + sides(by::Velocity{}).scale[j]);
       }
     }
     return u;
@@ -75,11 +73,10 @@ struct DerivativeUnits {
   static constexpr const auto& sides(By) {
     return right_hand_sides<S, typename T::Word, By, Equations>;
   }
-  constexpr std::int32_t error(by::Position, int j) const { return by_position_error[j]; }
-  constexpr std::int32_t error(by::Velocity, int j) const { return by_velocity_error[j]; }
+  constexpr const auto& errors(by::Position, int j) const { return by_position_error[j]; }
+  constexpr const auto& errors(by::Velocity, int j) const { return by_velocity_error[j]; }
 
  private:
-  static constexpr std::int32_t larger(std::int32_t a, std::int32_t b) { return a < b ? b : a; }
   /// An error at an exponent, and that of what is rounded down to it.
   static constexpr std::int32_t above(double error, int exponent) {
     const double words = error * power_of_two(exponent) + 2.0;

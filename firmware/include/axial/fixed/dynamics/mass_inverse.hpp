@@ -23,16 +23,18 @@ template <int N>
 struct MassInverse {
   static_assert(N <= 8, "axial: derivatives of forward dynamics in fixed point are those of up to 8 joints");
   static constexpr int defect_bits = 26;                       ///< behind the point of a defect
-  static constexpr int reach_bits = 8, loss_bits = 32;         ///< behind those of `reach` and `loss`
+  static constexpr int reach_bits = 8, loss_bits = 32;         ///< behind those of row sums of |B|, and of losses
   static constexpr std::int64_t most = std::int64_t{3} << 29;  ///< of B's words
+  /// Right-hand sides and their errors are below it.
+  static constexpr std::int64_t right_sides = std::int64_t{1} << 29;
 
   std::int32_t mass[N][N] = {};     ///< M(i, j) = mass[i][j] / 2^scale[i]
   std::int32_t inverse[N][N] = {};  ///< B(i, j) = inverse[i][j] / 2^shift[j]
   int shift[N] = {};                ///< of each column
   std::int64_t defect[N][N] = {};   ///< 1 - M B as words have it
-  std::int64_t spread[N] = {};      ///< row sums of |1 - M B|, at least
-  std::int64_t reach[N] = {};       ///< row sums of |B|, at least
-  std::int64_t loss[N] = {};        ///< |B| spread, at least
+  std::int32_t rest[N][N] = {};     ///< |1 - M B|, at least
+  std::int64_t spread[N] = {};      ///< row sums of `rest`
+  std::int32_t second[N] = {};      ///< |1 - M B| spread, at least
   bool proved = true;               ///< whether everything so far fitted
 
   /// Takes what M makes of B.
@@ -53,7 +55,11 @@ struct MassInverse {
         const bool fits = is_less_wide(wide_magnitude(left), limit) & !below & !beyond;
         proved = proved & fits;
         defect[i][j] = left & -static_cast<std::int64_t>(fits);
-        spread[i] += wide_magnitude(defect[i][j]) + wide_shifted_by(error, down & 63) + 2;
+        const std::int64_t off = wide_magnitude(defect[i][j]) + wide_shifted_by(error, down & 63) + 2;
+        const bool known = is_less_wide(off, limit);
+        proved = proved & known;
+        rest[i][j] = static_cast<std::int32_t>(off & -static_cast<std::int64_t>(known));
+        spread[i] += rest[i][j];
       }
     }
   }
@@ -84,25 +90,43 @@ struct MassInverse {
       for (int j = 0; j < N; ++j)
         inverse[i][j] = refined_[i][j];
   }
-  /// With M B = 1 - R and row sums of |R| of at most 1/2, x = B f solves M x = r for an f with |f| <= 2 |r|, the
-  /// largest component of each, hence |x - B r| <= |B| |R| |f| <= 2 |r| |B| spread.
+  /// With M B = 1 - R and row sums of |R| of at most 1/2, x = B f solves M x = r + d for an f with f = r + d + R f, so
+  /// |f| <= 2 m for the largest component m of |r| + |d|, hence |f| <= |r| + |d| + 2 m |R| 1, and |f - r| <= |d| + |R|
+  /// (|r| + |d|) + 2 m |R| |R| 1, component by component.
   constexpr void bound() {
     constexpr std::int64_t half = std::int64_t{1} << (defect_bits - 1), largest_reach = std::int64_t{1} << 31;
     for (int k = 0; k < N; ++k) {
       const bool within = is_less_wide(spread[k], half + 1);
       proved = proved & within;
       spread[k] &= -static_cast<std::int64_t>(within);
+      for (int j = 0; j < N; ++j)
+        rest[k][j] &= -static_cast<std::int32_t>(within);
     }
     for (int i = 0; i < N; ++i) {
-      reach[i] = loss[i] = N;  // every product is rounded down
+      std::int64_t reach = N, sum = 0;  // every product is rounded down
       for (int k = 0; k < N; ++k) {
-        const std::int64_t word = word_magnitude(inverse[i][k]);
-        reach[i] += wide_shifted_by(word << reach_bits, shift[k] & 63);
-        loss[i] += wide_shifted_by((word * spread[k]) << (loss_bits - defect_bits), shift[k] & 63);
+        reach += wide_shifted_by(std::int64_t{word_magnitude(inverse[i][k])} << reach_bits, shift[k] & 63);
+        sum += integer::multiply(rest[i][k], static_cast<std::int32_t>(spread[k]));
       }
-      const bool within = is_less_wide(reach[i], largest_reach);
+      const bool within = is_less_wide(reach, largest_reach);
       proved = proved & within;
-      reach[i] &= -static_cast<std::int64_t>(within);
+      for (int k = 0; k < N; ++k)
+        inverse[i][k] &= -static_cast<std::int32_t>(within);
+      second[i] = static_cast<std::int32_t>(sum >> defect_bits) + 1;
+    }
+  }
+  /// |f - r| for a right-hand side of which |d| is at most `error`; both are below `right_sides`.
+  constexpr void find_lack(const std::int32_t (&r)[N], const std::int32_t (&error)[N], std::int32_t (&lack)[N]) const {
+    std::int32_t size[N] = {}, largest = 0;
+    for (int k = 0; k < N; ++k) {
+      size[k] = word_magnitude(r[k]) + error[k];
+      largest = select(is_less(largest, size[k]), size[k], largest);
+    }
+    for (int k = 0; k < N; ++k) {
+      std::int64_t sum = 2 * integer::multiply(second[k], largest);
+      for (int j = 0; j < N; ++j)
+        sum += integer::multiply(rest[k][j], size[j]);
+      lack[k] = error[k] + static_cast<std::int32_t>(sum >> defect_bits) + 1;
     }
   }
   /// Row i of B r, to N units; |r| <= 2^30.
@@ -112,9 +136,21 @@ struct MassInverse {
       sum += wide_shifted_by(integer::multiply(inverse[i][j], r[j]), shift[j] & 63);
     return sum;
   }
-  /// How far that can be from the exact unknown where |r| is below 2^largest, to `error` < 2^30.
-  [[nodiscard]] constexpr std::int64_t off(int i, std::int64_t error, int largest) const {
-    return ((error * reach[i]) >> reach_bits) + (loss[i] >> (loss_bits - 1 - largest)) + N + 2;
+  /// How far that can be from the exact unknown.
+  [[nodiscard]] constexpr std::int64_t off(int i, const std::int32_t (&lack)[N]) const {
+    std::int64_t sum = 2 * N + 2;  // products are rounded down, here and in solved()
+    for (int k = 0; k < N; ++k)
+      sum += wide_shifted_by(integer::multiply(word_magnitude(inverse[i][k]), lack[k]), shift[k] & 63);
+    return sum;
+  }
+  /// How far B(i, j) can be from M^-1, with loss_bits behind the point.
+  [[nodiscard]] constexpr std::int64_t loss(int i, int j) const {
+    std::int64_t sum = N;  // every product is rounded down
+    for (int k = 0; k < N; ++k) {
+      const std::int64_t lack = std::int64_t{rest[k][j]} + 2 * std::int64_t{second[k]};
+      sum += wide_shifted_by((word_magnitude(inverse[i][k]) * lack) << (loss_bits - defect_bits), shift[k] & 63);
+    }
+    return sum;
   }
 
  private:
