@@ -8,12 +8,15 @@
 namespace axial {
 namespace detail {
 
-/// A word and its bound, or neither where the answer is not known.
-template <class T>
-AXIAL_INLINE constexpr void put(T& value, T& bound, std::int64_t wide, std::int64_t off, bool known) {
+/// Stands for bounds that nobody asked for.
+struct NoBounds {
+  struct Matrix {};
+  Matrix M_inverse, dqdd_dq, dqdd_dqd;
+};
+/// A bound in words, the largest where the answer is not known.
+AXIAL_INLINE constexpr std::int32_t bound_word(std::int64_t off, bool known) {
   constexpr std::int32_t most = (std::numeric_limits<std::int32_t>::max)();
-  value = {static_cast<std::int32_t>(wide & -static_cast<std::int64_t>(known))};
-  bound = {static_cast<std::int32_t>(select_wide(known & fits_word(off), off, most))};
+  return static_cast<std::int32_t>(select_wide(known & fits_word(off), off, most));
 }
 
 /// One solve at a state: everything in the units of DerivativeUnits.
@@ -98,42 +101,40 @@ struct DerivativeSolve {
     return all;
   }
   /// M^-1 is B.
-  template <class Matrix>
-  constexpr void write_inverse(Matrix& values, Matrix& bounds, bool answered) {
+  template <class Matrix, class Bounds>
+  constexpr void write_inverse(Matrix& values, Bounds& bounds, bool answered) {
     for (int i = 0; i < size; ++i)
       for (int j = 0; j < size; ++j) {
         const int finer = Matrix::exponent(i, j) + EquationsOf<S, T>::exponent(j) - C::Requests::exponent(i);
         bool fits = true, bounded = true;
         const std::int64_t value = moved_wide(system.inverse[i][j], system.shift[j] - finer, fits);
-        const std::int64_t off = moved_wide(system.loss(i, j), MassInverse<size>::loss_bits - finer, bounded) + 2;
-        finish(i, values(i, j), bounds(i, j), value, select_wide(bounded, off, std::int64_t{1} << 40), fits, answered);
+        const bool known = put(i, values(i, j), value, fits, answered);
+        if constexpr (is_asked<Bounds>) {
+          const std::int64_t off = moved_wide(system.loss(i, j), MassInverse<size>::loss_bits - finer, bounded) + 2;
+          bounds(i, j) = {bound_word(off, known & bounded)};
+        }
       }
   }
   /// A Jacobian of forward dynamics: -B times that of inverse dynamics, whose accelerations are off by `apart`.
-  template <class By, class From, class Matrix>
-  constexpr void write_slopes(By by, const From& from, std::int64_t apart, Matrix& values, Matrix& bounds,
+  template <class By, class From, class Matrix, class Bounds>
+  constexpr void write_slopes(By by, const From& from, std::int64_t apart, Matrix& values, Bounds& bounds,
                               bool answered) {
     constexpr const auto& sides = right_hand_sides<S, typename T::Word, By, EquationsOf<S, T>>;
     for (int j = 0; j < size; ++j) {
-      std::int32_t right[size] = {}, error[size] = {}, lack[size] = {};
-      bool bounded = true;
-      for (int i = 0; i < size; ++i) {
+      std::int32_t right[size] = {}, lack[size] = {};
+      for (int i = 0; i < size; ++i)
         right[i] = -(from(i, j).raw >> sides.down[i][j]);
-        // Accelerations move an entry by their share of all that it can be.
-        const std::int64_t all = derivative_units<S, T>.errors(by, j)[i] + (apart >> (sides.down[i][j] - 2)) + 1;
-        const bool fits = is_less_wide(all, MassInverse<size>::right_sides);
-        bounded = bounded & fits;
-        error[i] = static_cast<std::int32_t>(all & -static_cast<std::int64_t>(fits));
-      }
-      system.find_lack(right, error, lack);
+      bool bounded = true;
+      if constexpr (is_asked<Bounds>) bounded = find_lack(by, j, right, apart, lack);
       for (int i = 0; i < size; ++i) {
         const int coarser = C::Requests::exponent(i) + sides.scale[j] - Matrix::exponent(i, j);
         bool fits = true, held = bounded;
         const std::int64_t value = moved_wide(system.solved(i, right), coarser, fits);
-        const std::int64_t off = moved_wide(system.off(i, lack), coarser, held) + 2;
-        const std::int64_t exact = select_wide(sides.filled[j], off, 0);
-        finish(i, values(i, j), bounds(i, j), value, select_wide(held, exact, std::int64_t{1} << 40), fits,
-               answered);
+        const bool known = put(i, values(i, j), value, fits, answered);
+        if constexpr (is_asked<Bounds>) {
+          const std::int64_t off = moved_wide(system.off(i, lack), coarser, held) + 2;
+          bounds(i, j) = {bound_word(select_wide(sides.filled[j], off, 0), known & held)};
+        }
       }
     }
   }
@@ -147,12 +148,33 @@ struct DerivativeSolve {
     else
       return raised;
   }
+  template <class Bounds>
+  static constexpr bool is_asked = !std::is_same_v<Bounds, NoBounds::Matrix>;
+
+  /// What column j of a Jacobian lacks as a right-hand side; false where that is more than words bound.
+  template <class By>
+  constexpr bool find_lack(By by, int j, const std::int32_t (&right)[size], std::int64_t apart,
+                           std::int32_t (&lack)[size]) const {
+    constexpr const auto& sides = right_hand_sides<S, typename T::Word, By, EquationsOf<S, T>>;
+    std::int32_t error[size] = {};
+    bool bounded = true;
+    for (int i = 0; i < size; ++i) {
+      // Accelerations move an entry by their share of all that it can be.
+      const std::int64_t all = derivative_units<S, T>.errors(by, j)[i] + (apart >> (sides.down[i][j] - 2)) + 1;
+      const bool fits = is_less_wide(all, MassInverse<size>::right_sides);
+      bounded = bounded & fits;
+      error[i] = static_cast<std::int32_t>(all & -static_cast<std::int64_t>(fits));
+    }
+    system.find_lack(right, error, lack);
+    return bounded;
+  }
+  /// The word of an entry of row i, 0 where it is not known; whether it is.
   template <class Value>
-  constexpr void finish(int i, Value& value, Value& bound_of, std::int64_t wide, std::int64_t off, bool fits,
-                        bool answered) {
-    const bool held = fits & fits_word(wide);
+  constexpr bool put(int i, Value& value, std::int64_t wide, bool fits, bool answered) {
+    const bool held = fits & fits_word(wide), known = answered & held;
     spilt = first_found(spilt, answered & !held, i);
-    put(value, bound_of, wide, off, answered & held);
+    value = {static_cast<std::int32_t>(wide & -static_cast<std::int64_t>(known))};
+    return known;
   }
 };
 

@@ -31,6 +31,70 @@ AXIAL_INLINE constexpr Status derivatives_status(Status plain, int beyond, bool 
           select(answer, joint, plain.joint)};
 }
 
+template <class Result>
+inline constexpr bool is_certified = false;
+template <class S, class T, class... Wanted>
+inline constexpr bool is_certified<CertifiedDerivatives<S, T, Wanted...>> = true;
+
+/// Results in words, with their bounds where those are CertifiedDerivatives.
+template <class Result, class S, class T>
+AXIAL_INLINE constexpr Result derivatives_in_words(const Positions<robot_of<S>, T>& q,
+                                                   const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,
+                                                   const Inputs<S, T>& in) {
+  static_assert(std::is_same_v<T, Fixed32>,
+                "axial: derivatives of forward dynamics in fixed point are those of Fixed32");
+  check_forward_derivable<scene_of<S>, T>();
+  using Solve = DerivativeSolve<S, T>;
+  Result result{};
+  NoBounds none;
+  auto& bound = [&]() AXIAL_INLINE -> auto& {
+    if constexpr (is_certified<Result>)
+      return result.bound;
+    else
+      return none;
+  }
+  ();
+  CertifiedDynamics<S, T> answer{};
+  const StateCheck<S, T> check(in, q, qd);
+  constexpr bool looped = scene_of<S>::template has<Looped>;
+  DerivativeStart<S, T, looped> start;
+  if constexpr (looped)
+    answer.status = start.template accelerate<Result>(q, qd, tau, in, answer);
+  else
+    answer.status = solve<route_over<S, T>, scene_of<S>, T>(in, q, qd, tau, answer);
+  const Status plain = answer.status;
+  typename Solve::C::Requests x{};
+  static_cast<void>(requested<S>(answer, x));
+  const int beyond = first_beyond<S, T>(answer);
+
+  const auto needs = slopes_for<S, T, Result>(q, qd, x, in);
+  Solve solve;
+  if constexpr (looped)
+    solve.set_columns(start.columns);
+  else
+    solve.set_inverse(q, in);
+  solve.hold_against(needs.M);
+  solve.correct(tau, needs.tau);
+  const bool formatted = (check.joints.wraps == 0) & (check.inputs == Status::Code::ok);
+  const bool solved = is_answer(plain.code) & formatted & solve.system.proved;
+  const bool known = solved & solve.known, inside = is_negative(beyond);
+  if constexpr (Result::template has<with_inverse_mass_matrix>)
+    solve.write_inverse(result.M_inverse, bound.M_inverse, solved);
+  if constexpr (Result::template has<with_acceleration_by_position>)
+    solve.write_slopes(by::Position{}, needs.dtau_dq, solve.drift, result.dqdd_dq, bound.dqdd_dq, known & inside);
+  if constexpr (Result::template has<with_acceleration_by_velocity>)
+    solve.write_slopes(by::Velocity{}, needs.dtau_dqd, 0, result.dqdd_dqd, bound.dqdd_dqd, solved);
+
+  const bool tight = publish<S, T>(answer, solve, x, known), accurate = tight & solve.is_accurate();
+  for (int i = 0; i < Solve::size; ++i) {
+    result.qdd.values[i] = answer.values[i];
+    if constexpr (is_certified<Result>) bound.qdd.values[i] = answer.bound.values[i];
+  }
+  result.qdd.status = derivatives_status(plain, beyond, accurate, solve.spilt);
+  check.judge(result.qdd);
+  return result;
+}
+
 }  // namespace detail
 
 /// forward_dynamics_derivatives() in 32 bits, with a bound of each result's error.
@@ -49,52 +113,7 @@ template <class S, class... Wanted, class T>
 [[nodiscard]] constexpr CertifiedDerivatives<S, T, Wanted...> certified_forward_dynamics_derivatives(
     const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,
     const Inputs<S, T>& in = {}) {
-  static_assert(std::is_same_v<T, Fixed32>,
-                "axial: derivatives of forward dynamics in fixed point are those of Fixed32");
-  detail::check_forward_derivable<scene_of<S>, T>();
-  using Result = CertifiedDerivatives<S, T, Wanted...>;
-  using Solve = detail::DerivativeSolve<S, T>;
-  Result result{};
-  CertifiedDynamics<S, T> answer{};
-  const detail::StateCheck<S, T> check(in, q, qd);
-  constexpr bool looped = scene_of<S>::template has<Looped>;
-  detail::DerivativeStart<S, T, looped> start;
-  if constexpr (looped)
-    answer.status = start.template accelerate<Result>(q, qd, tau, in, answer);
-  else
-    answer.status = detail::solve<detail::route_over<S, T>, scene_of<S>, T>(in, q, qd, tau, answer);
-  const Status plain = answer.status;
-  typename Solve::C::Requests x{};
-  static_cast<void>(detail::requested<S>(answer, x));
-  const int beyond = detail::first_beyond<S, T>(answer);
-
-  const auto needs = detail::slopes_for<S, T, Result>(q, qd, x, in);
-  Solve solve;
-  if constexpr (looped)
-    solve.set_columns(start.columns);
-  else
-    solve.set_inverse(q, in);
-  solve.hold_against(needs.M);
-  solve.correct(tau, needs.tau);
-  const bool formatted = (check.joints.wraps == 0) & (check.inputs == Status::Code::ok);
-  const bool solved = detail::is_answer(plain.code) & formatted & solve.system.proved;
-  const bool known = solved & solve.known, inside = is_negative(beyond);
-  if constexpr (Result::template has<with_inverse_mass_matrix>)
-    solve.write_inverse(result.M_inverse, result.bound.M_inverse, solved);
-  if constexpr (Result::template has<with_acceleration_by_position>)
-    solve.write_slopes(by::Position{}, needs.dtau_dq, solve.drift, result.dqdd_dq, result.bound.dqdd_dq,
-                       known & inside);
-  if constexpr (Result::template has<with_acceleration_by_velocity>)
-    solve.write_slopes(by::Velocity{}, needs.dtau_dqd, 0, result.dqdd_dqd, result.bound.dqdd_dqd, solved);
-
-  const bool tight = detail::publish<S, T>(answer, solve, x, known), accurate = tight & solve.is_accurate();
-  for (int i = 0; i < Solve::size; ++i) {
-    result.qdd.values[i] = answer.values[i];
-    result.bound.qdd.values[i] = answer.bound.values[i];
-  }
-  result.qdd.status = detail::derivatives_status(plain, beyond, accurate, solve.spilt);
-  check.judge(result.qdd);
-  return result;
+  return detail::derivatives_in_words<CertifiedDerivatives<S, T, Wanted...>, S, T>(q, qd, tau, in);
 }
 
 namespace derivatives {
@@ -105,7 +124,8 @@ struct ForwardOver<S, Stored<Word>> {
   /// The results that are wanted.
   template <class... Wanted, class... Arguments>
   AXIAL_INLINE static constexpr ForwardDynamicsDerivatives<S, Stored<Word>, Wanted...> of(const Arguments&... all) {
-    return certified_forward_dynamics_derivatives<S, Wanted...>(all...);
+    using Result = ForwardDynamicsDerivatives<S, Stored<Word>, Wanted...>;
+    return detail::derivatives_in_words<Result, S, Stored<Word>>(all...);
   }
 };
 
