@@ -120,7 +120,7 @@ struct MassInverse {
     std::int32_t size[N] = {}, largest = 0;
     for (int k = 0; k < N; ++k) {
       size[k] = word_magnitude(r[k]) + error[k];
-      largest = select(is_less(largest, size[k]), size[k], largest);
+      largest |= size[k];  // of which none is larger
     }
     for (int k = 0; k < N; ++k) {
       std::int64_t sum = 2 * integer::multiply(second[k], largest);
