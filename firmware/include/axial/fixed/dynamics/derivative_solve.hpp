@@ -108,10 +108,10 @@ struct DerivativeSolve {
         const int finer = Matrix::exponent(i, j) + EquationsOf<S, T>::exponent(j) - C::Requests::exponent(i);
         bool fits = true, bounded = true;
         const std::int64_t value = moved_wide(system.inverse[i][j], system.shift[j] - finer, fits);
-        const bool known = put(i, values(i, j), value, fits, answered);
+        const bool is_held = put(i, values(i, j), value, fits, answered);
         if constexpr (is_asked<Bounds>) {
           const std::int64_t off = moved_wide(system.loss(i, j), MassInverse<size>::loss_bits - finer, bounded) + 2;
-          bounds(i, j) = {bound_word(off, known & bounded)};
+          bounds(i, j) = {bound_word(off, is_held & bounded)};
         }
       }
   }
@@ -130,10 +130,10 @@ struct DerivativeSolve {
         const int coarser = C::Requests::exponent(i) + sides.scale[j] - Matrix::exponent(i, j);
         bool fits = true, held = bounded;
         const std::int64_t value = moved_wide(system.solved(i, right), coarser, fits);
-        const bool known = put(i, values(i, j), value, fits, answered);
+        const bool is_held = put(i, values(i, j), value, fits, answered);
         if constexpr (is_asked<Bounds>) {
           const std::int64_t off = moved_wide(system.off(i, lack), coarser, held) + 2;
-          bounds(i, j) = {bound_word(select_wide(sides.filled[j], off, 0), known & held)};
+          bounds(i, j) = {bound_word(select_wide(sides.filled[j], off, 0), is_held & held)};
         }
       }
     }
@@ -171,10 +171,10 @@ struct DerivativeSolve {
   /// The word of an entry of row i, 0 where it is not known; whether it is.
   template <class Value>
   constexpr bool put(int i, Value& value, std::int64_t wide, bool fits, bool answered) {
-    const bool held = fits & fits_word(wide), known = answered & held;
+    const bool held = fits & fits_word(wide), given = answered & held;
     spilt = first_found(spilt, answered & !held, i);
-    value = {static_cast<std::int32_t>(wide & -static_cast<std::int64_t>(known))};
-    return known;
+    value = {static_cast<std::int32_t>(wide & -static_cast<std::int64_t>(given))};
+    return given;
   }
 };
 
