@@ -1,4 +1,4 @@
-// expect: its derivatives and separation in fixed point need a format per link
+// expect: forward dynamics and separation in fixed point need a format per link
 #include <axial/axial.hpp>
 #include <axial/fixed.hpp>
 #include <robots/gripper.hpp>
