@@ -50,7 +50,7 @@ constexpr void check_fixed_form() {
           std::is_same_v<Recursion, recursion::Momenta> || std::is_same_v<Recursion, recursion::BaseForce> ||
           std::is_same_v<Recursion, recursion::Derivatives>,
       "axial: forward dynamics and separation in fixed point need a format per link, which the looped form has not; "
-      " take Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)");
+      "take Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)");
   static_assert(!std::is_same_v<Recursion, recursion::Separation> || !Scene::template has<TipWrench>,
                 "axial: separate() in fixed point has no wrenches; take TipWrench out of the scene");
   static_assert(!std::is_same_v<Recursion, recursion::BaseForce>,
