@@ -2,7 +2,6 @@
 // is exceeded, at corners of both kinds of limits and where searches climb; against differences of Lagrange's equations
 // of all joints with a multiplier each in 113 bits.
 #include <gtest/gtest.h>
-#include <cstdlib>
 #include <robots/robots.hpp>
 
 #include "driven_robots.hpp"
@@ -15,11 +14,6 @@ using namespace axial;
 using constrained::quad;
 using constrained::Vector;
 using property::real;
-
-int states_asked() {
-  const char* asked = std::getenv("AXIAL_UNTUNED_STATES");
-  return asked != nullptr ? std::atoi(asked) : 2000;
-}
 
 template <class R, class T, class... Features>
 class DrivenSlopes {
@@ -85,23 +79,10 @@ template <class R, class T, class... Features>
 void expect_inside(double least) {
   DrivenSlopes<R, T, Features...> robot;
   using State = typename DrivenSlopes<R, T, Features...>::State;
-  const int states = states_asked();
-  exhaustive::Random random(9);
-  for (int k = 0; k < states; ++k)
-    robot.see(exhaustive::next_state<State>(random, static_cast<std::uint64_t>(k % 4)));
+  property::search_bounds<State>(R::name, robot, property::states_asked(2000), 9, 50);
   for (int part = 0; part < robot.parts; ++part)
-    exhaustive::climb<State>(50U + static_cast<unsigned>(part), states / 5, 3 * State::size, [&](const State& state) {
-      robot.see(state);
-      return robot.share[part];
-    });
-  std::printf("%s, %d bits:", R::name, 8 * static_cast<int>(sizeof(typename T::Word)));
-  for (int part = 0; part < robot.parts; ++part) {
-    std::printf(" %s %.2f", robot.names[part], robot.nearest[part]);
-    EXPECT_LE(robot.nearest[part], 1.0) << R::name << " " << robot.names[part];
-    EXPECT_GT(robot.nearest[part], least) << R::name << ": a bound as loose as this says little";
-  }
-  std::printf(" of the bounds\n");
-  EXPECT_EQ(robot.overflows, 0U) << R::name;
+    EXPECT_GT(robot.nearest[part], least)
+        << R::name << " " << robot.names[part] << ": a bound as loose as this says little";
 }
 
 /// Two bodies on one axis: nothing but friction has a slope, which no word holds.

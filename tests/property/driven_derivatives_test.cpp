@@ -1,6 +1,6 @@
 // Derivatives in values of drives that joints share: of robots, unrolled, looped and at run time; in time; in batches.
-#include <axial/batch.hpp>
 
+#include "batched_states.hpp"
 #include "driven_slopes.hpp"
 
 namespace {
@@ -134,16 +134,8 @@ TEST(DrivenDerivatives, AreKnownToTheCompilerAndWhatIsAskedForAlone) {
 }
 TEST(DrivenDerivatives, ABatchHasWhatEachOfItsStatesHas) {
   using R = robots::WristArm;
-  using V = Batch<double, 2>;
-  Joints<R, V> x[3] = {};
-  Joints<R, double> lanes[2][3] = {};
-  oracle::RandomChains random(61);
-  for (auto& lane : lanes)
-    for (auto& quantity : lane)
-      quantity = property::joints<R, double>(random.vector(5, 2.0));
-  for (int quantity = 0; quantity < 3; ++quantity)
-    for (int k = 0; k < 5; ++k)
-      x[quantity][k] = V::of([&](int lane) { return lanes[lane][quantity][k]; });
+  const property::BatchedStates<R> states(61);
+  const auto& [x, lanes] = states;
   const auto together = inverse_dynamics_derivatives<R>(x[0], x[1], x[2]);
   const auto solved = forward_dynamics_derivatives<R>(x[0], x[1], together.tau);
   for (int lane = 0; lane < 2; ++lane) {

@@ -1,7 +1,7 @@
 // Robots whose joints share drives on a body that floats: efforts, what carries the robot and accelerations, against
 // constraints with multipliers in 113 bits, the body's six degrees of freedom among the joints.
-#include <axial/batch.hpp>
 
+#include "batched_states.hpp"
 #include "constrained.hpp"
 
 namespace {
@@ -176,15 +176,8 @@ TEST(DrivenFloatingBase, OfABatchAcceleratesAsEachState) {
   using R = Afloat<robots::WristArm>;
   using S = Scene<R, RuntimeGravity, RotorInertia, FloatingBase>;
   using V = Batch<double, 2>;
-  oracle::RandomChains random(71);
-  Joints<R, V> x[3] = {};
-  Joints<R, double> lanes[2][3] = {};
-  for (auto& lane : lanes)
-    for (auto& quantity : lane)
-      quantity = property::joints<R, double>(random.vector(5, 2.0));
-  for (int quantity = 0; quantity < 3; ++quantity)
-    for (int k = 0; k < 5; ++k)
-      x[quantity][k] = V::of([&](int lane) { return lanes[lane][quantity][k]; });
+  const property::BatchedStates<R> states(71);
+  const auto& [x, lanes] = states;
   Inputs<S, V> in{};
   in.base_motion.angular_velocity = {V(0.5), V(-1.0), V(2.0)};
   Inputs<S, double> one{};

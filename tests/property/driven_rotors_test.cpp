@@ -1,8 +1,8 @@
 // Rotors as spinning bodies of robots whose joints share drives, against Lagrange's equations of all bodies, rotors
 // among them, with each coupling as a constraint with a multiplier, in 113 bits; power.
-#include <axial/batch.hpp>
 #include <oracle/moving_base.hpp>
 
+#include "batched_states.hpp"
 #include "drawn_couplings.hpp"
 #include "rotor_axis.hpp"
 
@@ -292,16 +292,8 @@ TEST(DrivenRotors, OfABaseThatMovesTurnWithIt) {
 TEST(DrivenRotors, OfABatchAreThoseOfEachState) {
   using R = Bevelled;
   using S = Scene<R, Gravity, RotorInertia, RotorDynamics>;
-  using V = Batch<double, 2>;
-  oracle::RandomChains random(81);
-  Joints<R, V> x[3] = {};
-  Joints<R, double> lanes[2][3] = {};
-  for (auto& lane : lanes)
-    for (auto& quantity : lane)
-      quantity = property::joints<R, double>(random.vector(5, 2.0));
-  for (int quantity = 0; quantity < 3; ++quantity)
-    for (int k = 0; k < 5; ++k)
-      x[quantity][k] = V::of([&](int lane) { return lanes[lane][quantity][k]; });
+  const property::BatchedStates<R> states(81);
+  const auto& [x, lanes] = states;
   const auto tau = inverse_dynamics<S>(x[0], x[1], x[2]);
   const auto back = forward_dynamics<S>(x[0], x[1], tau);
   for (int lane = 0; lane < 2; ++lane) {

@@ -2,7 +2,6 @@
 // and no certified error is exceeded, at corners of both kinds of limits and where searches climb; against Lagrange's
 // equations of all joints with a multiplier each in 113 bits.
 #include <gtest/gtest.h>
-#include <cstdlib>
 #include <robots/robots.hpp>
 
 #include "constrained.hpp"
@@ -16,10 +15,6 @@ using constrained::quad;
 using constrained::Vector;
 using property::real;
 
-int states_asked() {
-  const char* asked = std::getenv("AXIAL_UNTUNED_STATES");
-  return asked != nullptr ? std::atoi(asked) : 4000;
-}
 double value(int raw, int exponent) { return raw * detail::power_of_two(-exponent); }
 
 template <class R, class T, class... Features>
@@ -83,22 +78,7 @@ template <class R, class T, class... Features>
 void expect_inside() {
   DrivenSeparation<R, T, Features...> robot;
   using State = typename DrivenSeparation<R, T, Features...>::State;
-  const int states = states_asked();
-  exhaustive::Random random(7);
-  for (int k = 0; k < states; ++k)
-    robot.see(exhaustive::next_state<State>(random, static_cast<std::uint64_t>(k % 4)));
-  for (int part = 0; part < robot.parts; ++part)
-    exhaustive::climb<State>(30U + static_cast<unsigned>(part), states / 5, 3 * State::size, [&](const State& state) {
-      robot.see(state);
-      return robot.share[part];
-    });
-  std::printf("%s, %d bits:", R::name, 8 * static_cast<int>(sizeof(typename T::Word)));
-  for (int part = 0; part < robot.parts; ++part) {
-    std::printf(" %s %.2f", robot.names[part], robot.nearest[part]);
-    EXPECT_LE(robot.nearest[part], 1.0) << R::name << " " << robot.names[part];
-  }
-  std::printf(" of the bounds\n");
-  EXPECT_EQ(robot.overflows, 0U) << R::name;
+  property::search_bounds<State>(R::name, robot, property::states_asked(4000), 7, 30);
   EXPECT_GT(robot.nearest[robot.efforts], 0.02) << R::name << ": a bound as loose as this says little";
   EXPECT_GT(robot.nearest[robot.A], 0.02) << R::name;
 }

@@ -1,8 +1,10 @@
 // States of robots whose joints share drives, in words, inside the limits of drives and of joints.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <axial/fixed.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <host_sim/exhaustive/fixed_search.hpp>
 
 namespace property {
@@ -38,6 +40,33 @@ void hold_joints(State& state, bool turns = false) {
     state.qd[k].raw = static_cast<decltype(state.qd[k].raw)>(state.qd[k].raw * speed);
     state.qdd[k].raw = static_cast<decltype(state.qdd[k].raw)>(state.qdd[k].raw * acceleration);
   }
+}
+
+/// States of each robot: AXIAL_UNTUNED_STATES asks for others.
+inline int states_asked(int usual) {
+  const char* asked = std::getenv("AXIAL_UNTUNED_STATES");
+  return asked != nullptr ? std::atoi(asked) : usual;
+}
+/// Sees `states` drawn states of a robot and climbs to larger shares of each part's bounds: none is exceeded, nothing
+/// overflows.
+template <class State, class Robot>
+void search_bounds(const char* name, Robot& robot, int states, unsigned seed, unsigned climbs) {
+  exhaustive::Random random(seed);
+  for (int k = 0; k < states; ++k)
+    robot.see(exhaustive::next_state<State>(random, static_cast<std::uint64_t>(k % 4)));
+  for (int part = 0; part < robot.parts; ++part)
+    exhaustive::climb<State>(climbs + static_cast<unsigned>(part), states / 5, 3 * State::size,
+                             [&](const State& state) {
+                               robot.see(state);
+                               return robot.share[part];
+                             });
+  std::printf("%s:", name);
+  for (int part = 0; part < robot.parts; ++part) {
+    std::printf(" %s %.2f", robot.names[part], robot.nearest[part]);
+    EXPECT_LE(robot.nearest[part], 1.0) << name << " " << robot.names[part];
+  }
+  std::printf(" of the bounds\n");
+  EXPECT_EQ(robot.overflows, 0U) << name;
 }
 
 }  // namespace property

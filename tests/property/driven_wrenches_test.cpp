@@ -1,7 +1,7 @@
 // Wrenches on every link of robots whose joints share drives, against constraints with multipliers in 113 bits: of
 // robots and of couplings that numbers alone describe; power.
-#include <axial/batch.hpp>
 
+#include "batched_states.hpp"
 #include "drawn_couplings.hpp"
 #include "driven_slopes.hpp"
 
@@ -146,15 +146,8 @@ TEST(DrivenWrenches, OfABatchAreThoseOfEachState) {
   using R = robots::WristArm;
   using S = Scene<R, Gravity, RotorInertia, ExternalWrenches>;
   using V = Batch<double, 2>;
-  oracle::RandomChains random(71);
-  Joints<R, V> x[3] = {};
-  Joints<R, double> lanes[2][3] = {};
-  for (auto& lane : lanes)
-    for (auto& quantity : lane)
-      quantity = property::joints<R, double>(random.vector(5, 2.0));
-  for (int quantity = 0; quantity < 3; ++quantity)
-    for (int k = 0; k < 5; ++k)
-      x[quantity][k] = V::of([&](int lane) { return lanes[lane][quantity][k]; });
+  const property::BatchedStates<R> states(71);
+  const auto& [x, lanes] = states;
   const auto in = inputs<S, V>();
   const auto tau = inverse_dynamics<S>(x[0], x[1], x[2], in);
   const auto back = forward_dynamics<S>(x[0], x[1], tau, in);
