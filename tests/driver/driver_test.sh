@@ -206,6 +206,27 @@ ForeignSystemGetsAList() {
   [[ $err == *"no apt"* && $err == *gcc-arm-none-eabi* && $err == *qemu-system-arm* ]] || fail "said: $err"
 }
 
+# Failures of a command, by timeout and for want of a program, and a build without tests; what passed or was skipped is not named.
+FailedTestsAreNamed() {
+  local build
+  build=$(mktemp -d)
+  cat >"$build/CTestTestfile.cmake" <<'END'
+add_test(passes /bin/true)
+add_test(fails /bin/bash -c "echo first; seq 1 40; echo last >&2; exit 3")
+add_test(hangs /bin/sleep 5)
+add_test(absent /no/such/program)
+add_test(skipped /bin/false)
+set_tests_properties(hangs PROPERTIES TIMEOUT 1)
+set_tests_properties(skipped PROPERTIES SKIP_RETURN_CODE 1)
+END
+  ctest --test-dir "$build" --output-junit results.xml >/dev/null 2>&1
+  expect 0 /usr/bin/python3 -E -B "$(dirname "$AXIAL")/cmake/driver/failed_tests.py" "$build" /no/such/build
+  rm -r "$build"
+  [[ $(grep -c '^axial: failed: ' <<<"$out") == 4 ]] || fail "not the four failures: $out"
+  [[ $out == *"failed: fails (after "*last* && $out != *first* ]] || fail "not the end of what the test printed: $out"
+  [[ $out == *"failed: hangs (after 1 s)"* && $out == *"failed: absent"* && $out == *"the build in /no/such/build"* ]] || fail "$out"
+}
+
 ScriptsPassShellcheck() {
   command -v shellcheck >/dev/null || exit 77
   local root

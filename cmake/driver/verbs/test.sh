@@ -42,9 +42,12 @@ test_everything() {
     test_preset "$preset" "$@" || status=1
   done
   (($# == 0)) || some_test_matches "$@" || fail "no test is called so: $2"
-  ((status == 0)) && say "all tests passed"
+  if ((status == 0)); then say "all tests passed"; else say_failures host-unsanitized host-sanitize; fi
   return $status
 }
+
+# Last of all, and together: the first run's are thousands of lines above.
+say_failures() { /usr/bin/python3 -E -B "$DRIVER/failed_tests.py" "${@/#/$AXIAL_ROOT/build/}" >&2; }
 
 some_test_matches() {
   local preset
@@ -55,9 +58,10 @@ some_test_matches() {
 }
 
 test_preset() {
-  local preset=$1
+  local preset=$1 results=$AXIAL_ROOT/build/$1/results.xml
   shift
+  rm -f "$results"
   build "$preset" || return 1
   say "testing $preset"
-  ctest --test-dir "$AXIAL_ROOT/build/$preset" --parallel "$(nproc)" --output-on-failure "$@" </dev/null
+  ctest --test-dir "$AXIAL_ROOT/build/$preset" --parallel "$(nproc)" --output-on-failure --output-junit "$results" "$@" </dev/null
 }
