@@ -31,11 +31,11 @@ class Copy:
             shutil.copytree(ROOT / name, folder / name, symlinks=True, ignore=shutil.ignore_patterns("build", "__pycache__"))
 
     @contextlib.contextmanager
-    def changed(self, mutant):
-        """With the mutation, and without it again."""
-        path = self.folder / mutant.file
+    def changed(self, file, change):
+        """With change(text) in the file, and without it again."""
+        path = self.folder / file
         text = path.read_text()
-        path.write_text(mutant.apply(text))
+        path.write_text(change(text))
         try:
             yield
         finally:

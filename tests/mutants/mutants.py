@@ -16,6 +16,7 @@ import time
 
 import build
 import table
+import trim
 
 
 def parts_of(text):
@@ -83,15 +84,20 @@ class Run:
             yield futures[future], future.result()
 
     def compile_unchanged(self, mutants):
-        """The objects of all programs; a compile-fail source has none."""
+        """The objects of all programs, of the tests that some mutant's filter selects; a compile-fail source has none."""
+        filters = collections.defaultdict(set)
+        for mutant in mutants:
+            filters[f"tests/{mutant.test}"].add("" if mutant.by_compiler else mutant.filter)
         sources = {(source, tuple(flags)) for mutant in mutants if not is_compile_fail(mutant.test)
                    for source, flags in self.programs.of(mutant.test)[0]}
-        for (source, _), _ in self.each(self.compile_one, sorted(sources)):
+        items = [(source, flags, "" if "" in filters[source] else ":".join(filters[source])) for source, flags in sorted(sources)]
+        for (source, *_), _ in self.each(self.compile_one, items):
             progress(f"compiled {source}")
 
     def compile_one(self, copy, item):
-        source, flags = item
-        build.compile_source(copy, source, list(flags), self.objects.path(source, flags))
+        source, flags, tests = item
+        with copy.changed(source, lambda text: trim.only_tests(text, tests)):
+            build.compile_source(copy, source, list(flags), self.objects.path(source, flags))
 
     def unchanged_failures(self, mutants):
         """What is wrong with the tests before anything is changed, by the test."""
@@ -116,7 +122,7 @@ class Run:
     def killed_by(self, copy, mutant):
         """The test that fails, empty where none does; and what is wrong with the mutant itself."""
         try:
-            with copy.changed(mutant):
+            with copy.changed(mutant.file, mutant.apply):
                 if is_compile_fail(mutant.test):
                     failure = compile_fail_failure(copy, mutant.test)
                     return (f"{mutant.test}: {failure}" if failure else ""), ""
@@ -126,14 +132,18 @@ class Run:
 
     def failing_test(self, copy, mutant):
         sources, libraries = self.programs.of(mutant.test)
-        objects = []
+        tests, objects = mutant.filter, []
         for source, flags in sources:
-            touched = self.objects.depend_on(source, flags, mutant.file)
-            path = copy.folder / "mutant" / self.objects.path(source, flags).name if touched else self.objects.path(source, flags)
-            if touched:
+            path = self.objects.path(source, flags)
+            if self.objects.depend_on(source, flags, mutant.file):
+                text = (copy.folder / source).read_text()
+                if source == f"tests/{mutant.test}" and not mutant.by_compiler:
+                    text, tests = trim.trimmed(text, tests)
+                path = copy.folder / "mutant" / path.name
                 path.parent.mkdir(exist_ok=True)
                 try:
-                    build.compile_source(copy, source, flags, path)
+                    with copy.changed(source, lambda _, kept=text: kept):
+                        build.compile_source(copy, source, flags, path)
                 except build.BuildError as error:
                     if mutant.by_compiler:
                         return f"compiler: {error}"
@@ -143,7 +153,8 @@ class Run:
             raise table.TableError(f"{mutant.test} does not include {mutant.file}")
         program = copy.folder / "mutant" / "program"
         build.link(objects, libraries, program)
-        return build.run(program, mutant.filter)[2]
+        suite, kept = mutant.filter.split(".")[0], tests.split(".")[0]
+        return build.run(program, tests)[2].replace(kept, suite)
 
 
 def is_compile_fail(test):

@@ -9,6 +9,7 @@ import unittest
 
 import mutants
 import table
+import trim
 
 SOURCE = "hal/ring.hpp"
 TEST = "hal/ring_test.cpp"
@@ -58,6 +59,40 @@ class Table(unittest.TestCase):
         self.assertLessEqual(sum(map(len, tests)), len(set.union(*tests)) + 9)
 
 
+class Trim(unittest.TestCase):
+    TEXT = """using Robots = testing::Types<A, B>;
+TYPED_TEST_SUITE(Of, Robots);
+TYPED_TEST(Of, One) {
+  if (x) {
+  }
+}
+TEST(Other, Two) { EXPECT_EQ(1, 1); }
+TEST_F(Other, Three) {
+  y;
+}
+int after;
+"""
+
+    def kept(self, tests):
+        return [name for name in ("One", "Two", "Three", "after") if name in trim.only_tests(self.TEXT, tests)]
+
+    def test_what_a_filter_selects_is_kept(self):
+        self.assertEqual(self.kept("Other.Two"), ["Two", "after"])
+        self.assertEqual(self.kept("Other.T*"), ["Two", "Three", "after"])
+        self.assertEqual(self.kept("Of/*:*.Three"), ["One", "Three", "after"])
+
+    def test_without_a_filter_or_with_one_that_excludes_all_is_kept(self):
+        for tests in ("", "-Other.Two", "Other.???"):
+            self.assertEqual(trim.trimmed(self.TEXT, tests), (self.TEXT, tests))
+
+    def test_a_type_that_is_named_is_the_only_one(self):
+        text, tests = trim.trimmed(self.TEXT, "Of/1.One")
+        self.assertEqual(tests, "Of/0.One")
+        self.assertIn("TYPED_TEST_SUITE(Of, OnlyType<Robots>::type);", text)
+        self.assertIn("std::tuple_element_t<1,", text)
+        self.assertNotIn("Two", text)
+
+
 class Runner(unittest.TestCase):
     def test_a_change_that_no_test_sees_survives(self):
         self.assertEqual(killers(entry()), {"table.name": ""})
@@ -67,6 +102,10 @@ class Runner(unittest.TestCase):
         killed = killers(entry(old=">= capacity", new="> capacity"))
         self.assertTrue(killed["table.name"].startswith("Ring."), killed)
         self.assertEqual((table.ROOT / SOURCE).read_text(), before)
+
+    def test_a_test_that_its_filter_selects_kills(self):
+        killed = killers(entry(old=">= capacity", new="> capacity", filter="Ring.*"))
+        self.assertTrue(killed["table.name"].startswith("Ring."), killed)
 
     def test_a_change_that_does_not_compile_is_no_kill(self):
         with self.assertRaises(table.TableError):
