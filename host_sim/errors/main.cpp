@@ -19,7 +19,9 @@ nlohmann::ordered_json to_json(const std::vector<errors::Row>& rows) {
     if (row.error_torque) object["error_torque"] = *row.error_torque;
     if (row.certified) object["error_certified"] = *row.certified;
     for (const errors::Block& block : row.blocks)
-      object["blocks"][block.name] = {{"error", block.error}, {"error_in_state", block.error_in_state}};
+      object["blocks"][block.name] = {{"error", block.error},
+                                      {"error_in_state", block.error_in_state},
+                                      {"error_in_most_states", block.error_in_most_states}};
     all.push_back(object);
   }
   return all;

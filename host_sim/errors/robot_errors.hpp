@@ -8,6 +8,8 @@
 #include <host_sim/errors/given.hpp>
 
 #include <algorithm>
+#include <cfloat>
+#include <cmath>
 #include <stdexcept>
 
 namespace errors {
@@ -117,32 +119,43 @@ class Blocks {
   Blocks(Job job, std::size_t joints, const std::vector<double>& scales) : scales_(scales) {
     for (const auto& block : host_sim::blocks_of(scaled_as(job), joints)) {
       ends_.push_back((ends_.empty() ? 0 : ends_.back()) + block.count);
-      blocks_.push_back({block.name, 0.0, 0.0});
+      blocks_.push_back({block.name, 0.0, 0.0, 0.0});
     }
+    in_states_.resize(blocks_.size());
   }
   void add(const Vector& difference, const Vector& exact) {
     std::size_t begin = 0;
     for (std::size_t b = 0; b < blocks_.size(); begin = ends_[b++]) {
       const double off = largest(difference, begin, ends_[b]), here = largest(exact, begin, ends_[b]);
-      blocks_[b].error = std::max(blocks_[b].error, off / scales_[begin]);
-      if (here > 0.0) blocks_[b].error_in_state = std::max(blocks_[b].error_in_state, off / here);
+      blocks_[b].error = larger(blocks_[b].error, off / scales_[begin]);
+      if (here > 0.0) in_states_[b].push_back(off / here <= DBL_MAX ? off / here : HUGE_VAL);
     }
   }
-  const std::vector<Block>& all() const { return blocks_; }
+  std::vector<Block> all() {
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      auto& errors = in_states_[b];
+      if (errors.empty()) continue;
+      std::sort(errors.begin(), errors.end());
+      blocks_[b].error_in_state = errors.back();
+      blocks_[b].error_in_most_states = errors[(errors.size() - 1) * 99 / 100];
+    }
+    return blocks_;
+  }
 
  private:
   static double largest(const Vector& values, std::size_t begin, std::size_t end) {
     double most = 0.0;
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto magnitude = static_cast<double>(oracle::abs(values[i]));
-      most = magnitude <= most ? most : magnitude;  // NaN stays
-    }
+    for (std::size_t i = begin; i < end; ++i)
+      most = larger(most, static_cast<double>(oracle::abs(values[i])));
     return most;
   }
+  /// NaN if either is.
+  static double larger(double a, double b) { return a != a || b <= a ? a : b; }
 
   const std::vector<double>& scales_;
   std::vector<std::size_t> ends_;
   std::vector<Block> blocks_;
+  std::vector<std::vector<double>> in_states_;  // of each block, the error of each state
 };
 
 inline Vector difference(Vector left, const Vector& right) {

@@ -84,7 +84,8 @@ TEST(Errors, OfEveryJobAreThoseOfTheNumberSystem) {
   EXPECT_GE(algorithms.size(), 6U);
 }
 
-/// Of a block's largest entry over all states, and of that in the same state, where all of a block may cancel.
+/// Of a block's largest entry over all states, and of that in the same state, in 99 of 100: where all of a block
+/// cancels nothing holds its error there but the first one.
 struct Bounds {
   double error, in_state;
 };
@@ -94,10 +95,11 @@ struct Bounds {
 Bounds bounds_of(const Row& row, const std::string& block) {
   const bool in_double = row.kernel.scalar == "double", forward = row.kernel.algorithm[0] == 'f';
   const bool light = forward && row.kernel.robot == "panda";
-  if (in_double) return {1e-13, 2e-13};
-  if (row.kernel.scalar == "fixed32") return {light ? 4e-5 : forward ? 3e-7 : 5e-8, light ? 2e-4 : 3e-5};
-  if (light) return {block == "qdd" ? 1e-5 : 5e-6, 2e-5};
-  return {block == "qdd" ? 2e-6 : 1e-6, 1e-5};
+  if (in_double) return {1e-13, 2e-14};
+  if (row.kernel.scalar == "fixed32")
+    return {light ? 4e-5 : forward ? 3e-7 : 5e-8, light ? 1e-4 : forward ? 3e-6 : 1e-6};
+  if (light) return {block == "qdd" ? 1e-5 : 5e-6, 8e-6};
+  return {block == "qdd" ? 2e-6 : 1e-6, forward ? 4e-6 : 1e-6};
 }
 
 class ErrorsOfDerivatives : public testing::TestWithParam<const char*> {};
@@ -112,7 +114,8 @@ TEST_P(ErrorsOfDerivatives, OverTwoThousandStates) {
         SCOPED_TRACE(row.kernel.robot + ", " + row.kernel.variant + ", " + row.kernel.scalar + ", " + block.name);
         const Bounds most = bounds_of(row, block.name);
         EXPECT_LE(block.error, most.error);
-        EXPECT_LE(block.error_in_state, most.in_state);
+        EXPECT_LE(block.error_in_most_states, most.in_state);
+        EXPECT_GE(block.error_in_state, block.error_in_most_states);
         EXPECT_GT(block.error, row.kernel.scalar == "double" ? 1e-17 : row.kernel.scalar == "fixed32" ? 1e-9 : 1e-8);
         ++checked;
       }
