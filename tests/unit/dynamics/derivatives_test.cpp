@@ -111,6 +111,37 @@ TEST(Derivatives, OfTwoMassesAreTheClosedForm) {
   EXPECT_NEAR(d.M(1, 1), m2 * l2 * l2 + 4 * rotor, 1e-14);
 }
 
+namespace {
+// Seven joints: columns and the inverse come out of loops, whose first joint is a slide.
+struct Longer {
+  static constexpr auto chain = axial::chain(
+      gravity(0.5, -1.0, -9.75), body(revolute().d(0.3), 0.5), body(revolute().alpha_deg(37).a(0.2).d(0.1), 1.0),
+      body(prismatic().alpha_deg(-64).a(0.15).theta_deg(28), 0.25), body(revolute().alpha_deg(90).a(0.05).d(0.2), 0.75),
+      body(prismatic().alpha_deg(53).a(0.1), 0.5), body(revolute().alpha_deg(-37).d(0.1), 0.3),
+      body(revolute().alpha_deg(71).a(-0.1), 0.4));
+};
+}  // namespace
+TEST(Derivatives, OfForwardDynamicsOfALongerChainAreSlopes) {
+  using S = Scene<Longer, Gravity, RotorInertia, CompositeBody>;
+  const Joints<Longer, double> q{0.4, -1.1, 0.3, 0.8, -0.2, 1.3, -0.7}, qd{0.7, -0.9, 0.5, 1.1, 0.4, -0.6, 0.8},
+      tau{3.0, -2.0, 12.0, 4.0, -5.0, 1.0, 0.5};
+  const auto d = forward_dynamics_derivatives<S>(q, qd, tau);
+  const auto acceleration = [&](const auto& p, const auto& v) { return forward_dynamics<S>(p, v, tau); };
+  EXPECT_TRUE(d.qdd.status.ok());
+  expect_slopes<Longer>(q, qd, true, acceleration, d.dqdd_dq, 1e-6);
+  expect_slopes<Longer>(q, qd, false, acceleration, d.dqdd_dqd, 1e-6);
+  for (int j = 0; j < 7; ++j) {
+    auto more = tau;
+    more[j] += 1;
+    const auto a = forward_dynamics<S>(q, qd, tau), b = forward_dynamics<S>(q, qd, more);
+    for (int i = 0; i < 7; ++i)
+      EXPECT_NEAR(d.M_inverse(i, j), b[i] - a[i], 1e-9) << i << " " << j;
+  }
+  const auto alone = forward_dynamics_derivatives<S, with_acceleration_by_velocity>(q, qd, tau);
+  for (int i = 0; i < 7; ++i)
+    for (int j = 0; j < 7; ++j)
+      EXPECT_EQ(alone.dqdd_dqd(i, j), d.dqdd_dqd(i, j)) << "without the inverse: " << i << " " << j;
+}
 TEST(Derivatives, OfAMixedChainAreSlopes) { expect_mixed<Scene<Mixed, Gravity, RotorInertia, CompositeBody>>(); }
 TEST(Derivatives, OfAMixedChainInTheLoopedFormToo) {
   expect_mixed<Scene<Mixed, Gravity, RotorInertia, CompositeBody, Looped>>();
@@ -224,6 +255,7 @@ void expect_every_entry_written() {
 TEST(Derivatives, OfNoEntryKeepWhatWasInMemoryBefore) {
   expect_every_entry_written<Selective>();
   expect_every_entry_written<Mixed>();
+  expect_every_entry_written<Longer>();
   expect_every_entry_written<robots::TwoArm>();
   expect_every_entry_written<Scene<robots::TwoArm, Gravity, RotorInertia, Looped>>();
 }

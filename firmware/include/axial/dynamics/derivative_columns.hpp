@@ -150,6 +150,16 @@ AXIAL_INLINE constexpr void write_pair(Joint joint, K k, I i, const C& columns, 
   out.velocity(k, i, row_along(joint, columns.row) + power(axis.doubled, columns.acceleration));
 }
 
+/// The columns of joint k, in the frame of joint j's axis, as they are in that of joint i's, the next one inboard; with
+/// their entries.
+template <class Links, class Screws, class Axes, class C, class K, class J, class I, class Out>
+AXIAL_INLINE constexpr auto carried_inboard(const Links& links, const Screws& screws, const Axes& axes,
+                                            const C& columns, K k, J j, I i, Out& out) {
+  auto link = links.link(i);
+  auto carried = to_axis(links, screws, i, to_parent(links.link(j).x(), columns, link), link);
+  link.on_joint([&](auto joint) AXIAL_INLINE { write_pair(joint, k, i, carried, axes[i], out); });
+  return carried;
+}
 /// Carries the columns of joint k, in the frame of joint j's axis, to all joints inboard of it.
 template <class Links, class Screws, class Axes, class C, class K, class J, class Out>
 AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, const Axes& axes, const C& columns, K k,
@@ -158,10 +168,7 @@ AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, cons
     constexpr int parent = Links::template parent_of<J::value>;
     if constexpr (parent >= 0) {
       const Index<parent> i;
-      auto link = links.link(i);
-      auto carried = to_axis(links, screws, i, to_parent(links.link(j).x(), columns, link), link);
-      link.on_joint([&](auto joint) AXIAL_INLINE { write_pair(joint, k, i, carried, axes[i], out); });
-      climb(links, screws, axes, carried, k, i, out);
+      climb(links, screws, axes, carried_inboard(links, screws, axes, columns, k, j, i, out), k, i, out);
     }
   } else {
     auto carried = columns;
@@ -172,6 +179,41 @@ AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, cons
     }
   }
 }
+
+/// Columns of the joints of a chain from joint `From` on, as numbers in the frame of that joint's axis.
+template <class Links, int From>
+struct KeptColumns {
+  using T = typename Links::Scalar;  ///< the numbers
+  using Force = ForceVector<ZeroVec3, ZeroVec3>;
+  using Dense = decltype(Columns<Force, ZeroVec3, Force, Force>{}.template dense<T>());  ///< a joint's
+  Row<Dense, Links::capacity - From> columns{};                                          ///< joint by joint
+};
+/// No columns.
+template <class Links>
+struct KeptColumns<Links, 0> {};
+/// Carries the columns of joint k of a chain, in the frame of joint j's axis, to joints from joint `From` on, where
+/// they are kept.
+template <class Links, class Screws, class Axes, class C, class K, class J, int From, class Out>
+AXIAL_INLINE constexpr void climb_and_keep(const Links& links, const Screws& screws, const Axes& axes, const C& columns,
+                                           K k, J j, KeptColumns<Links, From>& kept, Out& out) {
+  if constexpr (J::value > From) {
+    const Index<J::value - 1> i;
+    climb_and_keep(links, screws, axes, carried_inboard(links, screws, axes, columns, k, j, i, out), k, i, kept, out);
+  } else {
+    kept.columns[k - From] = columns.template dense<typename Links::Scalar>();
+  }
+}
+/// Carries what is kept to all joints inboard, in a loop: its code stands once, not for each joint.
+template <class Links, class Screws, class Axes, int From, class Out>
+AXIAL_INLINE constexpr void climb_in_loop(const Links& links, const Screws& screws, const Axes& axes,
+                                          const KeptColumns<Links, From>& kept, Out& out) {
+  for (int k = From; k < Links::capacity; ++k)
+    climb(links, screws, axes, kept.columns[k - From], k, Index<From>{}, out);
+}
+/// Overload for nothing kept.
+template <class Links, class Screws, class Axes, class Out>
+AXIAL_INLINE constexpr void climb_in_loop(const Links&, const Screws&, const Axes&, const KeptColumns<Links, 0>&,
+                                          Out&) {}
 
 }  // namespace derivatives
 }  // namespace axial

@@ -1,56 +1,13 @@
 // Derivatives of forward dynamics: accelerations, inverse mass matrix and both Jacobians.
 #pragma once
 
+#include <axial/dynamics/derivative_screws.hpp>
+#include <axial/dynamics/forward_slopes.hpp>
 #include <axial/dynamics/forward_soundness.hpp>
-#include <axial/dynamics/slope_columns.hpp>
 
 #include <axial/options/begin.hpp>
 
 namespace axial {
-
-/// Matrices of forward_dynamics_derivatives() over numbers T; a number system with formats has its own.
-template <class S, class T>
-struct AccelerationMatrices {
-  using ByEffort = MassMatrixOf<S, T>;                   ///< M^-1
-  using ByPosition = JointMatrixOf<S, T, by::Position>;  ///< d qdd / d q
-  using ByVelocity = JointMatrixOf<S, T, by::Velocity>;  ///< d qdd / d qd
-};
-
-/// What forward_dynamics_derivatives() may be asked for besides the accelerations.
-///@{
-struct with_inverse_mass_matrix {
-  /// Member that this tag adds to the results.
-  template <class S, class T>
-  struct Result {
-    typename AccelerationMatrices<S, T>::ByEffort M_inverse;  ///< d qdd / d tau, symmetric: 1/(kg m^2), 1/(kg m), 1/kg
-  };
-};
-struct with_acceleration_by_position {
-  /// Member that this tag adds to the results.
-  template <class S, class T>
-  struct Result {
-    typename AccelerationMatrices<S, T>::ByPosition dqdd_dq;  ///< (i, j) = d qdd_i / d q_j, at given efforts
-  };
-};
-struct with_acceleration_by_velocity {
-  /// Member that this tag adds to the results.
-  template <class S, class T>
-  struct Result {
-    typename AccelerationMatrices<S, T>::ByVelocity dqdd_dqd;  ///< (i, j) = d qdd_i / d qd_j, at given efforts
-  };
-};
-///@}
-
-/// Accelerations, their derivatives that are wanted, and a status: all of them unless some are named.
-template <class S, class T, class... Wanted>
-struct ForwardDynamicsDerivatives : WantedResults<S, T, Wanted...> {
-  ForwardDynamicsOf<S, T> qdd{};  ///< rad/s^2 or m/s^2; its status is that of all
-};
-/// Accelerations, all of their derivatives, and a status.
-template <class S, class T>
-struct ForwardDynamicsDerivatives<S, T>
-    : ForwardDynamicsDerivatives<S, T, with_inverse_mass_matrix, with_acceleration_by_position,
-                                 with_acceleration_by_velocity> {};
 
 namespace derivatives {
 
@@ -82,30 +39,6 @@ struct RestEntries {
 template <class Matrix, class Tau, class A>
 RestEntries(Matrix&, const Tau&, A&) -> RestEntries<Matrix, Tau, A>;
 
-/// Takes the Jacobians' entries, where those of forward dynamics are wanted instead.
-template <class Result>
-struct SlopeEntries {
-  Result& result;  ///< referred to
-
-  /// Efforts and entries of M are not taken.
-  ///@{
-  template <class I, class X>
-  AXIAL_INLINE constexpr void effort(I, const X&) {}
-  template <class I, class J, class X>
-  AXIAL_INLINE constexpr void mass(I, J, const X&) {}
-  ///@}
-  /// d tau_i / d q_j
-  template <class I, class J, class X>
-  AXIAL_INLINE constexpr void position(I i, J j, const X& x) {
-    if constexpr (Result::template has<with_acceleration_by_position>) write_entry(result.dqdd_dq, i, j, x);
-  }
-  /// d tau_i / d qd_j
-  template <class I, class J, class X>
-  AXIAL_INLINE constexpr void velocity(I i, J j, const X& x) {
-    if constexpr (Result::template has<with_acceleration_by_velocity>) write_entry(result.dqdd_dqd, i, j, x);
-  }
-};
-
 /// M becomes its factors and what efforts leave, `qdd`, becomes accelerations; their status.
 template <class Links, class A, class F>
 AXIAL_INLINE constexpr auto eliminate(const Links& links, A& qdd, F& factors) {
@@ -123,20 +56,6 @@ AXIAL_INLINE constexpr auto solve_and_factor(const Links& links, const Input& in
   RestEntries at_rest{factors.m, tau, qdd};
   entries(links, in, q, screws, qd, NoMotion{}, at_rest);
   return eliminate(links, qdd, factors);
-}
-
-/// Jacobians of inverse dynamics become those of forward dynamics: -M^-1 times them.
-template <class Links, class F, class Result>
-AXIAL_INLINE constexpr void solve_slopes(const Links& links, F factors, Result& result) {
-  constexpr bool position = Result::template has<with_acceleration_by_position>;
-  constexpr bool velocity = Result::template has<with_acceleration_by_velocity>;
-  for_each_link(links, [&](auto i) AXIAL_INLINE { factors.inverses[i] = -factors.inverses[i]; });
-  if constexpr (position && velocity)
-    solve_columns(links, factors, result.dqdd_dq, result.dqdd_dqd);
-  else if constexpr (position)
-    solve_columns(links, factors, result.dqdd_dq);
-  else if constexpr (velocity)
-    solve_columns(links, factors, result.dqdd_dqd);
 }
 
 /// How a number system with formats computes them: fixed/dynamics/forward_derivatives.hpp.
@@ -193,17 +112,30 @@ AXIAL_INLINE constexpr auto run_forward(const Links& links, const Input& in, con
     return run_forward_drives(links, in, q, qd, tau, result);
   } else {
     using T = typename Links::Scalar;
-    auto screws = joint_screws(links, in, q);
+    const auto screws = derivatives::screws(links, in, q);
     Row<T, Links::capacity> qdd;  // not the result, a store to which may change q for all that the compiler knows
     Factors<MassMatrix<typename Links::Scene::Robot, T>, T, Links::capacity> factors;
-    const auto status = solve_and_factor(links, in, q, screws, qd, tau, qdd, factors);
-    SlopeEntries<Result> slopes{result};
-    entries(links, in, q, screws, qd, qdd, slopes);
-    write_between_branches(links, slopes);
-    for_each_link(links, [&](auto i) AXIAL_INLINE { result.qdd[i] = qdd[i]; });
-    if constexpr (Result::template has<with_inverse_mass_matrix>) invert(links, factors, result.M_inverse);
-    solve_slopes(links, factors, result);
-    return status;
+    if constexpr (is_long<Links>) {
+      Row<T, Links::capacity> at, rates;
+      for_each_link(links, [&](auto i) AXIAL_INLINE {
+        at[i] = q[i];
+        rates[i] = qd[i];
+      });
+      const Input given = in;
+      const auto status = solve_and_factor(links, given, at, screws, rates, tau, qdd, factors);
+      for_each_link(links, [&](auto i) AXIAL_INLINE { result.qdd[i] = qdd[i]; });
+      long_slopes(links, given, at, screws, rates, qdd, factors, result);
+      return status;
+    } else {
+      const auto status = solve_and_factor(links, in, q, screws, qd, tau, qdd, factors);
+      SlopeEntries<Result> slopes{result};
+      entries(links, in, q, screws, qd, qdd, slopes);
+      write_between_branches(links, slopes);
+      for_each_link(links, [&](auto i) AXIAL_INLINE { result.qdd[i] = qdd[i]; });
+      if constexpr (Result::template has<with_inverse_mass_matrix>) invert(links, factors, result.M_inverse);
+      solve_slopes(links, factors, result);
+      return status;
+    }
   }
 }
 

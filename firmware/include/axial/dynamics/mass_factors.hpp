@@ -165,6 +165,35 @@ AXIAL_INLINE constexpr void invert(const Links& links, const F& factors, Matrix&
   });
 }
 
+/// A column of a matrix, as less_inboard() reads it.
+template <class X>
+struct OneColumn {
+  const X& x;  ///< referred to
+  /// Row k.
+  template <class K, class J>
+  AXIAL_INLINE constexpr const auto& operator()(K k, J) const {
+    return x[k];
+  }
+};
+/// invert() column by column in a loop, so that its code does not grow with the cube of the joints: of column j the
+/// rows up to j are those of row j.
+template <class Links, class F, class Matrix>
+AXIAL_INLINE constexpr void invert_in_loop(const Links& links, const F& factors, Matrix& inverse) {
+  using T = typename Links::Scalar;
+  for (int j = 0; j < Links::capacity; ++j) {
+    Row<T, Links::capacity> x;
+    for_each_link(links, [&](auto i) AXIAL_INLINE {
+      if (i < j) {
+        x[i] = inverse(j, i);
+      } else {
+        const T own = i == j ? factors.inverses[i] : T(Zero{});
+        x[i] = less_inboard(links, factors, OneColumn<Row<T, Links::capacity>>{x}, i, parent_of(links, i), j, own);
+        inverse(i, j) = x[i];
+      }
+    });
+  }
+}
+
 }  // namespace derivatives
 }  // namespace axial
 
