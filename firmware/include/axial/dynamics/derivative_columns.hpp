@@ -183,8 +183,8 @@ AXIAL_INLINE constexpr void climb(const Links& links, const Screws& screws, cons
 /// Columns of the joints of a chain from joint `From` on, as numbers in the frame of that joint's axis.
 template <class Links, int From>
 struct KeptColumns {
-  using T = typename Links::Scalar;  ///< the numbers
-  using Force = ForceVector<ZeroVec3, ZeroVec3>;
+  using T = typename Links::Scalar;               ///< the numbers
+  using Force = ForceVector<ZeroVec3, ZeroVec3>;  ///< of columns that are nothing
   using Dense = decltype(Columns<Force, ZeroVec3, Force, Force>{}.template dense<T>());  ///< a joint's
   Row<Dense, Links::capacity - From> columns{};                                          ///< joint by joint
 };
