@@ -78,53 +78,18 @@ struct SlopeEntries {
   }
 };
 
-/// Whether an arm that the compiler knows is so long that its flash counts: what is kept from step to step is little
-/// then, because M^-1 stands for its factors. Four joints and less have neither loops nor anything to spare.
+/// Whether an arm that the compiler knows is so long that its flash counts: little is kept from step to step then, and
+/// M^-1 comes out of a loop. Four joints and less have neither loops nor anything to spare.
 template <class Links>
 inline constexpr bool is_long = Links::unrolled && !has_few_columns<Links>;
-/// Whether it is longer yet: M^-1, and columns of its outer half in the inner one, come out of loops. From seven joints
-/// on that saves a tenth of the flash and costs few instructions; of six it would save little.
-template <class Links>
-inline constexpr bool is_longer = is_long<Links>&& Links::capacity > 6;
 /// How the second pass of a long arm goes.
 template <class Links>
 struct LittleKept {
   static constexpr bool forces_ahead = true;  ///< links' own forces first
-  /// Where the outer half begins, of a chain.
-  static constexpr int looped_from = is_longer<Links> && rests_at_link_1<Links>() ? (Links::capacity + 1) / 2 : 0;
+  /// Where the outer half begins, of a chain of seven joints and more: its columns go through the inner half in a loop.
+  /// That saves a tenth of the flash and costs few instructions; of six joints it would save little.
+  static constexpr int looped_from = Links::capacity > 6 && rests_at_link_1<Links>() ? (Links::capacity + 1) / 2 : 0;
 };
-
-/// M^-1, into the result where it is wanted.
-template <class Result, class M>
-AXIAL_INLINE constexpr auto& inverse_in(Result& result, M& own) {
-  if constexpr (Result::template has<with_inverse_mass_matrix>)
-    return result.M_inverse;
-  else
-    return own;
-}
-/// M^-1 and the slopes of a long arm, whose state stands in variables of its own: a store to a result may change the
-/// caller's for all that the compiler knows, and all that follows from it would be computed twice.
-template <class Links, class Input, class Q, class Screws, class V, class A, class F, class Result>
-AXIAL_INLINE constexpr void long_slopes(const Links& links, const Input& in, const Q& q, const Screws& screws,
-                                        const V& qd, const A& qdd, const F& factors, Result& result) {
-  constexpr bool position = Result::template has<with_acceleration_by_position>;
-  constexpr bool velocity = Result::template has<with_acceleration_by_velocity>;
-  typename AccelerationMatrices<typename Links::Scene, typename Links::Scalar>::ByEffort own;
-  auto& inverse = inverse_in(result, own);
-  if constexpr (is_longer<Links>)
-    invert_in_loop(links, factors, inverse);
-  else
-    invert(links, factors, inverse);
-  SlopeEntries<Result> slopes{result};
-  entries<LittleKept<Links>>(links, in, q, screws, qd, qdd, slopes);
-  write_between_branches(links, slopes);
-  if constexpr (position && velocity)
-    multiply_columns(links, inverse, result.dqdd_dq, result.dqdd_dqd);
-  else if constexpr (position)
-    multiply_columns(links, inverse, result.dqdd_dq);
-  else if constexpr (velocity)
-    multiply_columns(links, inverse, result.dqdd_dqd);
-}
 
 /// Jacobians of inverse dynamics become those of forward dynamics: -M^-1 times them.
 template <class Links, class F, class Result>
@@ -138,6 +103,17 @@ AXIAL_INLINE constexpr void solve_slopes(const Links& links, F factors, Result& 
     solve_columns(links, factors, result.dqdd_dq);
   else if constexpr (velocity)
     solve_columns(links, factors, result.dqdd_dqd);
+}
+/// M^-1 and the slopes of a long arm, whose state stands in variables of its own: a store to a result may change the
+/// caller's for all that the compiler knows, and all that follows from it would be computed twice.
+template <class Links, class Input, class Q, class Screws, class V, class A, class F, class Result>
+AXIAL_INLINE constexpr void long_slopes(const Links& links, const Input& in, const Q& q, const Screws& screws,
+                                        const V& qd, const A& qdd, const F& factors, Result& result) {
+  if constexpr (Result::template has<with_inverse_mass_matrix>) invert_in_loop(links, factors, result.M_inverse);
+  SlopeEntries<Result> slopes{result};
+  entries<LittleKept<Links>>(links, in, q, screws, qd, qdd, slopes);
+  write_between_branches(links, slopes);
+  solve_slopes(links, factors, result);
 }
 
 }  // namespace derivatives

@@ -186,8 +186,9 @@ AXIAL_INLINE constexpr void invert_in_loop(const Links& links, const F& factors,
       if (i < j) {
         x[i] = inverse(j, i);
       } else {
-        const T own = i == j ? factors.inverses[i] : T(Zero{});
-        x[i] = less_inboard(links, factors, OneColumn<Row<T, Links::capacity>>{x}, i, parent_of(links, i), j, own);
+        const OneColumn<Row<T, Links::capacity>> column{x};
+        const auto inboard = less_inboard(links, factors, column, i, parent_of(links, i), j, Zero{});
+        x[i] = i == j ? T(inboard + factors.inverses[i]) : T(inboard);
         inverse(i, j) = x[i];
       }
     });

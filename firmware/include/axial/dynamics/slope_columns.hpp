@@ -91,28 +91,6 @@ AXIAL_INLINE constexpr void solve_columns(const Links& links, const F& factors, 
   }
 }
 
-/// block = -M^-1 block, M^-1 by its rows: likewise a loop.
-template <int N, class Links, class M, class T>
-AXIAL_INLINE constexpr void multiply_block(const Links& links, const M& inverse, const Block<T>& block) {
-  for (int j = block.columns.first; j <= block.columns.last; ++j) {
-    Row<T, Links::capacity> x{}, y{};
-    for_each_link(links, [&](auto i) AXIAL_INLINE { x[i] = block.entries[i * N + j]; });
-    for_each_link(links, [&](auto i) AXIAL_INLINE {
-      for_each_link(links, [&](auto k) AXIAL_INLINE {
-        y[i] = less(std::bool_constant<(decltype(k)::value > 0)>{}, y[i], inverse(i, k) * x[k]);
-      });
-    });
-    for_each_link(links, [&](auto i) AXIAL_INLINE { block.entries[i * N + j] = y[i]; });
-  }
-}
-/// matrix = -M^-1 matrix for every matrix, all columns in one loop.
-template <class Links, class M, class S, class T, class... By>
-AXIAL_INLINE constexpr void multiply_columns(const Links& links, const M& inverse, JointMatrix<S, T, By>&... matrices) {
-  const Block<T> blocks[] = {{matrices.values, columns_of<By>(links)}...};
-  for (const auto& block : blocks)
-    multiply_block<JointMatrix<S, T, by::Position>::size>(links, inverse, block);
-}
-
 }  // namespace derivatives
 }  // namespace axial
 
