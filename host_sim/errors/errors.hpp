@@ -18,6 +18,7 @@ struct Block {
   double error;                 ///< relative to its largest entry over all states
   double error_in_state;        ///< relative to its largest entry in the same state: large where all of it cancels
   double error_in_most_states;  ///< the same, not exceeded in 99 of 100 states
+  double error_uncancelled;     ///< relative to the larger of that and a hundredth of its largest over all states
 };
 
 /// Errors over seeded states inside the declared limits, relative as host_sim::error_scales() says.

@@ -21,7 +21,8 @@ nlohmann::ordered_json to_json(const std::vector<errors::Row>& rows) {
     for (const errors::Block& block : row.blocks)
       object["blocks"][block.name] = {{"error", block.error},
                                       {"error_in_state", block.error_in_state},
-                                      {"error_in_most_states", block.error_in_most_states}};
+                                      {"error_in_most_states", block.error_in_most_states},
+                                      {"error_uncancelled", block.error_uncancelled}};
     all.push_back(object);
   }
   return all;

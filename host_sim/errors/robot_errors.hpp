@@ -119,7 +119,7 @@ class Blocks {
   Blocks(Job job, std::size_t joints, const std::vector<double>& scales) : scales_(scales) {
     for (const auto& block : host_sim::blocks_of(scaled_as(job), joints)) {
       ends_.push_back((ends_.empty() ? 0 : ends_.back()) + block.count);
-      blocks_.push_back({block.name, 0.0, 0.0, 0.0});
+      blocks_.push_back({block.name, 0.0, 0.0, 0.0, 0.0});
     }
     in_states_.resize(blocks_.size());
   }
@@ -128,6 +128,7 @@ class Blocks {
     for (std::size_t b = 0; b < blocks_.size(); begin = ends_[b++]) {
       const double off = largest(difference, begin, ends_[b]), here = largest(exact, begin, ends_[b]);
       blocks_[b].error = larger(blocks_[b].error, off / scales_[begin]);
+      blocks_[b].error_uncancelled = larger(blocks_[b].error_uncancelled, off / std::max(here, scales_[begin] / 100));
       if (here > 0.0) in_states_[b].push_back(off / here <= DBL_MAX ? off / here : HUGE_VAL);
     }
   }
