@@ -1,16 +1,21 @@
-# axial_add_test(<name> <source>... [LIBS <library>...] [DEFINES <definition>...] [TIMEOUT <seconds>] [COST <seconds>] [FEW_ROBOTS_SANITIZED]
-#   [ARITHMETIC_SANITIZED | ADDRESS_SANITIZED])
+# axial_add_test(<name> <source>... [LIBS <library>...] [DEFINES <definition>...] [TIMEOUT <seconds>] [COST <seconds>] [SPLIT <parts>]
+#   [OPTIONS <option>...] [FEW_ROBOTS_SANITIZED] [ARITHMETIC_SANITIZED | ADDRESS_SANITIZED])
 #
 # A GoogleTest program linked to axial::axial, our warnings and the oracle; every TEST becomes a ctest test named
-# <folder>.<Suite.Test> with the folder below tests/ as its label. With FEW_ROBOTS_SANITIZED it is defined AXIAL_FEW_ROBOTS under
+# <folder>.<Suite.Test>, with <folder>.<name> as its label. With FEW_ROBOTS_SANITIZED it is defined AXIAL_FEW_ROBOTS under
 # sanitizers, and runs whole without them too. With ARITHMETIC_SANITIZED sanitizers see its arithmetic and the bounds of its arrays
 # alone, a third of the time to compile: for kernels, which follow no pointer; every_kernel_test runs each kernel under the address sanitizer.
 # In tests/property that is the default, and ADDRESS_SANITIZED asks for all of them. COST is how long the longest of its tests takes: those
-# of over a minute begin first, so that no processor waits for the last one.
+# of over a minute begin first, so that no processor waits for the last one. With SPLIT n the one source becomes n programs, <name>_1 to
+# <name>_n, with a part of its tests each (cmake/testing/split.py): the compiler of none takes over a minute or a gigabyte.
 #
 # Every test runs once: under the address and undefined-behaviour sanitizers (AXIAL_TESTS is sanitized), and those that these builds
 # do without, in an ordinary build (unsanitized). Both together are all.
 include(GoogleTest)
+
+# What ./axial test chooses from: folder, program, where its sources are, these (with :<part>/<parts> behind one that is split).
+set(AXIAL_TEST_PROGRAMS ${PROJECT_BINARY_DIR}/test_programs.txt)
+file(WRITE ${AXIAL_TEST_PROGRAMS} "")
 
 set(AXIAL_TESTS all CACHE STRING "all, sanitized or unsanitized")
 set_property(CACHE AXIAL_TESTS PROPERTY STRINGS all sanitized unsanitized)
@@ -19,7 +24,7 @@ set_property(CACHE AXIAL_TESTS PROPERTY STRINGS all sanitized unsanitized)
 set(AXIAL_SANITIZED_FOLDERS oracle cases hal unit property simulation host_sim description import)
 # Programs of these folders that sanitizers do without: every algorithm for many robots, minutes to compile when instrumented. They judge
 # errors, not times: nothing is inlined by force, which would take the compiler up to three times as long.
-set(AXIAL_UNSANITIZED_TESTS counts_test robots_test unrolled_test scenes_test shared_drives_test driven_derivatives_test driven_wrenches_test driven_rotors_test driven_turns_test driven_floating_base_test drawn_derivatives_test shared_drives_fixed_test driven_forward_fixed_test driven_tool_fixed_test driven_payload_fixed_test driven_separation_fixed_test driven_derivatives_fixed_test drive_clusters_test driven_motion_test driven_regressor_test rotor_dynamics_test derivatives_test fixed_derivatives_test untuned_derivatives_test looped_derivatives_test along_test
+set(AXIAL_UNSANITIZED_TESTS counts_test scene_counts_test tree_counts_test derivative_counts_test robots_test unrolled_test scenes_test shared_drives_test driven_derivatives_test driven_wrenches_test driven_rotors_test driven_turns_test driven_floating_base_test drawn_derivatives_test shared_drives_fixed_test driven_forward_fixed_test driven_tool_fixed_test driven_payload_fixed_test driven_separation_fixed_test driven_derivatives_fixed_test drive_clusters_test driven_motion_test driven_regressor_test rotor_dynamics_test derivatives_test fixed_derivatives_test untuned_derivatives_test looped_derivatives_test along_test
   floating_base_test underwater_test operation_counts_test errors_test forward_overflow_test fixed_error_test repeated_solves_test repeated_solves_by_halves_test motion_test cycle_test loop_test pushes_test observers_test
   linear_arm_test driven_regulator_test regulator_test c_interface_test
   untuned_forward_derivatives_test looped_forward_derivatives_test forward_derivatives_test)
@@ -49,10 +54,29 @@ function(axial_test_is_left_out name label both variable)
   endif()
 endfunction()
 
+# axial_test_program(<folder> <name> <source>...): a program of tests, with what axial_add_test has parsed.
+function(axial_test_program folder name)
+  add_executable(${name} ${ARGN})
+  target_compile_definitions(${name} PRIVATE ${arg_DEFINES})
+  if(arg_ARITHMETIC_SANITIZED AND AXIAL_TESTS STREQUAL sanitized)
+    target_compile_options(${name} PRIVATE ${AXIAL_ARITHMETIC_SANITIZERS})
+  endif()
+  if(is_unsanitized)
+    target_compile_options(${name} PRIVATE ${AXIAL_ERRORS_OPTIMISATION} -g0 -DAXIAL_USER_OPTIONS -DAXIAL_INLINE=)
+  endif()
+  target_compile_options(${name} PRIVATE ${arg_OPTIONS})
+  target_link_libraries(${name} PRIVATE axial::axial axial_warnings ${arg_LIBS} GTest::gtest_main)
+  if(TARGET axial_oracle)
+    target_link_libraries(${name} PRIVATE axial_oracle)
+  endif()
+  gtest_discover_tests(${name} TEST_PREFIX ${folder}. NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS ${folder}.${name} TIMEOUT ${arg_TIMEOUT} COST ${arg_COST})
+endfunction()
+
 function(axial_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "FEW_ROBOTS_SANITIZED;ARITHMETIC_SANITIZED;ADDRESS_SANITIZED" "TIMEOUT;COST" "LIBS;DEFINES")
-  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME label)
-  axial_test_is_left_out(${name} ${label} ${arg_FEW_ROBOTS_SANITIZED} left_out)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FEW_ROBOTS_SANITIZED;ARITHMETIC_SANITIZED;ADDRESS_SANITIZED" "TIMEOUT;COST;SPLIT" "LIBS;DEFINES;OPTIONS")
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
+  axial_test_is_left_out(${name} ${folder} ${arg_FEW_ROBOTS_SANITIZED} left_out)
   if(left_out)
     return()
   endif()
@@ -64,22 +88,46 @@ function(axial_add_test name)
   endif()
   if(arg_FEW_ROBOTS_SANITIZED AND AXIAL_TESTS STREQUAL sanitized)
     list(APPEND arg_DEFINES AXIAL_FEW_ROBOTS=1)
+    set(arg_SPLIT 0)
   endif()
-  add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
-  target_compile_definitions(${name} PRIVATE ${arg_DEFINES})
-  if(label IN_LIST AXIAL_ARITHMETIC_SANITIZED_FOLDERS AND NOT arg_ADDRESS_SANITIZED)
+  if(folder IN_LIST AXIAL_ARITHMETIC_SANITIZED_FOLDERS AND NOT arg_ADDRESS_SANITIZED)
     set(arg_ARITHMETIC_SANITIZED TRUE)
   endif()
-  if(arg_ARITHMETIC_SANITIZED AND AXIAL_TESTS STREQUAL sanitized)
-    target_compile_options(${name} PRIVATE ${AXIAL_ARITHMETIC_SANITIZERS})
-  endif()
+  set(is_unsanitized FALSE)
   if(name IN_LIST AXIAL_UNSANITIZED_TESTS)
-    target_compile_options(${name} PRIVATE ${AXIAL_ERRORS_OPTIMISATION} -g0 -DAXIAL_USER_OPTIONS -DAXIAL_INLINE=)
+    set(is_unsanitized TRUE)
   endif()
-  target_link_libraries(${name} PRIVATE axial::axial axial_warnings ${arg_LIBS} GTest::gtest_main)
-  if(TARGET axial_oracle)
-    target_link_libraries(${name} PRIVATE axial_oracle)
+  if(NOT arg_SPLIT)
+    axial_test_program(${folder} ${name} ${arg_UNPARSED_ARGUMENTS})
+    list(JOIN arg_UNPARSED_ARGUMENTS " " sources)
+    file(APPEND ${AXIAL_TEST_PROGRAMS} "${folder} ${name} ${CMAKE_CURRENT_SOURCE_DIR} ${sources}\n")
+    return()
   endif()
-  gtest_discover_tests(${name} TEST_PREFIX ${label}. NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS ${label} TIMEOUT ${arg_TIMEOUT} COST ${arg_COST})
+  foreach(part RANGE 1 ${arg_SPLIT})
+    axial_part_of_source(${arg_UNPARSED_ARGUMENTS} ${part} ${arg_SPLIT} source)
+    axial_test_program(${folder} ${name}_${part} ${source})
+    target_include_directories(${name}_${part} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+    target_compile_options(${name}_${part} PRIVATE -Wno-unused)  # what the other parts' tests need
+    file(APPEND ${AXIAL_TEST_PROGRAMS} "${folder} ${name}_${part} ${CMAKE_CURRENT_SOURCE_DIR} ${arg_UNPARSED_ARGUMENTS}:${part}/${arg_SPLIT}\n")
+  endforeach()
+endfunction()
+
+# axial_part_of_source(<source> <part> <parts> <variable>): a part of a source's tests, written when the source changes.
+function(axial_part_of_source source part parts variable)
+  cmake_path(GET source STEM stem)
+  set(written ${CMAKE_CURRENT_BINARY_DIR}/parts/${stem}_${part}.cpp)
+  set(split ${PROJECT_SOURCE_DIR}/cmake/testing/split.py)
+  file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/parts)
+  add_custom_command(OUTPUT ${written} DEPENDS ${source} ${split} VERBATIM
+    COMMAND /usr/bin/python3 -E -B ${split} ${CMAKE_CURRENT_SOURCE_DIR}/${source} ${part} ${parts} ${written})
+  set(${variable} ${written} PARENT_SCOPE)
+endfunction()
+
+# axial_test_needs(<test> [TARGETS <target>...] [IMAGES <board>[/<image>]...]): what ./axial test builds before a test that is no program of
+# ours; of a board without an image, all that ./axial test builds for it.
+function(axial_test_needs test)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "TARGETS;IMAGES")
+  list(TRANSFORM arg_TARGETS PREPEND "target:")
+  list(TRANSFORM arg_IMAGES PREPEND "image:")
+  set_property(TEST ${test} APPEND PROPERTY LABELS ${arg_TARGETS} ${arg_IMAGES})
 endfunction()

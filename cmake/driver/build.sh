@@ -10,8 +10,6 @@ readonly RAM_IMAGES=(selftest{,-scara} size-puma560-bare-inverse_dynamics-unroll
 readonly CORE_BOARD=rp2350_riscv # its core in an emulator, without peripherals
 readonly CORE_IMAGES=(selftest{,-scara,-puma560} fixed{,-derivatives}-{scara,puma560} size-puma560-bare-inverse_dynamics-unrolled-off{,-fixed32})
 readonly BOARDS=("${QEMU_BOARDS[@]}" "$RUNNER_BOARD" rp2040_ram)
-readonly SELFTEST_BOARDS=(mps2_an505) # run the self-tests alone
-readonly FAULT_BOARDS=(mps2_an500)    # run the image of faults alone
 # Of the documents' closed loops, in fixed point: the smallest one. Its UART queues six bytes, which QEMU fills at once.
 readonly LOOP_BOARD=nrf51
 
@@ -35,17 +33,22 @@ configure() {
   fi
 }
 
+# images_of BOARD: what its tests run; nothing where that is all that it has.
+images_of() {
+  case $1 in
+    "$RUNNER_BOARD") printf '%s\n' "${RUNNER_IMAGES[@]}" ;;
+    rp2040_ram) printf '%s\n' "${RAM_IMAGES[@]}" ;;
+    rp2040_second_core) echo selftest ;;
+    "$CORE_BOARD") printf '%s\n' "${CORE_IMAGES[@]}" ;;
+    mps2_an500) echo faults ;;
+  esac
+}
+
 build_boards() {
-  local board
-  for board in "${QEMU_BOARDS[@]}" "${SELFTEST_BOARDS[@]}"; do
-    build "$board"
-  done
-  build "$RUNNER_BOARD" "${RUNNER_IMAGES[@]}"
-  build rp2040_ram "${RAM_IMAGES[@]}"
-  build rp2040_second_core selftest
-  build "$CORE_BOARD" "${CORE_IMAGES[@]}"
-  for board in "${FAULT_BOARDS[@]}"; do
-    build "$board" faults
+  local board images
+  for board in "${QEMU_BOARDS[@]}" "$RUNNER_BOARD" rp2040_ram; do
+    mapfile -t images < <(images_of "$board")
+    build "$board" "${images[@]}"
   done
 }
 
