@@ -19,7 +19,7 @@ END
 }
 
 readonly HALVES=(sanitized unsanitized)
-declare -rA PRESET_OF=([sanitized]=host-sanitize [unsanitized]=host-unsanitized)
+declare -grA PRESET_OF=([sanitized]=host-sanitize [unsanitized]=host-unsanitized)
 readonly STEPS=4
 
 plan() { /usr/bin/python3 -E -B "$AXIAL_ROOT/cmake/testing/plan.py" "$@"; }
