@@ -15,8 +15,11 @@ import tempfile
 import time
 
 import build
+import essence
 import table
 import trim
+
+KILLERS = table.HERE / "killers.json"  # by mutant, the test that killed it last: it is compiled alone, the whole source only if it passes
 
 
 def parts_of(text):
@@ -33,6 +36,9 @@ def arguments():
     parser.add_argument("--only", metavar="REGEX", help="only mutants whose names match")
     parser.add_argument("--part", metavar="K/N", type=parts_of, help="the K-th of N parts of the same size")
     parser.add_argument("--rotate", metavar="N", type=int, help="one part of N: which one, the commit tells")
+    parser.add_argument("--essence", metavar="N", type=int, help="N mutants, which ones the commit tells, against tests of ./axial test alone")
+    parser.add_argument("--seed", metavar="N", type=int, help="of --essence, instead of the commit")
+    parser.add_argument("--record", action="store_true", help="remember which test killed which mutant: it is tried first")
     parser.add_argument("--list", action="store_true", help="say which mutants there are, and run none")
     parser.add_argument("--check", action="store_true", help="only see whether every mutant's text stands in its file, once")
     parser.add_argument("--json", metavar="FILE", help="the rows as an array of objects: mutant, file, killed_by (empty: survived)")
@@ -40,19 +46,22 @@ def arguments():
     return parser.parse_args()
 
 
-def part_of_commit(count):
-    """1 to count, the same for the same commit; the first one where there is none."""
+def commit_number():
+    """The same for the same commit; 0 where there is none."""
     done = subprocess.run(["git", "-C", str(table.ROOT), "rev-parse", "HEAD"], capture_output=True, text=True)
-    return int(done.stdout.strip()[:8], 16) % count + 1 if done.returncode == 0 else 1
+    return int(done.stdout.strip()[:8], 16) if done.returncode == 0 else 0
 
 
 def chosen(mutants, options):
     if options.only:
         mutants = [mutant for mutant in mutants if re.search(options.only, mutant.name)]
     if options.rotate:
-        options.part = part_of_commit(options.rotate), options.rotate
+        options.part = commit_number() % options.rotate + 1, options.rotate
         print(f"part {options.part[0]} of {options.rotate}; to repeat it: ./axial mutants --part {options.part[0]}/{options.rotate}")
-    return table.part(mutants, *options.part) if options.part else mutants
+    mutants = table.part(mutants, *options.part) if options.part else mutants
+    if options.essence:
+        mutants = essence.sample(mutants, options.essence, commit_number() if options.seed is None else options.seed)
+    return mutants
 
 
 class Run:
@@ -60,6 +69,7 @@ class Run:
 
     def __init__(self, folder, jobs):
         self.folder = folder
+        self.killers = json.loads(KILLERS.read_text()) if KILLERS.exists() else {}
         self.programs = build.Programs()
         self.objects = build.Objects(folder / "objects")
         self.objects.folder.mkdir()
@@ -83,11 +93,18 @@ class Run:
         for future in concurrent.futures.as_completed(futures):
             yield futures[future], future.result()
 
+    def tests_of(self, mutant):
+        """Filters to try in turn: the test that killed it last, then all that the table names."""
+        last = re.fullmatch(r"([\w/]+\.(\w+))(/\w+)?", self.killers.get(mutant.name, ""))
+        if not last or not re.search(rf"\b{last[2]}\b", (table.ROOT / "tests" / mutant.test).read_text()):
+            return [mutant.filter]
+        return list(dict.fromkeys([last[0], mutant.filter]))
+
     def compile_unchanged(self, mutants):
         """The objects of all programs, of the tests that some mutant's filter selects; a compile-fail source has none."""
         filters = collections.defaultdict(set)
         for mutant in mutants:
-            filters[f"tests/{mutant.test}"].add("" if mutant.by_compiler else mutant.filter)
+            filters[f"tests/{mutant.test}"].add("" if mutant.by_compiler else self.tests_of(mutant)[0])
         sources = {(source, tuple(flags)) for mutant in mutants if not is_compile_fail(mutant.test)
                    for source, flags in self.programs.of(mutant.test)[0]}
         items = [(source, flags, "" if "" in filters[source] else ":".join(filters[source])) for source, flags in sorted(sources)]
@@ -103,7 +120,7 @@ class Run:
         """What is wrong with the tests before anything is changed, by the test."""
         filters = collections.defaultdict(set)
         for mutant in mutants:
-            filters[mutant.test].add((mutant.filter or "*", mutant.by_compiler))
+            filters[mutant.test].add((self.tests_of(mutant)[0] or "*", mutant.by_compiler))
         return {test: failure for (test, _), failure in self.each(self.unchanged_failure, sorted(filters.items())) if failure}
 
     def unchanged_failure(self, copy, item):
@@ -131,8 +148,15 @@ class Run:
             return "", str(error)
 
     def failing_test(self, copy, mutant):
+        killer = ""
+        for tests in self.tests_of(mutant):
+            killer = killer or self.failing_of(copy, mutant, tests)
+        return killer
+
+    def failing_of(self, copy, mutant, tests):
+        """The first of those tests that fails with the mutant."""
         sources, libraries = self.programs.of(mutant.test)
-        tests, objects = mutant.filter, []
+        suite, objects = tests.split(".")[0], []
         for source, flags in sources:
             path = self.objects.path(source, flags)
             if self.objects.depend_on(source, flags, mutant.file):
@@ -153,8 +177,7 @@ class Run:
             raise table.TableError(f"{mutant.test} does not include {mutant.file}")
         program = copy.folder / "mutant" / "program"
         build.link(objects, libraries, program)
-        suite, kept = mutant.filter.split(".")[0], tests.split(".")[0]
-        return build.run(program, tests)[2].replace(kept, suite)
+        return build.run(program, tests)[2].replace(tests.split(".")[0], suite)
 
 
 def is_compile_fail(test):
@@ -194,14 +217,21 @@ def run_all(mutants, jobs, rows):
         raise table.TableError("\n".join(faults))
 
 
-def summary(mutants, rows):
+def summary(rows):
     """Killed of tried, per table."""
     killed = collections.Counter(row["mutant"].split(".")[0] for row in rows if row["killed_by"])
     tried = collections.Counter(row["mutant"].split(".")[0] for row in rows)
     print()
     for name, count in tried.items():
         print(f"{name:16} {killed[name]:3} of {count} killed")
-    print(f"{'all':16} {sum(killed.values()):3} of {len(mutants)} killed")
+    print(f"{'all':16} {sum(killed.values()):3} of {len(rows)} killed")
+
+
+def record(rows):
+    known = json.loads(KILLERS.read_text()) if KILLERS.exists() else {}
+    known.update({row["mutant"]: row["killed_by"] for row in rows if row["killed_by"]})
+    names = {mutant.name for mutant in table.read()}
+    KILLERS.write_text(json.dumps({name: killer for name, killer in sorted(known.items()) if name in names}, indent=0) + "\n")
 
 
 def main():
@@ -210,6 +240,8 @@ def main():
     rows = []
     try:
         mutants = chosen(table.read(), options)
+        rows += [{"mutant": mutant.name, "file": mutant.file, "killed_by": ""} for mutant in mutants if not mutant.test]
+        mutants = [mutant for mutant in mutants if mutant.test]
         stale = table.stale(mutants)
         if stale:
             raise table.TableError("\n".join(stale))
@@ -223,10 +255,16 @@ def main():
         print(f"\n{error}", file=sys.stderr)
         return 2
     rows.sort(key=lambda row: row["mutant"])
-    summary(mutants, rows)
+    if options.record:
+        record(rows)
+    summary(rows)
     print(f"{time.monotonic() - start:.0f} s")
     if options.json:
         pathlib.Path(options.json).write_text(json.dumps(rows, indent=1) + "\n")
+    if options.essence:
+        survivors = [row["mutant"] for row in rows if not row["killed_by"]]
+        print(f"not killed by the essence: {' '.join(survivors) or 'none'}")
+        return 0 if len(survivors) <= (1 - essence.SHARE) * len(rows) else 1
     return 0 if all(row["killed_by"] for row in rows) else 1
 
 

@@ -9,7 +9,10 @@ Each mutant of tests/mutants changes one place of the sources, in a copy of them
 with the change, must fail, and pass without. Ends with status 1 if one survives, with 2 if the table is at fault.
   --only REGEX  only mutants whose names match
   --part K/N    the K-th of N parts of the same size
-  --rotate N    one part of N: which one, the commit tells; tests run --rotate 10
+  --rotate N    one part of N: which one, the commit tells
+  --essence N   N mutants, drawn by the commit, against the essence of the tests alone: at least 85 in 100 are killed
+  --seed N      of --essence: draw by this number
+  --record      remember in tests/mutants/killers.json which test killed which: it is compiled alone next time
   --list        say which mutants there are, and run none
   --check       only see whether the text that each changes stands in its file, once
   --jobs N      mutants at a time (default: as many as processors)
