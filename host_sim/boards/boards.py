@@ -13,7 +13,7 @@ from tables import fill, grouped, load, markdown  # noqa: E402
 
 PAGE = ROOT / "doc" / "measurements" / "boards.md"
 MEASURED = ("size", "number_systems", "on_board")  # doc/data/<name>.json; each row names its board
-HEADER = ["board", "CPU", "flash, KiB", "RAM, KiB", "runs in", "tests of every check", "figures of it", "says its board.json"]
+HEADER = ["board", "CPU", "flash, KiB", "RAM, KiB", "runs in", "tests of it", "figures of it", "says its board.json"]
 
 
 def target_tests():
@@ -66,7 +66,7 @@ def text(all_rows):
     parts = []
     for row in all_rows:
         parts.append(f"{row['board']:12} {row['cpu']:11} {runs_in(row).replace('`', '')}; {row['run']}\n"
-                     f"  tests of every check: {', '.join(row['tests']) or 'none'}\n"
+                     f"  tests of it: {', '.join(row['tests']) or 'none'}\n"
                      f"  figures in doc/data: {', '.join(row['figures']) or 'none'}\n")
     return "".join(parts)
 
@@ -79,7 +79,7 @@ def claims():
 
 def untrue(claim, row):
     """Whether the page says of a board what is not so. Tests and figures that came since are not untrue."""
-    now, lists = cells(row), {HEADER.index("tests of every check"): row["tests"], HEADER.index("figures of it"): row["figures"]}
+    now, lists = cells(row), {HEADER.index("tests of it"): row["tests"], HEADER.index("figures of it"): row["figures"]}
     return any(not set(claim[i].split(", ")) <= {*lists[i], "none"} if i in lists else claim[i] != now[i] for i in range(len(HEADER)))
 
 

@@ -14,12 +14,10 @@ struct Sprung {
   }();
 };
 
-#ifndef AXIAL_FEW_ROBOTS
 using Elastic = testing::Types<
     Case<Scene<Sprung, Gravity, RotorInertia, Friction, JointSprings, TipWrench, ElasticJoints>, float, 4>,
     Case<Scene<Sprung, Gravity, RotorInertia, ElasticJoints, Looped>, double, 4>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(ElasticJoints, Batches, Elastic);
-#endif
 
 }  // namespace
 }  // namespace property
