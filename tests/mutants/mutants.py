@@ -72,7 +72,7 @@ class Run:
         self.killers = json.loads(KILLERS.read_text()) if KILLERS.exists() else {}
         self.programs = build.Programs()
         self.objects = build.Objects(folder / "objects")
-        self.objects.folder.mkdir()
+        self.objects.precompile()
         self.copies = queue.SimpleQueue()
         for i in range(jobs):
             (folder / f"copy{i}").mkdir()
@@ -114,7 +114,7 @@ class Run:
     def compile_one(self, copy, item):
         source, flags, tests = item
         with copy.changed(source, lambda text: trim.only_tests(text, tests)):
-            build.compile_source(copy, source, list(flags), self.objects.path(source, flags))
+            build.compile_source(copy, source, list(flags), self.objects.path(source, flags), self.objects.precompiled)
 
     def unchanged_failures(self, mutants):
         """What is wrong with the tests before anything is changed, by the test."""
@@ -167,7 +167,7 @@ class Run:
                 path.parent.mkdir(exist_ok=True)
                 try:
                     with copy.changed(source, lambda _, kept=text: kept):
-                        build.compile_source(copy, source, flags, path)
+                        build.compile_source(copy, source, flags, path, self.objects.precompiled)
                 except build.BuildError as error:
                     if mutant.by_compiler:
                         return f"compiler: {error}"
