@@ -263,6 +263,11 @@ def main():
     parser.add_argument("--part", type=part)
     parser.add_argument("--filter")
     options = parser.parse_args()
+    try:
+        re.compile(options.filter or "")
+    except re.error as error:
+        print(f"axial: --filter is '{options.filter}': {error}", file=sys.stderr)
+        return 2
     if options.command == "choose":
         chosen = selection(options)
         write_plan(chosen, options)
