@@ -24,7 +24,7 @@ def board(name):
 def image(board_name, name):
     path = IMAGES / board_name / "images" / (name + ".elf")
     if not path.exists():
-        raise FileNotFoundError(f"{path}: build the images first (./axial test does)")
+        raise FileNotFoundError(f"{path}: build the images first (./axial test --filter does)")
     return path
 
 
