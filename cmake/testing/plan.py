@@ -28,7 +28,6 @@ UNKNOWN = 30.0  # processor seconds of an item that no record has
 TEST = re.compile(r"^(TEST|TEST_F|TEST_P|TYPED_TEST|TYPED_TEST_P)\((\w+),\s*(\w+)\)", re.MULTILINE)
 PREFIX = re.compile(r"^INSTANTIATE(?:_TYPED)?_TEST_SUITE_P\((\w+),\s*(\w+)", re.MULTILINE)
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
-TYPES = 64  # at most, of a typed suite
 
 
 class Item:
@@ -120,21 +119,22 @@ def names_in(source, seen):
 
 
 def test_names(item):
-    """What ctest will call the program's tests; of those with parameters the beginning."""
+    """What ctest will call the program's tests: of those with a type or a parameter the beginning, before < or the last /."""
     folder, seen = item.name.split(".")[0], set()
     for source in item.sources:
         tests, prefixes = names_in(source.resolve(), seen)
         for kind, suite, test in tests:
-            before = [""] if kind in ("TEST", "TEST_F", "TYPED_TEST") else [prefix + "/" for prefix, of in prefixes if of == suite]
-            numbers = [f"/{i}" for i in range(TYPES)] if kind.startswith("TYPED") else [""]
-            yield from (f"{folder}.{prefix}{suite}{number}.{test}{'/0' if kind == 'TEST_P' else ''}" for prefix in before for number in numbers)
+            before = [prefix for prefix, of in prefixes if of == suite]
+            suites = {"TEST_P": [f"{prefix}/{suite}" for prefix in before], "TYPED_TEST_P": before}.get(kind, [suite])
+            yield from (f"{folder}.{name}.{test}" for name in suites)
 
 
 def matching(every, pattern):
     """Items that hold a test of that name, each in the half that costs less."""
     known, found = costs(), {}
+    patterns = {pattern, re.sub(r"<.*|/[^/.]*$", "", pattern) or pattern}  # the second without a type or a parameter, which sources do not tell
     for item in every:
-        if any(re.search(pattern, name) for name in (test_names(item) if item.sources else [item.name])):
+        if any(re.search(each, name) for each in patterns for name in (test_names(item) if item.sources else [item.name])):
             best = found.get(item.name)
             if best is None or cost(item, known) < cost(best, known):
                 found[item.name] = item
