@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "support.hpp"
+#include "untuned.hpp"
 #include "untuned_kernels.hpp"
 
 namespace property {
@@ -13,7 +14,8 @@ using Pool = std::tuple<Drawn<0, 2, 2>, Drawn<0, 5, 5>, Drawn<1, 3, 2>, Drawn<1,
                         Drawn<3, 5, 4>, Drawn<4, 6, 3>, Drawn<5, 4, 3>, Drawn<6, 4, 1>>;
 using Robot = std::tuple_element_t<AXIAL_DRAWN % std::tuple_size_v<Pool>, Pool>;
 using Type = testing::Types<Robot>;
-INSTANTIATE_TYPED_TEST_SUITE_P(Drawn, UntunedRobotsKernels, Type);
+INSTANTIATE_TYPED_TEST_SUITE_P(DrawnKernels, UntunedRobotsKernels, Type);
+INSTANTIATE_TYPED_TEST_SUITE_P(DrawnForward, UntunedRobot, Type);
 
 constexpr int states = 50;
 
@@ -36,9 +38,9 @@ void expect_small_errors(double allowed, const Error& error_of) {
 template <class T>
 class DrawnRobot : public testing::Test {
  protected:
-  /// Roundings of a chain of at most eight links, over the largest value; solving loses what M's condition takes.
-  static constexpr double torque = std::is_same_v<T, double> ? 1e-13 : 1e-5;
-  static constexpr double solved = std::is_same_v<T, double> ? 1e-10 : 5e-3;
+  /// Ten times what 40 draws of states had at most; solving loses what the condition of M takes.
+  static constexpr double torque = std::is_same_v<T, double> ? 1e-14 : 4e-6;
+  static constexpr double solved = std::is_same_v<T, double> ? 2e-12 : 1e-3;
   const oracle::Chain<oracle::quad> chain = oracle::of_robot<oracle::quad, Robot>();
 };
 using Reals = testing::Types<float, double>;
