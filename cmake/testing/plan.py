@@ -46,11 +46,11 @@ class Item:
 
 
 def configured_tests(half):
-    """Of ctest: (name, labels) in order; programs that are not built yet have no tests."""
+    """Of ctest: (name, labels, processors) in order; programs that are not built yet have no tests."""
     done = subprocess.run(["ctest", "--test-dir", BUILD / HALVES[half], "--show-only=json-v1"], check=True, capture_output=True, text=True)
     for test in json.loads(done.stdout)["tests"]:
         properties = {each["name"]: each["value"] for each in test.get("properties", ())}
-        yield test["name"], properties.get("LABELS", [])
+        yield test["name"], properties.get("LABELS", []), int(properties.get("PROCESSORS", 1))
 
 
 def programs(half):
@@ -60,7 +60,7 @@ def programs(half):
 
 
 def scripts(half):
-    for name, labels in configured_tests(half):
+    for name, labels, _ in configured_tests(half):
         if name.endswith("_NOT_BUILT") or any("." in label and ":" not in label for label in labels):
             continue
         needs = {kind: [label.split(":", 1)[1] for label in labels if label.startswith(kind + ":")] for kind in ("target", "image")}
@@ -190,7 +190,7 @@ def numbers(half):
     chosen = {item.name for item in chosen_items() if item.half == half}
     pattern = (PLAN / "filter").read_text(encoding="utf-8")
     tests = list(configured_tests(half))
-    found = [number for number, (name, labels) in enumerate(tests, 1)
+    found = [number for number, (name, labels, _) in enumerate(tests, 1)
              if (name in chosen or chosen & set(labels)) and re.search(pattern, name)]
     return f"{len(tests) + 1},{len(tests) + 1},1," + ",".join(map(str, found)) if found else ""
 
@@ -210,13 +210,14 @@ def object_costs(half):
 
 
 def run_costs(half):
-    """{item's name or test's name: seconds}."""
-    labels = dict(configured_tests(half))
+    """{item's name or test's name: seconds of as many processors as it takes}."""
+    known = {name: (labels, processors) for name, labels, processors in configured_tests(half)}
     found = {}
     path = BUILD / HALVES[half] / "results.xml"
     for case in ElementTree.parse(path).getroot().iter("testcase") if path.exists() else ():
-        owner = next((label for label in labels.get(case.get("name"), ()) if "." in label and ":" not in label), case.get("name"))
-        found[owner] = found.get(owner, 0.0) + float(case.get("time"))
+        labels, processors = known.get(case.get("name"), ((), 1))
+        owner = next((label for label in labels if "." in label and ":" not in label), case.get("name"))
+        found[owner] = found.get(owner, 0.0) + float(case.get("time")) * processors
     return found
 
 
