@@ -1,4 +1,4 @@
-# axial_add_test(<name> <source>... [LIBS <library>...] [DEFINES <definition>...] [TIMEOUT <seconds>] [COST <seconds>] [SPLIT <parts>]
+# axial_add_test(<name> <source>... [LIBS <library>...] [DEFINES <definition>...] [TIMEOUT <seconds>] [COST <seconds>] [SPLIT <parts>] [FEW_SPLIT <parts>]
 #   [OPTIONS <option>...] [FEW_ROBOTS_SANITIZED] [ARITHMETIC_SANITIZED | ADDRESS_SANITIZED])
 #
 # A GoogleTest program linked to axial::axial, our warnings and the oracle; every TEST becomes a ctest test named
@@ -7,7 +7,8 @@
 # alone, a third of the time to compile: for kernels, which follow no pointer; every_kernel_test runs each kernel under the address sanitizer.
 # In tests/property that is the default, and ADDRESS_SANITIZED asks for all of them. COST is how long the longest of its tests takes: those
 # of over a minute begin first, so that no processor waits for the last one. With SPLIT n the one source becomes n programs, <name>_1 to
-# <name>_n, with a part of its tests each (cmake/testing/split.py): the compiler of none takes over a minute or a gigabyte.
+# <name>_n, with a part of its tests each (cmake/testing/split.py), FEW_SPLIT of them where there are few robots: the compiler of none
+# takes over a minute or a gigabyte.
 #
 # Every test runs once: under the address and undefined-behaviour sanitizers (AXIAL_TESTS is sanitized), and those that these builds
 # do without, in an ordinary build (unsanitized). Both together are all.
@@ -93,7 +94,7 @@ function(axial_test_program folder name)
 endfunction()
 
 function(axial_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "FEW_ROBOTS_SANITIZED;ARITHMETIC_SANITIZED;ADDRESS_SANITIZED" "TIMEOUT;COST;SPLIT" "LIBS;DEFINES;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FEW_ROBOTS_SANITIZED;ARITHMETIC_SANITIZED;ADDRESS_SANITIZED" "TIMEOUT;COST;SPLIT;FEW_SPLIT" "LIBS;DEFINES;OPTIONS")
   cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
   axial_test_is_left_out(${name} ${folder} ${arg_FEW_ROBOTS_SANITIZED} left_out)
   if(left_out)
@@ -107,7 +108,7 @@ function(axial_add_test name)
   endif()
   if(arg_FEW_ROBOTS_SANITIZED AND AXIAL_TESTS STREQUAL sanitized)
     list(APPEND arg_DEFINES AXIAL_FEW_ROBOTS=1)
-    set(arg_SPLIT 0)
+    set(arg_SPLIT ${arg_FEW_SPLIT})
   endif()
   if(folder IN_LIST AXIAL_ARITHMETIC_SANITIZED_FOLDERS AND NOT arg_ADDRESS_SANITIZED)
     set(arg_ARITHMETIC_SANITIZED TRUE)

@@ -4,6 +4,10 @@
 #include <robots/scara.hpp>
 #include <robots/two_arm.hpp>
 
+#ifndef AXIAL_KERNELS_OF
+#define AXIAL_KERNELS_OF 0  // all; or 1 float, 2 double, 3 fixed point
+#endif
+
 namespace {
 
 using namespace axial;
@@ -152,7 +156,7 @@ bool pushed() {
   return columns.status.ok() && transpose_times(columns, {}).size == 3;
 }
 // A tool and a payload in its frame, in words.
-bool held() {
+[[maybe_unused]] bool held() {
   using S = Scene<Pushed, RuntimeTool, Payload>;
   Inputs<S, Fixed32> in;
   const auto tool = to_fixed_tool<S, std::int32_t>(Inputs<S, float>{}.tool);
@@ -202,31 +206,44 @@ using Loaded = Scene<Robot, Gravity, RotorInertia, Friction, Payload, Tags...>;
 
 }  // namespace
 
+#if AXIAL_KERNELS_OF == 0 || AXIAL_KERNELS_OF == 1
 AXIAL_C_DECLARE(arm, 3, float);
 AXIAL_C_EXPORT(arm, robots::Scara, float)
 AXIAL_C_DECLARE_DERIVATIVES(arm);
 AXIAL_C_EXPORT_DERIVATIVES(arm, robots::Scara, float)
-AXIAL_C_DECLARE(springs, 1, double);
-AXIAL_C_EXPORT(springs, Harmonic, double)
-AXIAL_C_DECLARE_ELASTIC(springs);
-AXIAL_C_EXPORT_ELASTIC(springs, Harmonic, double)
-AXIAL_C_DECLARE(fixed_arm, 3, fixed32);
-AXIAL_C_EXPORT(fixed_arm, robots::Scara, fixed32)
 
-bool in_floating_point();
-bool in_floating_point() {
+bool in_float();
+bool in_float() {
   using robots::Planar2r, robots::Scara, robots::TwoArm;
-  return all(all_of<Planar2r, float>(), all_of<Planar2r, double>(), all_of<TwoArm, float>(),
-             all_of<Loaded<Scara>, float>(), all_of<Loaded<Scara, Looped>, double>(),
-             separated<Scara, float>({}, {}, {}), simulated<Planar2r, float>(), simulated<Planar2r, double>(),
-             differentiated<Planar2r, float>(), rated<Planar2r, float>(), rated<Scara, double, Looped>(),
-             elastic_joints<float>(), elastic_joints<double, Looped>(), differentiated<Loaded<Scara, Looped>, double>(),
-             modelled<float>(), modelled<double>(), counted<Scara>(), in_batches<Planar2r, float>(), pushed<float>(),
-             in_batches<Loaded<Scara, Looped>, double>(),
+  return all(all_of<Planar2r, float>(), all_of<TwoArm, float>(), all_of<Loaded<Scara>, float>(),
+             separated<Scara, float>({}, {}, {}), simulated<Planar2r, float>(), differentiated<Planar2r, float>(),
+             rated<Planar2r, float>(), elastic_joints<float>(), modelled<float>(), counted<Scara>(),
+             in_batches<Planar2r, float>(), pushed<float>(),
              check_finite(closed_form::scara_torque<Scara>(Joints<Scara, float>{}, Joints<Scara, float>{},
                                                            Joints<Scara, float>{}))
                  .ok());
 }
+#endif
+
+#if AXIAL_KERNELS_OF == 0 || AXIAL_KERNELS_OF == 2
+AXIAL_C_DECLARE(springs, 1, double);
+AXIAL_C_EXPORT(springs, Harmonic, double)
+AXIAL_C_DECLARE_ELASTIC(springs);
+AXIAL_C_EXPORT_ELASTIC(springs, Harmonic, double)
+
+bool in_double();
+bool in_double() {
+  using robots::Planar2r, robots::Scara;
+  return all(all_of<Planar2r, double>(), all_of<Loaded<Scara, Looped>, double>(), simulated<Planar2r, double>(),
+             rated<Scara, double, Looped>(), elastic_joints<double, Looped>(),
+             differentiated<Loaded<Scara, Looped>, double>(), modelled<double>(),
+             in_batches<Loaded<Scara, Looped>, double>());
+}
+#endif
+
+#if AXIAL_KERNELS_OF == 0 || AXIAL_KERNELS_OF == 3
+AXIAL_C_DECLARE(fixed_arm, 3, fixed32);
+AXIAL_C_EXPORT(fixed_arm, robots::Scara, fixed32)
 
 bool in_fixed_point();
 bool in_fixed_point() {
@@ -239,3 +256,4 @@ bool in_fixed_point() {
                                               Accelerations<Scara, Fixed32>{})[0]
                      .raw == 0);
 }
+#endif

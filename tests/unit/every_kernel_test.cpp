@@ -16,6 +16,10 @@
 
 #include "builds/every_kernel.cpp"
 
-TEST(EveryKernel, StaysInsideItsMemoryInFloatingPoint) { static_cast<void>(in_floating_point()); }
-
+#if AXIAL_KERNELS_OF == 1
+TEST(EveryKernel, StaysInsideItsMemoryInFloat) { static_cast<void>(in_float()); }
+#elif AXIAL_KERNELS_OF == 2
+TEST(EveryKernel, StaysInsideItsMemoryInDouble) { static_cast<void>(in_double()); }
+#else
 TEST(EveryKernel, StaysInsideItsMemoryInFixedPoint) { static_cast<void>(in_fixed_point()); }
+#endif
