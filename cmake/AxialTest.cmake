@@ -129,7 +129,7 @@ function(axial_add_test name)
     cmake_path(ABSOLUTE_PATH arg_UNPARSED_ARGUMENTS OUTPUT_VARIABLE whole)
     cmake_path(GET whole PARENT_PATH place)
     target_include_directories(${name}_${part} PRIVATE ${place})
-    target_compile_options(${name}_${part} PRIVATE -Wno-unused)  # what the other parts' tests need
+    target_compile_options(${name}_${part} PRIVATE -Wno-unused -Wno-subobject-linkage)  # what the other parts' tests need; #line makes a header of the source
     file(APPEND ${AXIAL_TEST_PROGRAMS} "${folder} ${name}_${part} ${CMAKE_CURRENT_SOURCE_DIR} ${arg_UNPARSED_ARGUMENTS}:${part}/${arg_SPLIT}\n")
   endforeach()
 endfunction()
