@@ -11,6 +11,10 @@
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>
 
+#ifndef AXIAL_REFERENCE_OF
+#define AXIAL_REFERENCE_OF robots::Scara  // of one robot in each source: a compiler takes over a gigabyte for two
+#endif
+
 namespace regulator_reference {
 
 namespace {
@@ -86,7 +90,6 @@ Vector gains(const Motion& at, const Weights& weights) {
       rows.push_back(K(i, j));
   return rows;
 }
-template Vector gains<robots::Scara>(const Motion&, const Weights&);
-template Vector gains<robots::Puma560>(const Motion&, const Weights&);
+template Vector gains<AXIAL_REFERENCE_OF>(const Motion&, const Weights&);
 
 }  // namespace regulator_reference

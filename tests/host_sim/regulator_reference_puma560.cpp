@@ -1,0 +1,3 @@
+// The reference of a regulator, of the Puma 560.
+#define AXIAL_REFERENCE_OF robots::Puma560
+#include "regulator_reference.cpp"
