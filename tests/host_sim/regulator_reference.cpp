@@ -4,18 +4,15 @@
 #include <oracle/lagrange.hpp>
 
 #include <Eigen/Dense>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include <cmath>
 
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>
 
-#ifndef AXIAL_REFERENCE_OF
-#define AXIAL_REFERENCE_OF robots::Scara  // of one robot in each source: a compiler takes over a gigabyte for two
-#endif
-
 namespace regulator_reference {
+
+Eigen::MatrixXd exponential(const Eigen::MatrixXd& m);  // in a source of its own: half a gigabyte of a compiler
 
 namespace {
 
@@ -56,7 +53,7 @@ Step zero_order_hold(const Motion& at) {
   Dense rates = Dense::Zero(3 * n, 3 * n);
   rates.block(0, n, n, n).setIdentity();
   rates.block(n, 0, n, 3 * n) = accelerations_by_state_and_effort<Robot>(at);
-  const Dense after = (T * rates).exp();
+  const Dense after = exponential(T * rates);
   return {after.topLeftCorner(2 * n, 2 * n), after.topRightCorner(2 * n, n)};
 }
 
@@ -90,6 +87,7 @@ Vector gains(const Motion& at, const Weights& weights) {
       rows.push_back(K(i, j));
   return rows;
 }
-template Vector gains<AXIAL_REFERENCE_OF>(const Motion&, const Weights&);
+template Vector gains<robots::Scara>(const Motion&, const Weights&);
+template Vector gains<robots::Puma560>(const Motion&, const Weights&);
 
 }  // namespace regulator_reference

@@ -11,6 +11,10 @@
 
 #include "without_costs.hpp"
 
+#ifndef AXIAL_GOLDEN_PART
+#define AXIAL_GOLDEN_PART 0  // all; or a part, which a compiler has the memory for
+#endif
+
 namespace {
 
 using namespace axial::apps::fixed;
@@ -19,14 +23,18 @@ template <class R>
 void put(const Golden& g) {
   std::printf("fixed,%s,%s,%s,%016" PRIx64 ",%u,%u\n", g.kernel, R::name, g.arithmetic, g.hash, g.least, g.most);
 }
+/// Whether this program has a part.
+constexpr bool has(int part) { return AXIAL_GOLDEN_PART == 0 || AXIAL_GOLDEN_PART == part; }
+
 template <class R>
 void print() {
-  all_golden<R>(property::WithoutCosts{}, put<R>), all_golden_derivatives<R>(property::WithoutCosts{}, put<R>);
-  all_golden_looped<R>(property::WithoutCosts{}, put<R>);
+  if constexpr (has(1)) all_golden<R>(property::WithoutCosts{}, put<R>);
+  if constexpr (has(2)) all_golden_derivatives<R>(property::WithoutCosts{}, put<R>);
+  if constexpr (has(3)) all_golden_looped<R>(property::WithoutCosts{}, put<R>);
 }
 template <class R>
 void print_drives() {
-  all_golden_drives<R>(property::WithoutCosts{}, put<R>);
+  if constexpr (has(4)) all_golden_drives<R>(property::WithoutCosts{}, put<R>);
 }
 
 }  // namespace

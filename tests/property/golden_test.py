@@ -1,8 +1,8 @@
 """The bits of fixed point on this host: hashes of golden_bits.json.
 
-golden_test.py PROGRAM            runs the built golden_bits
+golden_test.py PROGRAM...         runs the built parts of golden_bits
 golden_test.py --compile COMPILER compiles golden_bits.cpp first
-golden_test.py --update PROGRAM   writes golden_bits.json anew, after a change of formats; the commit says why
+golden_test.py --update PROGRAM... writes golden_bits.json anew, after a change of formats; the commit says why
 """
 
 import json
@@ -24,8 +24,10 @@ def hashes(text):
     return {",".join(row[1:4]): row[4] for row in rows}
 
 
-def run(program):
-    return hashes(subprocess.run([program], check=True, stdout=subprocess.PIPE, text=True).stdout)
+def run(*programs):
+    """Of all parts together."""
+    return {name: value for program in programs
+            for name, value in hashes(subprocess.run([program], check=True, stdout=subprocess.PIPE, text=True).stdout).items()}
 
 
 def compiled(compiler):
@@ -37,9 +39,9 @@ def compiled(compiler):
 
 
 def main(arguments):
-    if len(arguments) not in (1, 2) or (len(arguments) == 2 and arguments[0] not in ("--compile", "--update")):
+    if not arguments or arguments[-1] in ("--compile", "--update"):
         sys.exit(__doc__)
-    found = compiled(arguments[1]) if arguments[0] == "--compile" else run(arguments[-1])
+    found = compiled(arguments[1]) if arguments[0] == "--compile" else run(*(each for each in arguments if each != "--update"))
     if arguments[0] == "--update":
         GOLDEN.write_text(json.dumps(found, indent=2) + "\n")
         return

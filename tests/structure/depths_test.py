@@ -79,7 +79,9 @@ class Records(unittest.TestCase):
     def test_heavy_sources_are_told(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder, "compile_costs.txt")
-            path.write_text("300.0 10 a.o\n1.0 2000 b.o\n1.0 10 c.o\n1.0 10 a.o\n200.0 10 d.o\n", encoding="utf-8")
+            for name in "abcd":
+                pathlib.Path(folder, name + ".o").touch()
+            path.write_text("9e9 10 gone.o\n300.0 10 a.o\n1.0 2000 b.o\n1.0 10 c.o\n1.0 10 a.o\n200.0 10 d.o\n", encoding="utf-8")
             told = [line.split(":")[0].split("/")[1] for line in heavy_sources_test.heavy(pathlib.Path(folder))]
         self.assertEqual(told, ["b.o", "d.o"])
 

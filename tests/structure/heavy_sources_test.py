@@ -11,9 +11,10 @@ SECONDS, ALLOWANCE, MEGABYTES = 60.0, 2.0, 1024
 
 
 def last_costs(build):
-    """{object: (seconds, megabytes)} of what stands there now."""
+    """{object: (seconds, megabytes)} of what stands there still."""
     lines = (line.split(" ", 2) for line in (build / "compile_costs.txt").read_text(encoding="utf-8").splitlines())
-    return {name: (float(seconds), int(megabytes)) for seconds, megabytes, name in lines}
+    return {name: (float(seconds), int(megabytes)) for seconds, megabytes, name in lines
+            if (build / name).exists()}
 
 
 def heavy(build):
