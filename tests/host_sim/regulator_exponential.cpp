@@ -5,8 +5,6 @@
 namespace regulator_reference {
 
 Eigen::MatrixXd exponential(const Eigen::MatrixXd& m);
-Eigen::MatrixXd exponential(const Eigen::MatrixXd& m) {
-  return m.exp();
-}
+Eigen::MatrixXd exponential(const Eigen::MatrixXd& m) { return m.exp(); }
 
 }  // namespace regulator_reference

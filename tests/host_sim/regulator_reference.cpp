@@ -12,7 +12,10 @@
 
 namespace regulator_reference {
 
-Eigen::MatrixXd exponential(const Eigen::MatrixXd& m);  // in a source of its own: half a gigabyte of a compiler
+// In sources of their own, each half a gigabyte of a compiler.
+Eigen::MatrixXd exponential(const Eigen::MatrixXd& m);
+Eigen::MatrixXd solved(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
+                       const Eigen::MatrixXd& R);
 
 namespace {
 
@@ -55,21 +58,6 @@ Step zero_order_hold(const Motion& at) {
   rates.block(n, 0, n, 3 * n) = accelerations_by_state_and_effort<Robot>(at);
   const Dense after = exponential(T * rates);
   return {after.topLeftCorner(2 * n, 2 * n), after.topRightCorner(2 * n, n)};
-}
-
-/// K of the algebraic equation, by the eigenvectors of the symplectic matrix that belong to the eigenvalues inside the
-/// unit circle.
-Dense solved(const Step& step, const Dense& Q, const Dense& R) {
-  const auto n = step.A.rows();
-  const Dense G = step.B * R.inverse() * step.B.transpose(), back = step.A.transpose().inverse();
-  Dense Z(2 * n, 2 * n);
-  Z << step.A + G * back * Q, -G * back, -back * Q, back;
-  const Eigen::EigenSolver<Dense> pairs(Z);
-  Eigen::MatrixXcd stable(2 * n, n);
-  for (Eigen::Index i = 0, k = 0; i < 2 * n && k < n; ++i)
-    if (std::abs(pairs.eigenvalues()(i)) < 1.0) stable.col(k++) = pairs.eigenvectors().col(i);
-  const Dense P = (stable.bottomRows(n) * stable.topRows(n).inverse()).real();
-  return (R + step.B.transpose() * P * step.B).inverse() * step.B.transpose() * P * step.A;
 }
 
 Dense diagonal(const Vector& entries) {
