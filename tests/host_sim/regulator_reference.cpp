@@ -68,7 +68,8 @@ Dense diagonal(const Vector& entries) {
 
 template <class Robot>
 Vector gains(const Motion& at, const Weights& weights) {
-  const Dense K = solved(zero_order_hold<Robot>(at), diagonal(weights.state), diagonal(weights.effort));
+  const Step step = zero_order_hold<Robot>(at);
+  const Dense K = solved(step.A, step.B, diagonal(weights.state), diagonal(weights.effort));
   Vector rows;
   for (Eigen::Index i = 0; i < K.rows(); ++i)
     for (Eigen::Index j = 0; j < K.cols(); ++j)
