@@ -12,15 +12,21 @@ using Dense = Eigen::MatrixXd;
 Dense solved(const Dense& A, const Dense& B, const Dense& Q, const Dense& R);
 Dense solved(const Dense& A, const Dense& B, const Dense& Q, const Dense& R) {
   const auto n = A.rows();
-  const Dense G = B * R.inverse() * B.transpose(), back = A.transpose().inverse();
+  const Dense At = A.transpose(), Bt = B.transpose(), back = At.inverse(), Ri = R.inverse();
+  const Dense BRi = B * Ri, G = BRi * Bt, Gb = G * back, GbQ = Gb * Q, bQ = back * Q;
   Dense Z(2 * n, 2 * n);
-  Z << A + G * back * Q, -G * back, -back * Q, back;
+  Z << A + GbQ, -Gb, -bQ, back;
   const Eigen::EigenSolver<Dense> pairs(Z);
-  Eigen::MatrixXcd stable(2 * n, n);
-  for (Eigen::Index i = 0, k = 0; i < 2 * n && k < n; ++i)
-    if (std::abs(pairs.eigenvalues()(i)) < 1.0) stable.col(k++) = pairs.eigenvectors().col(i);
-  const Dense P = (stable.bottomRows(n) * stable.topRows(n).inverse()).real();
-  return (R + B.transpose() * P * B).inverse() * B.transpose() * P * A;
+  Eigen::MatrixXcd upper(n, n), lower(n, n);
+  for (Eigen::Index i = 0, k = 0; i < 2 * n && k < n; ++i) {
+    if (std::abs(pairs.eigenvalues()(i)) >= 1.0) continue;
+    const Eigen::VectorXcd stable = pairs.eigenvectors().col(i);
+    upper.col(k) = stable.head(n), lower.col(k++) = stable.tail(n);
+  }
+  const Eigen::MatrixXcd inverse = upper.inverse(), ratio = lower * inverse;
+  const Dense P = ratio.real(), BtP = Bt * P, BtPA = BtP * A, weight = BtP * B, sum = R + weight,
+              solution = sum.inverse();
+  return solution * BtPA;
 }
 
 }  // namespace regulator_reference
