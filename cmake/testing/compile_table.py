@@ -18,7 +18,7 @@ def sources(build):
     """Rows of what a build's compilers cost, the last time for each object."""
     path = ROOT / "build" / build / "compile_costs.txt"
     lines = (line.split(" ", 2) for line in path.read_text(encoding="utf-8").splitlines()) if path.exists() else ()
-    last = {name: (float(seconds), int(megabytes)) for seconds, megabytes, name in lines}
+    last = {name: (float(seconds), int(megabytes)) for seconds, megabytes, name in lines if (path.parent / name).exists()}
     for name, (seconds, megabytes) in last.items():
         yield {"build": build, "source": re.sub(r"CMakeFiles/[^/]+\.dir/|\.o$", "", name), "seconds": seconds, "megabytes": megabytes}
 
