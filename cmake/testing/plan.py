@@ -244,9 +244,9 @@ def passed(number, count):
 
 
 def rest():
-    chosen, every = len(chosen_items()), len(items())
-    names = sorted({item.name.split(".")[0] for item in items() if item.key not in {each.key for each in chosen_items()}})
-    return f"{every - chosen} of {every} items, of {', '.join(names)}"
+    every, chosen = items(), set((PLAN / "items").read_text(encoding="utf-8").split("\n"))
+    left = [item for item in every if item.key not in chosen]
+    return f"{len(left)} of {len(every)} items, of {', '.join(sorted({item.name.split('.')[0] for item in left}))}"
 
 
 def part(text):
