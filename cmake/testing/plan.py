@@ -14,7 +14,6 @@ tests/essence.txt says which are the essence; all others are the deep half, whos
 import argparse
 import fnmatch
 import json
-import os
 import pathlib
 import re
 import subprocess

@@ -12,7 +12,7 @@
 
 namespace regulator_reference {
 
-// In sources of their own, each half a gigabyte of a compiler.
+// In sources of their own: together a compiler takes over a gigabyte for them.
 Eigen::MatrixXd exponential(const Eigen::MatrixXd& m);
 Eigen::MatrixXd solved(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& Q,
                        const Eigen::MatrixXd& R);

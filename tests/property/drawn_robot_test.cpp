@@ -38,7 +38,7 @@ void expect_small_errors(double allowed, const Error& error_of) {
 template <class T>
 class DrawnRobot : public testing::Test {
  protected:
-  /// Ten times what 40 draws of states had at most; solving loses what the condition of M takes.
+  /// Ten to twenty times what 40 draws of states had at most; solving loses what the condition of M takes.
   static constexpr double torque = std::is_same_v<T, double> ? 1e-14 : 4e-6;
   static constexpr double solved = std::is_same_v<T, double> ? 2e-12 : 1e-3;
   const oracle::Chain<oracle::quad> chain = oracle::of_robot<oracle::quad, Robot>();
