@@ -87,7 +87,7 @@ prepare_own_images() {
 }
 
 # build_own_images BOARD TARGET...: all that can be built; then what the compiler and the linker said of the others. False unless all
-# of these are kernels that the library does not offer for joints that share drives.
+# of these are kernels that the library does not offer for joints that share drives, or for a joint that moves no mass.
 build_own_images() {
   local board=$1 log=$AXIAL_ROOT/build/$1-own.log said status=0
   shift

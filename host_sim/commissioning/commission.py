@@ -173,15 +173,18 @@ def judge(arm, options):
     write_torques(folder / "torques.csv", verdict)
     draw(folder / "torques.csv")
     print(f"report {folder}/commissioning.json, picture {folder}/torques.png")
-    conclude(arm, verdict, report, options)
+    conclude(arm, report, options)
 
 
-def conclude(arm, verdict, report, options):
+def conclude(arm, report, options):
     """Writes the header; raises ValueError for what it cannot mend."""
     log = ", ".join(pathlib.Path(path).name for path in options.poses)
     unexplained = report.unexplained()
     if unexplained:
-        raise ValueError(f"{log}: {unexplained}; no header is written; {cause(verdict)}")
+        raise ValueError(f"{log}: {unexplained}; no header is written; no exchange of drives, axis, sign, scale, zero or tilt explains it; is it this robot, "
+                         "are its masses right (./axial identify), is the mass where --at says, does something touch or bend?")
+    if report.of_file():
+        raise ValueError(f"{log}: {'; '.join(report.of_file())}; no header is written")
     if report.either:
         raise ValueError(f"{log}: {'; '.join(report.mistakes())}; no header is written")
     if options.target:
@@ -190,15 +193,6 @@ def conclude(arm, verdict, report, options):
     drives = report.drives_to_mend()
     if drives:
         raise ValueError(f"{log}: no header mends this, the drives or the wiring must be: {'; '.join(drives)}")
-
-
-def cause(verdict):
-    """The best guess at what nothing else explains: the mass in another unit, or not there."""
-    for factor, text in ((1e-3, "grams"), (0.45359237, "pounds"), (0.0, None)):
-        if verdict.of_mass(factor) < 0.3 * verdict.residuals().max():
-            return f"the mass looks given in {text}" if text else "the mass at the tool has no effect: was it there?"
-    return ("no exchange of drives, axis, sign, scale, zero or tilt explains it; is it this robot, are its masses right (./axial identify), is the "
-            "mass where --at says, does something touch or bend?")
 
 
 def commission(options):

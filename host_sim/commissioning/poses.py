@@ -130,16 +130,20 @@ def _check_sides(side):
 
 
 def _check_units(groups, arm):
-    for j, joint in enumerate(arm.joints):
-        q, slides = groups["q"][:, j], joint["prismatic"]
-        low, high = joint["position_min"], joint["position_max"]
-        if low is None or high is None:
-            low, high = (-TURNS, TURNS) if not slides else (-10.0, 10.0)
-        wide = BEYOND * (high - low)
+    """Positions that would be beyond any joint's limits: columns may be exchanged."""
+    limits = [_limits(joint) for joint in arm.joints]
+    furthest = max(max(abs(low), abs(high)) for low, high in limits)
+    for j, (low, high) in enumerate(limits):
+        q, wide = groups["q"][:, j], BEYOND * (high - low)
         if q.max() > high + wide or q.min() < low - wide:
-            unit = "metres, and these look like millimetres" if slides else "radians, and these look like degrees"
-            if np.abs(q).max() > 2.0 * max(abs(low), abs(high)):
+            unit = "metres, and these look like millimetres" if arm.joints[j]["prismatic"] else "radians, and these look like degrees"
+            if np.abs(q).max() > 2.0 * furthest:
                 raise PosesError(f"q{j + 1} goes from {q.min():.4g} to {q.max():.4g}, the robot's limits are {low:.4g} and {high:.4g}; positions are in {unit}")
+
+
+def _limits(joint):
+    low, high = joint["position_min"], joint["position_max"]
+    return (low, high) if None not in (low, high) else (-10.0, 10.0) if joint["prismatic"] else (-TURNS, TURNS)
 
 
 def _poses_of(q, arm):

@@ -17,7 +17,8 @@ class Report:
         self.units = self.arm.units()
         self.shares = self.arm.noun == "drive"
         self.mended = () if self.shares else MENDED
-        self.either = [each for each in verdict.alike if each.cost < verdict.hypothesis.cost + wiring.ALIKE]
+        claims, cost = verdict.hypothesis.claims, verdict.hypothesis.cost  # others that claim more are what poses do not tell
+        self.either = [each for each in verdict.alike if 0 < each.claims <= claims and each.cost < cost + wiring.ALIKE]
         self.residuals = verdict.residuals()
 
     # What is wrong.
@@ -25,11 +26,16 @@ class Report:
     def mistakes(self):
         """Sentences of exchanges, axes and signs; where the poses do not tell which, all that explain them, by "or"."""
         found = self.verdict.mistakes()
-        if not self.either or not (found or any(wiring.named(each, self.verdict.statics) for each in self.either)):
+        if not self.either:
             return [each.sentence(self.units, self.arm.noun) for each in found]
         ways = [found] + [wiring.named(each, self.verdict.statics) for each in self.either]
-        texts = [" and ".join(each.sentence(self.units, self.arm.noun) for each in way) or "nothing is wrong with wires and signs" for way in ways]
-        return [", or ".join(dict.fromkeys(texts)) + " (these poses do not tell which)"]
+        texts = [" and ".join(each.sentence(self.units, self.arm.noun) for each in way) for way in ways]
+        remedies = [self._remedy(each) for each in self.either]
+        return [", or ".join(dict.fromkeys(texts)) + f" (these poses do not tell which{remedies[0]})"]
+
+    def of_file(self):
+        """Sentences of what is wrong with the whole file."""
+        return [each.sentence(self.units, self.arm.noun) for each in self.verdict.mistakes() if each.kind in wiring.OF_FILE]
 
     def of_drive(self, joint):
         """Sentences of one drive's numbers."""
@@ -63,12 +69,6 @@ class Report:
         g = ", ".join(f"{value:.4g}" for value in self.verdict.gravity())
         return [f"the table is tilted by {np.degrees(angle):.3g} +- {np.degrees(deviation):.2g} degrees: gravity is ({g}) m/s^2 in frame 0"]
 
-    def sides_exchanged(self):
-        """Friction of the wrong sign at every joint that has some: the sides were told the other way round."""
-        levels = [self.verdict.friction(joint) for joint in range(len(self.arm))]
-        sure = [level for level, deviation in levels if abs(level) > SURE * deviation]
-        return len(sure) > 0 and all(level < 0.0 for level in sure) and (len(sure) > 1 or len(self.arm) == 1)
-
     def unexplained(self):
         """One sentence, or nothing."""
         worst = int(np.argmax(self.residuals))
@@ -82,13 +82,12 @@ class Report:
         texts = [each.sentence(self.units, self.arm.noun) for each in kinds] if not self.either else self.mistakes()
         for joint in range(len(self.arm)):
             texts += self._scale(joint) + self._offset(joint) + (self._zero(joint) if self.shares else [])
-        return texts + ([f"friction helps the motion at every {self.arm.noun}: the sides look exchanged in the file"] if self.sides_exchanged() else [])
+        return texts
 
     # What the poses do not tell.
 
     def untold(self):
-        wiring_too = [self._wiring_untold(each) for each in self.verdict.alike if each not in self.either]
-        return [self._untold(each, "not told") for each in self.verdict.untold] + list(dict.fromkeys(filter(None, wiring_too)))
+        return [self._untold(each, "not told") for each in self.verdict.untold] + self._wiring_untold()
 
     def poor(self):
         return [self._untold(each, "poorly told") for each in self.verdict.poor]
@@ -112,11 +111,21 @@ class Report:
     def shown(self, pose):
         return [1000 * value if slides else np.degrees(value) for value, slides in zip(pose, self.arm.prismatic)]
 
-    def _wiring_untold(self, hypothesis):
-        """Of one that claims a mistake more and explains as much."""
-        have = [(each.kind, each.joints) for each in self.verdict.mistakes()]
-        more = [each for each in wiring.named(hypothesis, self.verdict.statics) if (each.kind, each.joints) not in have]
-        return "not told whether " + " and ".join(each.sentence(self.units, self.arm.noun) for each in more) if more else ""
+    def _wiring_untold(self):
+        """Of hypotheses that claim a mistake more and explain as much: a sentence for all that one pose, or none, tells."""
+        have, groups = [(each.kind, each.joints) for each in self.verdict.mistakes()], {}
+        for hypothesis in (each for each in self.verdict.alike if each not in self.either):
+            more = [each for each in wiring.named(hypothesis, self.verdict.statics) if (each.kind, each.joints) not in have]
+            if more:
+                groups.setdefault(self._remedy(hypothesis), []).append(" and ".join(each.sentence(self.units, self.arm.noun) for each in more))
+        return [f"these poses cannot tell whether {', or '.join(dict.fromkeys(texts))}{remedy}" for remedy, texts in groups.items()]
+
+    def _remedy(self, hypothesis):
+        """What would tell it from what is found."""
+        pose = self.verdict.pose_apart_from(hypothesis)
+        if pose is None:
+            return "; no held pose tells: push each with a known force, or record a motion for ./axial identify"
+        return f"; hold ({', '.join(f'{value:.3g}' for value in self.shown(pose))}), degrees or mm, too"
 
     # Forms.
 
@@ -141,8 +150,6 @@ class Report:
 
     def _verdicts(self):
         lines = [*self.mistakes(), *self.tilt()]
-        if self.sides_exchanged():
-            lines.append(f"friction helps the motion at every {self.arm.noun}: the sides look exchanged in the file")
         for joint in range(len(self.arm)):
             own = "; ".join(self.of_drive(joint))
             lines.append(f"drive {joint + 1}: {own or 'nothing wrong'}")

@@ -162,10 +162,25 @@ class Rows:
     side: np.ndarray
     q: np.ndarray
     tau: np.ndarray
+    pose: np.ndarray = None
 
     def __post_init__(self):
         size = np.sqrt(np.mean(self.tau ** 2, axis=0))
         self.size = np.where(size > 0.0, size, max(1e-9, size.max()))  # of each joint's torque
+
+    def noise(self, sure=0.0):
+        """Standard deviation of each drive's torque between holds of one pose from both sides, of which gravity is no part: half their
+        difference is friction, the same in all poses, and noise. 0 where too few poses were held from both. sure: so many deviations of its
+        own variance above it."""
+        halves = []
+        for pose, mass in sorted({*zip(self.pose, self.mass)}) if self.pose is not None else ():
+            here = (self.pose == pose) & (self.mass == mass)
+            up, down = here & (self.side[:, 0] > 0.0), here & (self.side[:, 0] < 0.0)
+            if up.any() and down.any():
+                halves.append(0.5 * (self.tau[up].mean(axis=0) - self.tau[down].mean(axis=0)))
+        if len(halves) < 3:
+            return np.zeros(self.tau.shape[1])
+        return np.sqrt(2.0 + 2.0 * sure * np.sqrt(2.0 / (len(halves) - 1))) * np.std(halves, axis=0, ddof=1)
 
     def centred_size(self):
         """RMS of each joint's torque without its mean: what an offset does not explain."""
@@ -190,7 +205,7 @@ class Fitter:
         self.statics = statics
 
     def fit(self, data, start, free, most=30, weighted=True):
-        sigma = np.broadcast_to(data.size, data.tau.shape) * 0.02
+        sigma = np.broadcast_to(np.maximum(0.02 * data.size, data.noise()), data.tau.shape)
         x = start
         for _ in range(ROUNDS + 1 if weighted else 1):
             x = self._solve(data, x, free, sigma, most)
@@ -247,7 +262,7 @@ class Fitter:
     def _sigma(self, data, residual, free):
         """Of each joint by itself; within a joint by what all of them say of how noise grows with torque."""
         plain = self._plain_sigma(data, residual, free)
-        squares, sizes = (residual / plain) ** 2, (data.tau / data.size) ** 2
+        squares, sizes = (residual / plain) ** 2, ((data.tau - residual) / data.size) ** 2  # as predicted: what noise made small is not exact
         columns = np.column_stack([np.ones(squares.size), sizes.ravel()])
         shares, _ = scipy.optimize.nnls(columns, squares.ravel())
         growth = (columns @ shares).reshape(squares.shape)

@@ -18,6 +18,7 @@ import numpy as np
 
 import commission
 import design
+import drawn_logs
 from engine import Arm, suspects
 import poses as files
 from statics import Statics
@@ -120,20 +121,6 @@ class Simulated:
         return np.loadtxt(log, delimiter=",", skiprows=1)[:, 1 + joints:]
 
 
-def planted(suspect, columns):
-    """Columns of positions (True) or torques (False) as the mistake has them; written apart from what undoes one."""
-    result = [np.array(each) for each in columns]
-    concerned = {"torques exchanged": (1,), "positions exchanged": (0, 2), "drives exchanged": (0, 1, 2), "torque negated": (1,),
-                 "position negated": (0, 2), "axis turned": (0, 1, 2)}[suspect.kind]
-    for k in concerned:
-        if suspect.kind.endswith("exchanged"):
-            i, j = suspect.joints
-            result[k][:, i], result[k][:, j] = columns[k][:, j], columns[k][:, i]
-        else:
-            result[k][:, suspect.joints[0]] *= -1.0
-    return result
-
-
 def measured(arm, simulated, true, q, seed, samples, noise=NOISE):
     """Rows of a CSV: mass, sides, q, tau."""
     random, statics = np.random.default_rng([seed, 99]), Statics(arm)
@@ -148,7 +135,7 @@ def measured(arm, simulated, true, q, seed, samples, noise=NOISE):
             reported = true.scale * (tau + noise * size * random.normal(0.0, 1.0, q.shape)) + true.offset * size
             columns = [position, reported, np.full(q.shape, float(side))]
             for mistake in reversed(true.mistakes):
-                columns = planted(mistake, columns)
+                columns = drawn_logs.planted(mistake, columns)
             tables.append(np.column_stack([np.full(len(q), mass), columns[2], columns[0], columns[1]]))
     return np.concatenate(tables)
 

@@ -13,7 +13,10 @@ UNTOLD = {"zero": np.radians(2.0), "slide": 0.02, "tilt": np.radians(2.0), "scal
 # Of a scale a third of 2 %: one that a small tilt alone tells may well be off by two of its standard errors.
 POOR = {"zero": np.radians(0.2), "slide": 2e-3, "tilt": np.radians(0.1), "scale": 0.007, "offset": 0.1, "coulomb": np.inf}
 FAULT = {"zero": np.radians(0.5), "slide": 2e-3, "tilt": np.radians(0.3), "scale": 0.03, "offset": 0.05}
+NOISY = 0.03  # of a drive's limit, or of the arm's largest torque: more is no drive's noise
 TOGETHER = 0.8  # correlation of errors from which two unknowns are mixed up
+APART = 3.0 * wiring.ALIKE  # of evidence against another hypothesis: less is no pose worth naming
+TRIED = 60  # poses that are tried for it
 HELPS = 0.6  # of a standard deviation: a pose that leaves no more is worth naming
 
 
@@ -34,11 +37,14 @@ class Verdict:
         self.hypothesis = search.best()
         self.alike = search.alike(self.hypothesis)
         self.rows = wiring.undone(poses, self.hypothesis.mistakes)
-        self.fit = Fitter(statics).fit(self.rows, np.array(self.hypothesis.fit.x), statics.free)
         self.places = np.flatnonzero(statics.free)
-        self.covariance = self._covariance()
-        self.deviation = np.zeros(len(self.fit.x))
-        self.deviation[self.places] = np.sqrt(np.diag(self.covariance))
+        self._settle(np.array(self.hypothesis.fit.x), self.hypothesis.fit.free)
+        untold = np.array([i for i in self.places if statics.unknowns.kind(i)[0] in ("zero", "scale") and self.doubt(self.deviation, i, UNTOLD) > 1.0], int)
+        if len(untold) > 0:  # what the poses do not tell is as described, lest noise chooses it and all that it is mixed up with
+            start, free = np.array(self.fit.x), self.fit.free.copy()
+            of = statics.unknowns.of("scale")
+            start[untold], free[untold] = np.where((untold >= of.start) & (untold < of.stop), np.sign(start[untold]), 0.0), False
+            self._settle(start, free)
         self.designer = design.Designer(statics, float(np.median(poses.mass[poses.mass > 0.0])), seed, self.fit.x,
                                         np.sqrt(np.mean(self.fit.sigma ** 2, axis=0)), held=False)
         ratios = {i: (self.doubt(self.deviation, i, UNTOLD), self.doubt(self.deviation, i, POOR)) for i in self.places}
@@ -46,9 +52,33 @@ class Verdict:
         self.untold = [self._explained(i) for i in self.places if ratios[i][0] > 1.0]
         self.poor = [self._explained(i) for i in self.places if ratios[i][0] <= 1.0 < ratios[i][1]]
 
-    def _covariance(self):
+    def _settle(self, start, free):
+        """The fit from there, and how sure it is."""
+        self.fit = Fitter(self.statics).fit(self.rows, start, free)
+        self.covariance = self._covariance(self.fit.information)
+        self.deviation = self._deviations()
+        if not self._tilt_is_sure():  # what tells a scale by a tilt that may not be there tells nothing
+            self.covariance = self._covariance(self._information_without_tilt())
+            self.deviation = self._deviations()
+
+    def _covariance(self, information):
         """What is likely counts as measured: far too little to matter where the poses tell."""
-        return inverse(self.fit.information[np.ix_(self.places, self.places)] + np.diag(self.weak(self.places)))
+        return inverse(information[np.ix_(self.places, self.places)] + np.diag(self.weak(self.places)))
+
+    def _deviations(self):
+        result = np.zeros(len(self.fit.x))
+        result[self.places] = np.sqrt(np.diag(self.covariance))
+        return result
+
+    def _tilt_is_sure(self):
+        of = self.statics.unknowns.of("tilt")
+        return bool(np.any(np.abs(self.fit.x[of]) > SURE * self.deviation[of]))
+
+    def _information_without_tilt(self):
+        x = np.array(self.fit.x)
+        x[self.statics.unknowns.of("tilt")] = 0.0
+        jacobian = (self.statics.jacobian(self.rows, x) / self.fit.sigma[:, :, None]).reshape(-1, len(x))
+        return jacobian.T @ jacobian
 
     def weak(self, places):
         """Information that sizes of errors have before anything is measured."""
@@ -91,16 +121,32 @@ class Verdict:
         together[where] = 0.0
         return [self.statics.unknowns.kind(self.places[k]) for k in np.argsort(-together)[:2] if together[k] > TOGETHER]
 
+    def pose_apart_from(self, other):
+        """The pose that would speak most against another hypothesis if this one is right, all that the other has not settled free; None where no held
+        pose does."""
+        count, places = min(TRIED, len(self.designer.poses)), np.flatnonzero(other.fit.free)
+        rows = self.designer.rows(self.designer.poses[:count])
+        rows.tau = wiring.redone(self.statics.predicted(wiring.undone(rows, self.hypothesis.mistakes), self.fit.x), self.hypothesis.mistakes)
+        rows, sigma = wiring.undone(rows, other.mistakes), np.sqrt(np.mean(other.fit.sigma ** 2, axis=0))
+        by_pose = lambda values: np.moveaxis((values.reshape(4, count, len(self.arm), -1) / sigma[:, None]), 1, 0).reshape(count, 4 * len(self.arm), -1)
+        apart = by_pose(rows.tau - self.statics.predicted(rows, other.fit.x))
+        slope = by_pose(self.statics.jacobian(rows, other.fit.x)[:, :, places])
+        settled = inverse(other.fit.information[np.ix_(places, places)] + np.diag(self.weak(places)))
+        spread = np.eye(apart.shape[1]) + slope @ settled @ slope.swapaxes(1, 2)
+        against = np.sum(apart * np.linalg.solve(spread, apart), axis=(1, 2))
+        return self.designer.poses[np.argmax(against)] if against.max() > APART else None
+
     def value(self, kind, joint):
         """The unknown and its standard deviation; None where the poses do not tell it."""
         i = self.statics.unknowns.index(kind, joint)
         return (float(self.fit.x[i]), float(self.deviation[i])) if self.told[i] else None
 
     def friction(self, joint):
-        """Coulomb level on the joint's side, and its standard deviation: what the drive reports over its scale."""
-        scale = abs(self.fit.x[self.statics.unknowns.index("scale", joint)])
+        """Coulomb level on the joint's side, and its standard deviation: what the drive reports over its scale, where that is told."""
+        place = self.statics.unknowns.index("scale", joint)
+        scale = abs(self.fit.x[place]) if self.told[place] else 1.0
         level, deviation = self.value("coulomb", joint)
-        sign = np.sign(self.fit.x[self.statics.unknowns.index("scale", joint)])
+        sign = np.sign(self.fit.x[place])
         return float(sign * level / scale), float(deviation / scale)
 
     def is_fault(self, kind, joint):
@@ -116,9 +162,10 @@ class Verdict:
         return wiring.named(self.hypothesis, self.statics)
 
     def residuals(self):
-        """What is left of each joint's torque, over its RMS (or a twentieth of the joint's limit, where it has little to do)."""
-        size = np.maximum(self.rows.size, 0.05 * self.arm.limits("effort", 0.0))
-        return np.sqrt(np.mean(self.fit.residual ** 2, axis=0)) / size
+        """What is left of each joint's torque beyond its noise, over its RMS (or a twentieth of the joint's limit, where it has little to do)."""
+        limits = self.arm.limits("effort", 0.0)
+        noise = np.minimum(self.rows.noise(SURE), np.maximum(NOISY * limits, NOISY * self.rows.size.max()))
+        return np.sqrt(np.maximum(0.0, np.mean(self.fit.residual ** 2, axis=0) - noise ** 2)) / np.maximum(self.rows.size, 0.05 * limits)
 
     def gravity(self):
         of = self.statics.unknowns.of("tilt")
@@ -138,14 +185,6 @@ class Verdict:
     def tilt_is_fault(self):
         found = self.tilt()
         return found is not None and found[0] > SURE * found[1] and found[0] > FAULT["tilt"]
-
-
-    def of_mass(self, factor):
-        """Largest residual (over the joint's RMS) that the same mistakes would leave, were the mass so many times as large."""
-        rows = wiring.undone(dataclasses.replace(self.poses, mass=factor * self.poses.mass), self.hypothesis.mistakes)
-        start = self.statics.linear_start(rows, np.zeros(len(self.arm)), np.zeros(2))[0]
-        fit = Fitter(self.statics).fit(rows, start, self.statics.free, weighted=False)
-        return float(np.max(np.sqrt(np.mean(fit.residual ** 2, axis=0)) / rows.size))
 
 
 def inverse(information):

@@ -12,12 +12,14 @@ from engine import suspects
 from statics import SURE, Fit, Fitter, Rows
 
 MISTAKE = 14.0  # of evidence (-2 log likelihood) that one mistake more must buy
+OF_FILE = ("sides negated", "mass")  # kinds of mistakes that are nobody's drive
+LEAST_MASS = 0.02  # kg: nobody commissions with less
 AT_ONCE = 3  # mistakes that are searched together
 NARROW, WIDE = (8, 3), (16, 10)  # hypotheses that get a whole fit at each step; that are gone on from. Wide where narrow explains too little
 ALIKE = 9.0  # of evidence: hypotheses nearer than this the poses do not tell apart
 WORST_FRICTION = 60.0  # of evidence: what friction of a wrong sign costs at most
-FAR_ZEROS, EXPLAINED = 3, 0.05  # zeros that are sought far off, one after the other; what is left of a torque that needs none
-TRIAL = 8  # evaluations of a fit that only ranks
+FAR_ZEROS, EXPLAINED = 3, 0.05  # zeros that are sought far off, one after the other; what is left of a torque beyond its noise that needs none
+TRIAL, WHOLE = 8, 60  # evaluations of a fit that only ranks; of one that decides
 
 
 def exchanges(joints):
@@ -28,6 +30,12 @@ def flips(joints):
     return [each for each in suspects.signs(joints) if each.kind == "position negated"]
 
 
+def of_file(joints, mass):
+    """What may be wrong with the whole file: sides told the other way round; masses in another unit, or not there. mass: the largest."""
+    every = tuple(range(joints))
+    return [suspects.Suspect("sides negated", every), *(suspects.Suspect("mass", every, factor) for factor in suspects.MASSES if factor == 0.0 or factor * mass > LEAST_MASS)]
+
+
 @dataclasses.dataclass
 class Hypothesis:
     """Mistakes in the order in which they are undone (exchanges, then signs), and what they leave."""
@@ -36,17 +44,26 @@ class Hypothesis:
     fit: Fit = None
     cost: float = np.inf  # evidence, and what its mistakes cost
     raw: float = np.inf  # evidence, and friction of a wrong sign
+    claims: int = 0  # mistakes of files and wires, and joints of which a position or a torque has the wrong sign
 
     def key(self):
-        return tuple(sorted((each.kind, each.joints) for each in self.mistakes))
+        return tuple(sorted((each.kind, each.joints, each.value) for each in self.mistakes))
 
 
 def undone(poses, mistakes):
     """Rows as they would be without them."""
-    motion, tau = [poses.q, poses.side], poses.tau
+    mass, motion, tau = poses.mass, [poses.q, poses.side], poses.tau
     for each in mistakes:
+        mass = mass * each.value if each.kind == "mass" else mass
         motion, tau = each.undone(motion, tau)
-    return Rows(poses.mass, motion[1], motion[0], tau)
+    return Rows(mass, motion[1], motion[0], tau, poses.pose)
+
+
+def redone(tau, mistakes):
+    """Torques as drives report them, of those without mistakes."""
+    for each in reversed(mistakes):
+        tau = each.undone([], tau)[1]
+    return tau
 
 
 class Search:
@@ -57,7 +74,8 @@ class Search:
         self.tried = {}
 
     def best(self):
-        """The hypothesis that explains most at least cost; all that got a whole fit are in self.tried."""
+        """The hypothesis that explains most at least cost, or one that claims less and explains nearly as much; all that got a whole fit are in
+        self.tried."""
         best = self._searched(*NARROW, far=0)
         if not self._is_explained(best):
             self.tell("too little is explained: trying zeros far off")
@@ -67,7 +85,32 @@ class Search:
         if not self._is_explained(best):
             self.tell("too little is explained: searching wider")
             best = min(best, self._searched(*WIDE, far=NARROW[1]), key=lambda each: each.cost)
-        return self.with_signs_tried(best)
+        return self.least(self.pruned(self.with_signs_tried(best)))
+
+    def least(self, best):
+        """Of those whose evidence is as good, one of those that claim least: a mistake is named where a model without it can not explain the poses.
+        Rivals of a named one are fitted as long as it takes."""
+        for each in self.tried.values() if best.claims else ():
+            if each.claims <= best.claims and each.cost < best.cost + 2.0 * MISTAKE:
+                self._fitted_whole(each, best)
+        alike = [each for each in self.tried.values() if each.cost <= best.cost + ALIKE]
+        return min(alike, key=lambda each: (each.claims, each.cost))
+
+    def pruned(self, best):
+        """Less is claimed where less explains as much: every part of the best one, fitted as long as it takes from where the best one stands."""
+        for size in range(len(best.mistakes)):
+            for mistakes in itertools.combinations(best.mistakes, size):
+                self._fitted_whole(self.judged(Hypothesis(mistakes), best), best)
+        return min(self.tried.values(), key=lambda each: each.cost)
+
+    def _fitted_whole(self, hypothesis, best):
+        """From the description, and from where the best one stands."""
+        rows, of = undone(self.poses, hypothesis.mistakes), self.statics.unknowns.of
+        for part in (0.0, 1.0):
+            start = self.statics.linear_start(rows, part * best.fit.x[of("zero")], part * best.fit.x[of("tilt")])[0]
+            self._replaced(hypothesis, rows, start, self.statics.free, WHOLE)
+        for joint in negative(hypothesis.fit, self.statics):
+            self._with_sign(hypothesis, rows, joint, WHOLE)
 
     def _is_explained(self, hypothesis):
         return _left(hypothesis.fit, undone(self.poses, hypothesis.mistakes)) < EXPLAINED
@@ -101,11 +144,12 @@ class Search:
     def _children(self, parent, finalists):
         """The likeliest of one mistake more, fitted."""
         joints = len(self.statics.arm)
-        more = [_with(parent, each) for each in exchanges(joints) + flips(joints) if each not in parent.mistakes]
+        more = [_with(parent, each) for each in exchanges(joints) + flips(joints) + of_file(joints, self.poses.mass.max()) if each not in parent.mistakes]
         new = {each.key(): each for each in more}
         scores = self._quick(list(new.values()), parent)
         ranked = [each for _, each in sorted(zip(scores, new.values()), key=lambda pair: pair[0])]
-        return [self.judged(each, parent) for each in ranked[:finalists]]
+        whole = [] if parent.mistakes else [each for each in ranked[finalists:] if each.mistakes[-1].kind in OF_FILE]
+        return [self.judged(each, parent) for each in ranked[:finalists] + whole]
 
     def _quick(self, hypotheses, parent):
         """Evidence of linear fits, zeros and tilt as in the parent, or none; all positions are asked for at once."""
@@ -132,12 +176,29 @@ class Search:
         start = min(begun, key=lambda each: _evidence(each[1], rows))[0]
         hypothesis.fit = self.fitter.fit(rows, start, self.statics.free, TRIAL, weighted=False)
         self._weighed(hypothesis, rows)
+        for joint in negative(hypothesis.fit, self.statics):
+            self._with_sign(hypothesis, rows, joint)
         self.tried[key] = hypothesis
         return hypothesis
 
+    def _with_sign(self, hypothesis, rows, joint, most=TRIAL):
+        """Fitted anew with the joint's scale and zero as described: where gravity hardly loads it, noise chose their signs."""
+        of, free, start = self.statics.unknowns.index, self.statics.free.copy(), np.array(hypothesis.fit.x)
+        start[of("scale", joint)], start[of("zero", joint)] = 1.0, 0.0
+        free[[of("scale", joint), of("zero", joint)]] = False
+        self._replaced(hypothesis, rows, start, free, most)
+
+    def _replaced(self, hypothesis, rows, start, free, most):
+        """By a fit from there, if that costs less."""
+        other = dataclasses.replace(hypothesis, fit=self.fitter.fit(rows, start, free, most, weighted=False))
+        self._weighed(other, rows)
+        if other.cost < hypothesis.cost:
+            hypothesis.fit, hypothesis.cost, hypothesis.raw, hypothesis.claims = other.fit, other.cost, other.raw, other.claims
+
     def _weighed(self, hypothesis, rows):
         hypothesis.raw = hypothesis.fit.evidence + self._wrong_friction(hypothesis.fit, rows)
-        hypothesis.cost = hypothesis.raw + hypothesis.fit.unlikely + MISTAKE * self._count(hypothesis)
+        hypothesis.claims = len(hypothesis.mistakes) + len(set(negative(hypothesis.fit, self.statics)) - flipped(hypothesis.mistakes))
+        hypothesis.cost = hypothesis.raw + hypothesis.fit.unlikely + MISTAKE * hypothesis.claims
 
     def with_far_zeros(self, hypothesis):
         """Begun anew from coarse zeros, as long as that explains more: a local minimum is left."""
@@ -160,10 +221,6 @@ class Search:
             hypothesis.fit = found
             self._weighed(hypothesis, rows)
 
-    def _count(self, hypothesis):
-        """Exchanges, and joints of which a position or a torque has the wrong sign."""
-        return len(hypothesis.mistakes) + len(set(negative(hypothesis.fit, self.statics)) - flipped(hypothesis.mistakes))
-
     def _wrong_friction(self, fit, rows):
         """Dry friction pushes against the motion: a level below 0 tells of a sign."""
         of = self.statics.unknowns.of
@@ -174,7 +231,7 @@ class Search:
     def alike(self, best):
         """Other hypotheses that the rows explain as well and that claim no more mistakes than one beside the best one's."""
         found = [each for each in self.tried.values() if each is not best and each.raw < best.raw + ALIKE
-                 and self._count(each) <= self._count(best) + 1 and each.cost < best.cost + MISTAKE + 2.0 * ALIKE]
+                 and each.claims <= best.claims + 1 and each.cost < best.cost + MISTAKE + 2.0 * ALIKE]
         return sorted(found, key=lambda each: each.cost)
 
 
@@ -195,7 +252,8 @@ def negative(fit, statics):
 
 
 def _left(fit, rows):
-    return float(np.max(np.sqrt(np.mean(fit.residual ** 2, axis=0)) / rows.size))
+    """Of any torque, beyond its noise."""
+    return float(np.max(np.sqrt(np.maximum(0.0, np.mean(fit.residual ** 2, axis=0) - rows.noise(SURE) ** 2)) / rows.size))
 
 
 def _evidence(residual, rows):
@@ -208,8 +266,8 @@ EXACT_TRIAL = 1e-3
 
 def named(hypothesis, statics):
     """Its mistakes as suspects: a position and a torque that are both negated are an axis turned."""
-    exchanged = [each for each in hypothesis.mistakes if "exchanged" in each.kind]
+    others = [each for each in hypothesis.mistakes if each.kind != "position negated"]
     positions, torques = flipped(hypothesis.mistakes), set(negative(hypothesis.fit, statics))
     kinds = itertools.chain((("axis turned", j) for j in positions & torques), (("position negated", j) for j in positions - torques),
                             (("torque negated", j) for j in torques - positions))
-    return exchanged + [suspects.Suspect(kind, (j,)) for kind, j in sorted(kinds, key=lambda each: each[1])]
+    return others + [suspects.Suspect(kind, (j,)) for kind, j in sorted(kinds, key=lambda each: each[1])]

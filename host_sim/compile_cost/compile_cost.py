@@ -165,12 +165,14 @@ def processor():
     return next(line.split(":", 1)[1].strip() for line in lines if line.startswith("model name"))
 
 
+def provenance(names):
+    builds = {build: {"compiler": first_line(BUILDS[build][0], "--version"), "flags": " ".join(flags(build))} for build in names}
+    return {"commit": first_line(ROOT / "host_sim/system/commit.sh"), "builds": builds, "processor": processor(),
+            "processors": os.cpu_count(), "load": round(os.getloadavg()[2], 1)}
+
+
 def run_provenance(options):
-    builds = {build: {"compiler": first_line(command[0], "--version"), "flags": " ".join(flags(build))}
-              for build, command in BUILDS.items()}
-    write_json(options.file, {"commit": first_line(ROOT / "host_sim/system/commit.sh"), "builds": builds,
-                              "processor": processor(), "processors": os.cpu_count(),
-                              "load": round(os.getloadavg()[2], 1)})
+    write_json(options.file, provenance(BUILDS))
 
 
 def parse(arguments):

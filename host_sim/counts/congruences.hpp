@@ -2,6 +2,7 @@
 // Each has `name` and `to_parent<T>(x, z, n)` over any number system.
 #pragma once
 
+#include <axial/spatial/articulated_congruence.hpp>
 #include <axial/spatial/branch_screw.hpp>
 
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/cost.hpp>
-#include <axial/dynamics/shared_drives.hpp>
+#include <axial/transmissions/shared_drives.hpp>
 #include <host_sim/counts/forms.hpp>
 #include <host_sim/counts/rows.hpp>
 #include <robots/models/models.hpp>

@@ -1,7 +1,7 @@
 // What solve.hpp declares, for the source of a robot.
 #pragma once
 
-#include <axial/dynamics/shared_drives.hpp>
+#include <axial/transmissions/shared_drives.hpp>
 #include <host_sim/counts/float_or_double.hpp>
 #include <host_sim/counts/forms.hpp>
 #include <host_sim/counts/solve.hpp>

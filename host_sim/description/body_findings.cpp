@@ -76,7 +76,7 @@ std::string correct_or_keep(bool as_published, const std::string& correct) {
 bool needs_acceptance(const axial::LinkParameters& p) {
   axial::detail::Given given;
   given.note(axial::detail::Quantity::mass);
-  return axial::detail::doubtful_problem(p, given) != axial::detail::Problem::none;
+  return axial::detail::doubtful_problem(p, given, axial::detail::bound::mass) != axial::detail::Problem::none;
 }
 
 std::vector<Finding> body_findings(const std::string& link, const axial::LinkParameters& p, bool as_published) {

@@ -85,6 +85,7 @@ class Inspector {
   }
   void range() {
     const std::string limits = number(p_.position_min) + " to " + number(p_.position_max);
+    if (p_.mass > axial::detail::bound::mass) doubt("mass is beyond 1000 kg: " + number(p_.mass), "give kilograms");
     switch (axial::detail::range_problem(p_)) {
       case axial::detail::Problem::position_limits_look_like_degrees:
         return doubt(joint() + "position limits look like degrees: " + limits + " rad", "give radians");
@@ -123,6 +124,38 @@ void unresisted(const Description& robot, std::vector<Finding>& found) {
       found.push_back({false, robot.links[k].name,
                        "joint '" + robot.links[k].joint + "' moves nothing that has inertia",
                        "forward dynamics needs a body from there outwards, or rotor_inertia"});
+  }
+}
+
+/// m: how far a robot reaches at most, by the lengths of its rows and the travel of its slides.
+double size_of(const Description& robot) {
+  double sum = 0.0, centre = 0.0;
+  for (const Link& link : robot.links) {
+    const auto& p = link.parameters;
+    sum += std::hypot(p.a, p.d, p.b);
+    const double travel = std::max(std::abs(p.position_min), std::abs(p.position_max));
+    if (p.type == axial::JointType::prismatic && std::isfinite(travel)) sum += travel;
+    centre = std::max(centre, std::hypot(p.com[0], p.com[1], p.com[2]));
+  }
+  const double* tool = robot.tool.position;
+  return sum + std::max(centre, std::hypot(tool[0], tool[1], tool[2]));
+}
+
+/// Inertias of bodies larger than the robot: most likely in other units.
+void absurd_inertias(const Description& robot, std::vector<Finding>& found) {
+  constexpr double least = 0.1;  // m: of robots that hardly have lengths; of one without any nothing is said
+  const double reach = size_of(robot), size = std::max(least, reach);
+  if (!(reach > 0.0)) return;
+  for (const Link& link : robot.links) {
+    const auto& p = link.parameters;
+    const double largest = std::max({p.inertia_com[0], p.inertia_com[1], p.inertia_com[2]});
+    const double radius = p.mass > 0.0 ? std::sqrt(std::max(0.0, largest) / p.mass) : 0.0;
+    if (radius > size)
+      found.push_back({false, link.name,
+                       "joint '" + link.joint + "' moves " + number(p.mass, 4) + " kg with an inertia of " +
+                           number(largest, 4) + " kg m^2: a radius of gyration of " + number(radius, 3) +
+                           " m, in a robot of " + number(size, 3) + " m",
+                       "give kg m^2 about the centre of mass, not g or mm"});
   }
 }
 
@@ -190,7 +223,7 @@ std::vector<Finding> findings(const Description& robot) {
     const auto more = Inspector(link, robot.as_published).all();
     found.insert(found.end(), more.begin(), more.end());
   }
-  unresisted(robot, found);
+  unresisted(robot, found), absurd_inertias(robot, found);
   shared_drives(robot, found);
   return found;
 }

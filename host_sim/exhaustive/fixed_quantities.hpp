@@ -43,7 +43,7 @@ std::array<Norms, R::chain.size> norms_at(const FixedState<R, axial::Fixed32>& f
     link.angular_velocity = norm(m.w), link.angular_acceleration = norm(m.dw), link.linear_acceleration = norm(m.a);
     link.force = norm(force.force), link.moment = norm(force.moment);
     link.effort = std::fabs(number(rnea::joint_effort(links, i, force, at, qd, qdd)));
-    return rnea::InwardResult{rnea::sent_force(links, screws, i, force)};
+    return rnea::InwardResult{rnea::force_on_parent(links, screws, i, force)};
   });
   return all;
 }

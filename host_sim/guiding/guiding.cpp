@@ -105,7 +105,7 @@ class Arm {
       point.q[i] = static_cast<float>(x_.q[static_cast<int>(i)]);
     return point;
   }
-  Point tool() const { return axial::forward_kinematics(model_, x_.q).tool.position; }
+  Point tool() const { return axial::forward_kinematics(model_, x_.q, {}).tool.position; }
 
   /// A tick under a torque and the force of a hand, which is `time` on its way; the largest force.
   double run(const link::Torque& answer, const Hand* hand, double time) {
@@ -116,9 +116,9 @@ class Arm {
     const simulation::Drive<double> drive = [&](const auto& at, Values& effort, auto&, auto&) {
       effort = held;
       if (hand == nullptr) return;
-      const auto jacobian = axial::jacobian(model_, at.q);
+      const auto jacobian = axial::jacobian(model_, at.q, {});
       const auto velocity = axial::tool_velocity(jacobian, at.qd).linear;
-      const Point force = hand->force(time, axial::forward_kinematics(model_, at.q).tool.position, velocity);
+      const Point force = hand->force(time, axial::forward_kinematics(model_, at.q, {}).tool.position, velocity);
       const auto felt = axial::transpose_times(jacobian, axial::ForceVector<Point, Point>{{}, force});
       for (int i = 0; i < model_.size(); ++i)
         effort[i] += felt[i];

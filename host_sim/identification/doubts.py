@@ -100,6 +100,7 @@ def _residual(regressor, tau):
 class Remedy:
     suspect: suspects.Suspect
     residual: float  # of the whole fit without the mistake
+    left: float  # of that, beyond noise
     others: tuple = ()  # suspects without which as little is left: the log does not tell which it is
 
     def sentence(self, units, noun="joint"):
@@ -114,18 +115,24 @@ def mended(log, suspect):
 
 
 def best_remedy(doubts, log, residual_of):
-    """The best of the finalists; residual_of(log): the residual of a whole fit."""
+    """The best of the finalists; residual_of(log): the residual of a whole fit, and what of it is beyond noise."""
     ranked = doubts.ranked()
     least = doubts.score(ranked[0])
     finalists = ranked[:FINALISTS] + [each for each in ranked[FINALISTS:] if each.kind == "torque negated" or
                                       each.kind in SIGNS and doubts.score(each) <= ALIKE * least + EXACT]
-    best, *others = sorted((Remedy(each, residual_of(mended(log, each))) for each in finalists), key=lambda remedy: remedy.residual)
-    alike = tuple(each.suspect for each in others if each.residual <= ALIKE * best.residual + EXACT)
-    return dataclasses.replace(best, others=alike)
+    best, *others = sorted((Remedy(each, *residual_of(mended(log, each))) for each in finalists), key=lambda remedy: (remedy.left, remedy.residual))
+    best, *others = _plain([best] + [each for each in others if each.left <= ALIKE * best.left + EXACT and each.residual <= ALIKE * best.residual + EXACT])
+    return dataclasses.replace(best, others=tuple(each.suspect for each in others))
+
+
+def _plain(alike):
+    """Without scales of a torque that is negated as well: a number more explains no less."""
+    negated = [each.suspect.joints for each in alike if each.suspect.kind == "torque negated"]
+    return [each for each in alike if each.suspect.kind != "torque scaled" or each.suspect.value > 0.0 or each.suspect.joints not in negated]
 
 
 def mends(before, remedy, limit):
-    return remedy.residual <= min(limit, MENDS * before)
+    return remedy.left <= min(limit, MENDS * before)
 
 
 def sentence(robot, before, remedy, limit):
@@ -135,4 +142,4 @@ def sentence(robot, before, remedy, limit):
         change = f"falls from {100 * before:.3g} % to" if np.isfinite(before) else "is then"
         return f"{remedy.sentence(units, robot.noun)}: the residual {change} {100 * remedy.residual:.2g} %"
     return (f"no single exchange of columns, sign, zero, scale or unit of a {robot.noun} mends it (the best one leaves "
-            f"{100 * remedy.residual:.3g} %); is it this robot, its gravity, its payload? is something flexible or in contact?")
+            f"{100 * remedy.left:.3g} %); is it this robot, its gravity, its payload? is something flexible or in contact?")

@@ -22,6 +22,7 @@ import smoothing
 
 PLOT = pathlib.Path(__file__).resolve().parents[1] / "plot/identification.py"
 RESIDUAL_LIMIT = 5.0  # %
+SURE = 4.0  # standard deviations of a noise's own variance
 SUSPICIOUS = 0.2  # of the limit: above, what would mend the log is told although it is taken
 FIXED = {"rotors": ("rotor",), "friction": ("viscous", "forward", "backward")}
 
@@ -106,6 +107,13 @@ class Identification(Fit):
         """What the header's parameters leave of each joint's torque, over its RMS."""
         return self.errors(self.equations if equations is None else equations)[1]["identified"]
 
+    def unexplained(self, equations=None):
+        """What is left beyond noise, over the RMS: what a mistake may explain."""
+        equations = self.equations if equations is None else equations
+        size, errors = self.errors(equations)
+        sure = 1.0 + SURE * np.sqrt(2.0 / equations.valid.sum(axis=0))
+        return np.sqrt(np.maximum(0.0, errors["identified"] ** 2 - sure * (equations.noise / size) ** 2))
+
     def on(self, log):
         """The equations of another log in the same base parameters."""
         return smoothing.equations(self.robot, log, self.columns, self.known, self.cutoff)[0]
@@ -133,7 +141,7 @@ def refuse(found, judged, options):
     """Raises ValueError for logs that the parameters do not explain, with the single mistake that does."""
     limit = 0.01 * options.residual_limit
     for path, equations in judged.items():
-        residuals = found.residuals(equations)
+        residuals = found.unexplained(equations)
         joint, worst = int(np.argmax(residuals)), residuals.max()
         if worst <= limit:
             continue
@@ -145,7 +153,7 @@ def refuse(found, judged, options):
 
 def suspicion(found, options):
     """Of a log that is taken: doubts about its units; the single mistake without which far less would be left."""
-    limit, worst = 0.01 * options.residual_limit, found.residuals().max()
+    limit, worst = 0.01 * options.residual_limit, found.unexplained().max()
     if not SUSPICIOUS * limit < worst <= limit:
         return found.doubts
     remedy = best_remedy(found)
@@ -162,9 +170,10 @@ def best_remedy(found):
 
     def residual_of(log):
         try:
-            return float(Identification(found.robot, log, found.keep, found.cutoff).residuals().max())
+            other = Identification(found.robot, log, found.keep, found.cutoff)
+            return float(other.residuals().max()), float(other.unexplained().max())
         except ValueError:
-            return np.inf
+            return np.inf, np.inf
 
     doubted = doubts.Doubts(found.robot, found.log, found.columns, found.known, found.cutoff)
     return doubts.best_remedy(doubted, found.log, residual_of)

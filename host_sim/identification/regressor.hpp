@@ -4,10 +4,10 @@
 #include <host_sim/description/description.hpp>
 #include <host_sim/identification/parameters.hpp>
 
+#include <axial/derivatives/torque_regressor.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
-#include <axial/dynamics/shared_drives.hpp>
-#include <axial/dynamics/torque_regressor.hpp>
 #include <axial/links/model.hpp>
+#include <axial/transmissions/shared_drives.hpp>
 
 namespace host_sim::identification {
 

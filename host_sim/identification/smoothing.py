@@ -10,10 +10,14 @@ import dataclasses
 
 import numpy as np
 import scipy.signal
+import scipy.special
+import scipy.stats
 
 ORDER = 4
 DEFAULT_CUTOFF = 10.0  # Hz
 SETTLING = 2.0  # cut-off periods that are dropped at either end
+DIFFERENCES = 4  # of neighbours, in which noise is seen: smooth motion has next to none, friction's jumps are few
+NOISY = 0.05  # of the largest RMS torque: more is no drive's noise
 SLOW = 0.01  # of a joint's greatest speed: below, friction's direction is not known and the joint's row is left out
 
 
@@ -48,6 +52,13 @@ class Smoother:
         qd = self.low_pass(recording.qd)
         return Motion(q, qd, self.derivative(qd))
 
+    def noise(self, tau):
+        """Standard deviation, in the smoothed torques, of the noise that neighbouring torques differ by, by joint; white noise is taken for it."""
+        rough = scipy.stats.median_abs_deviation(np.diff(tau, DIFFERENCES, axis=0), axis=0, scale="normal")
+        raw = rough / np.sqrt(scipy.special.comb(2 * DIFFERENCES, DIFFERENCES))
+        passed = 1.0 if self.sections is None else np.mean(np.abs(scipy.signal.sosfreqz(self.sections)[1]) ** 4)  # there and back
+        return np.sqrt(passed) * np.minimum(raw, NOISY * np.sqrt(np.mean(tau ** 2, axis=0)).max())
+
     def kept(self, rows):
         """Which rows stay after thinning."""
         edge = max(8, int(np.ceil(SETTLING * self.rate / self.cutoff)) if self.cutoff else 0)
@@ -63,6 +74,7 @@ class Equations:
     regressor: np.ndarray
     tau: np.ndarray
     valid: np.ndarray
+    noise: np.ndarray  # standard deviation of each joint's tau, as far as it is noise
 
     def of_joint(self, joint):
         valid = self.valid[:, joint]
@@ -77,7 +89,8 @@ def equations(robot, recording, columns, known, cutoff=None):
         raise ValueError(f"the log is too short: of {len(recording.time)} rows {len(kept)} are left after smoothing; record longer")
     regressor, tau = _linear(robot, motion, recording.tau, columns, known)
     valid = np.abs(motion.qd) > SLOW * np.abs(motion.qd).max(axis=0)
-    return Equations(recording.time[kept], smoother.low_pass(regressor)[kept], smoother.low_pass(tau)[kept], valid[kept]), smoother
+    return Equations(recording.time[kept], smoother.low_pass(regressor)[kept], smoother.low_pass(tau)[kept], valid[kept],
+                     smoother.noise(recording.tau)), smoother
 
 
 def _linear(robot, motion, tau, columns, known):

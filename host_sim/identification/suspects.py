@@ -12,6 +12,7 @@ TURN = 2.0 * np.pi
 ZEROS = 12  # of a revolute joint, a turn's parts that are tried; of a slide, of its range
 LIKELY = 3  # joints whose zero is refined
 SLIDE = 0.5  # m: the range of a slide without limits
+MASSES = {1e-3: "looks given in grams", 0.45359237: "looks given in pounds", 0.0: "has no effect: was it there?"}  # by the factor that undoes it
 LEAST_SCALE = 0.2  # a torque that is scaled by less explains nothing: it only gets small
 
 
@@ -26,7 +27,7 @@ class Suspect:
     def undone(self, motion, tau):
         """motion: arrays of q and its derivatives, columns joints; tau likewise. All are copied."""
         motion, tau = [np.array(each) for each in motion], np.array(tau)
-        changed = {"torques exchanged": [tau], "positions exchanged": motion, "drives exchanged": [*motion, tau], "torque negated": [tau],
+        changed = {"mass": [], "sides negated": motion[1:], "torques exchanged": [tau], "positions exchanged": motion, "drives exchanged": [*motion, tau], "torque negated": [tau],
                    "position negated": motion, "axis turned": [*motion, tau], "degrees": motion, "torque scaled": [tau], "zero off": motion[:1]}
         for values in changed[self.kind]:
             self._undo(values)
@@ -44,9 +45,12 @@ class Suspect:
 
     def sentence(self, units, noun="joint"):
         """units: of each joint's torque, "N m" or "N"; noun: what has values, joints or the drives that they share."""
+        if self.kind == "mass":
+            return f"the mass at the tool {MASSES[self.value]}"
         first, last = self.joints[0] + 1, self.joints[-1] + 1
         every = len(self.joints) > 1
-        return {"torques exchanged": f"columns tau{first} and tau{last} look exchanged",
+        return {"sides negated": f"friction helps the motion at every {noun}: the sides look exchanged in the file",
+                "torques exchanged": f"columns tau{first} and tau{last} look exchanged",
                 "positions exchanged": f"columns q{first} and q{last} look exchanged",
                 "drives exchanged": f"drives {first} and {last} look exchanged, positions and torques",
                 "torque negated": "every tau looks negated" if every else f"tau{first} looks negated",

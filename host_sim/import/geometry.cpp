@@ -1,12 +1,28 @@
+#include <host_sim/description/angles.hpp>
 #include <host_sim/import/geometry.hpp>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
 
 namespace importer {
 
 namespace {
+
 constexpr Real parallel = 1e-13L;  // sine, or metres: directions come from doubles
+
+/// The shortest decimal of up to ten digits that is so near.
+std::optional<double> short_decimal(Real value, Real noise) {
+  for (int digits = 0; digits < 10; ++digits) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*Le", digits, value);
+    if (std::abs(std::strtold(text, nullptr) - value) <= noise) return std::strtod(text, nullptr) + 0.0;
+  }
+  return std::nullopt;
 }
+
+}  // namespace
 
 Normal common_normal(const Line& first, const Line& second, const Vector& foot, const Vector& direction) {
   const Vector cross = first.direction.cross(second.direction), between = second.point - first.point;
@@ -36,7 +52,17 @@ Pose frame(const Vector& origin, const Vector& x, const Vector& z) {
   return result;
 }
 
-double rounded(Real value) { return std::abs(value) < 1e-14L ? 0.0 : static_cast<double>(value); }
+double near_decimal(Real value, Real noise) { return short_decimal(value, noise).value_or(static_cast<double>(value)); }
+
+double rounded(Real value) { return std::abs(value) < 1e-14L ? 0.0 : near_decimal(value, 2e-15L); }
+
+axial::Angle near_angle(Real radians) {
+  constexpr Real degree = 3.14159265358979323846264338327950288L / 180.0L, noise = 2e-15L;
+  const auto nearest = description::canonical_angle(radians);
+  if (!std::isfinite(radians) || nearest.cos == 0.0 || nearest.sin == 0.0) return nearest;
+  if (const auto degrees = short_decimal(radians / degree, noise / degree)) return axial::Angle::from_degrees(*degrees);
+  return description::canonical_angle(near_decimal(radians, noise));
+}
 
 axial::FixedPose rounded(const Pose& pose) {
   axial::FixedPose result;

@@ -40,8 +40,12 @@ Real angle_about(const Vector& axis, const Vector& from, const Vector& to);
 /// The frame with this origin, x and z.
 Pose frame(const Vector& origin, const Vector& x, const Vector& z);
 
-/// The nearest double; 0 below 1e-14, which is rounding.
+/// The shortest decimal within `noise` of a value, where ten digits are enough for it; else the nearest double.
+double near_decimal(Real value, Real noise);
+/// The same for metres, where noise is 2e-15; 0 below 1e-14, which is rounding.
 double rounded(Real value);
+/// An angle, in degrees or radians of few digits where one is within 2e-15 rad of it.
+axial::Angle near_angle(Real radians);
 axial::FixedPose rounded(const Pose& pose);
 
 /// The nearest rotation to nine entries in double.

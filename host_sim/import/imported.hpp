@@ -3,6 +3,7 @@
 
 #include <host_sim/description/description.hpp>
 #include <host_sim/description/findings.hpp>
+#include <host_sim/import/source_tree.hpp>
 
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct TrackedFrame {
 struct Imported {
   description::Description robot;
   std::vector<TrackedFrame> frames;
+  std::vector<Change> changes;  ///< numbers of the source that are read as others
   std::vector<description::Finding> warnings;
 };
 

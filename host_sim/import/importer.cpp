@@ -1,8 +1,10 @@
+#include <host_sim/description/numbers.hpp>
 #include <host_sim/description/table.hpp>
 #include <host_sim/import/couplings.hpp>
 #include <host_sim/import/importer.hpp>
 #include <host_sim/import/right_angles.hpp>
 #include <host_sim/import/to_mdh.hpp>
+#include <host_sim/import/urdf_text.hpp>
 
 #include <axial/robot/classical.hpp>
 
@@ -96,15 +98,36 @@ void choose_tool(SourceTree& source, const Imported& imported) {
                            "', the chain's only end");
 }
 
+/// With what only states show: joints that no mass resists.
+Result verified(Imported& imported, const Reference& reference, const Options& options) {
+  Result result{imported, verify(imported, reference, options.seed, options.states)};
+  const auto said = [&](const std::string& what) {
+    return std::any_of(result.imported.warnings.begin(), result.imported.warnings.end(),
+                       [&](const Finding& finding) { return finding.what == what; });
+  };
+  for (const int i : result.figures.unresisted) {
+    const auto& link = imported.robot.links[static_cast<std::size_t>(i)];
+    if (said("joint '" + link.joint + "' moves nothing that has inertia")) continue;
+    result.imported.warnings.push_back(
+        {false, link.name,
+         "joint '" + link.joint + "' is resisted by 0 kg m^2: what it carries has no inertia about it",
+         "give the link's inertia about the joint's axis, or .rotor_inertia(); forward dynamics and cost need one"});
+  }
+  return result;
+}
+
 Result import_urdf(const std::string& text, const std::string& from, const Options& options) {
   auto source = read_urdf(text, from, options.urdf);
   const auto gravity = options.gravity.value_or(axial::GravityVector{});
   Imported imported;
   imported.warnings = source.warnings;
   check(imported, from, source_findings(source));
-  choose_tool(source, to_mdh(source, gravity));
+  const auto near = nearness_of(options.urdf, source.length_digit);
+  choose_tool(source, to_mdh(source, gravity, near));
   const auto warnings = imported.warnings;
-  imported = to_mdh(source, gravity);
+  for (const auto& line : sentences(source.changes, near))
+    source.notes.push_back(line);
+  imported = to_mdh(source, gravity, {0.0});  // settled once
   imported.warnings = warnings;
   auto& robot = imported.robot;
   robot.source = file_name(from) + " (URDF), links of '" + source.links[0].name + "'";
@@ -122,8 +145,20 @@ Result import_urdf(const std::string& text, const std::string& from, const Optio
   for (const auto& link : robot.links)
     joints.push_back(link.joint);
   for (std::size_t i = 0; i < imported.frames.size(); ++i)
-    imported.frames[i].name = i == 0 ? "root" : segment_name(static_cast<int>(i));
-  return {imported, verify(imported, reference_of(source, gravity, joints), options.seed, options.states)};
+    imported.frames[i].name = i == 0 ? "root" : segment_name(source.links[i].name);
+  const std::string tool = source.tool > 0 ? source.links[static_cast<std::size_t>(source.tool)].name : "";
+  imported.changes = source.changes;
+  const auto reference = reference_of(text, options.urdf, source.changes, gravity, joints, tool);
+  return verified(imported, reference, options);
+}
+
+/// m: how fine a table's lengths are written.
+double length_digit_of(const description::Table& table) {
+  LengthDigit digit;
+  for (const auto& link : table.robot.links)
+    for (const double length : {link.parameters.a, link.parameters.d, link.parameters.b})
+      digit.see(description::number(length), length);
+  return digit.value();
 }
 
 Result import_table(const std::string& text, const std::string& from, const Options& options) {
@@ -132,7 +167,9 @@ Result import_table(const std::string& text, const std::string& from, const Opti
                                ": --root, --tip and --gravity are for a URDF; a table is imported whole, with its own");
   auto table = description::parse_table(text, from);
   Imported imported;
-  imported.warnings = table_right_angles(table, options.urdf.snap);
+  const auto near = nearness_of(options.urdf, length_digit_of(table));
+  auto changed = table_right_angles(table, near);
+  imported.warnings = changed.warnings, imported.changes = changed.changes;
   imported.robot = description::to_mdh(table);
   imported.robot.as_published = options.as_published;
   check(imported, from, description::findings(imported.robot));
@@ -142,7 +179,7 @@ Result import_table(const std::string& text, const std::string& from, const Opti
     if (table.classical) tracked.pose = axial::detail::FarEnd{p.alpha, p.a}.carried({});
     imported.frames.push_back(tracked);
   }
-  return {imported, verify(imported, reference_of(table), options.seed, options.states)};
+  return verified(imported, reference_of(text, imported.changes, near.of_joints()), options);
 }
 
 }  // namespace
@@ -153,7 +190,7 @@ Result import_text(const std::string& text, const std::string& from, const Optio
   Result result = json ? import_table(text, from, options) : import_urdf(text, from, options);
   auto& robot = result.imported.robot;
   if (!options.name.empty()) robot.name = options.name;
-  assume_limits(robot, options.seconds_to_speed);
+  assume_limits(robot, options.assumed);
   if (description::shares_drives(robot)) assume_drive_limits(robot);
   return result;
 }

@@ -10,12 +10,20 @@
 
 namespace importer {
 
+/// What a limit is that a source does not give, or leaves blank as 0; 0: what the comment says.
+struct Assumed {
+  double position = 0.0;           ///< rad or m, either way; a turn, or 1 m
+  double speed = 0.0;              ///< rad/s or m/s; half a turn a second, or 1 m/s
+  double effort = 0.0;             ///< N m or N; unlimited
+  double seconds_to_speed = 0.25;  ///< s: the time to full speed, where there is no acceleration limit
+};
+
 struct Options {
   UrdfOptions urdf;                             ///< its `snap` is for tables too
   std::string name;                             ///< empty: the source's
   std::optional<axial::GravityVector> gravity;  ///< of a URDF, in axes of its root; (0, 0, -9.81) when not given
   bool as_published = false;                    ///< keep what axial compiles only with accept(as_published)
-  double seconds_to_speed = 0.25;               ///< where a source gives no acceleration: the time to full speed
+  Assumed assumed;
   unsigned seed = 1;
   int states = 100;
 };
@@ -30,7 +38,7 @@ struct Result {
 Result import_text(const std::string& text, const std::string& from, const Options& options);
 Result import_file(const std::string& path, const Options& options);
 
-/// Fills limits in that are missing, each named in the assumptions.
-void assume_limits(description::Description& robot, double seconds_to_speed);
+/// Fills limits in that are missing, each named in the assumptions; a joint that mimics another takes that one's.
+void assume_limits(description::Description& robot, const Assumed& assumed);
 
 }  // namespace importer

@@ -18,6 +18,19 @@ struct Arguments {
   importer::Options options;
 };
 
+/// Numbers of the file that are read as others.
+nlohmann::json changes(const importer::Imported& imported) {
+  static constexpr const char* kinds[] = {"rpy of joint",  "xyz of joint", "axis of joint", "rpy of inertial of link",
+                                          "turn of joint", "angle of row", "length of row", "rotation of"};
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& change : imported.changes)
+    list.push_back({{"of", std::string(kinds[static_cast<int>(change.of)]) + " " + change.name},
+                    {"index", change.index},
+                    {"written", change.written},
+                    {"read", change.read}});
+  return list;
+}
+
 nlohmann::json to_json(const importer::Result& result, const std::string& header) {
   const auto& robot = result.imported.robot;
   const auto& figures = result.figures;
@@ -40,6 +53,8 @@ nlohmann::json to_json(const importer::Result& result, const std::string& header
           {"pose_error", figures.pose},
           {"torque_error", figures.torque},
           {"mass_matrix_error", figures.mass_matrix},
+          {"body_error", figures.body},
+          {"changes", changes(result.imported)},
           {"within_bounds", figures.good()}};
 }
 
@@ -102,14 +117,21 @@ int main(int count, char** given) {
   line.option("-o,--output", arguments.output, "the header; default: <name>.hpp");
   line.option("--json", arguments.json, "figures, assumptions, warnings");
   line.option("--gravity", arguments.gravity, "m/s^2 in axes of the root link; default 0 0 -9.81").expected(3);
-  line.option("--right-angles", options.urdf.right_angles, "rad within which an angle is a multiple of 90 degrees")
+  line.option("--right-angles", options.urdf.right_angles,
+              "rad within which an angle or an axis is one of a multiple of 90 degrees; 0: as written")
       .show_default()
       .range(0.0, 0.01);
   line.flag("--snap", options.urdf.snap,
-            "make joints' angles exact that are within 0.002 rad of a multiple of 90 degrees");
-  line.option("--to-speed", options.seconds_to_speed, "s to full speed, where no acceleration limit is given")
+            "make joints' angles and axes exact that are within 0.005 rad of a multiple of 90 degrees");
+  line.option("--to-speed", options.assumed.seconds_to_speed, "s to full speed, where no acceleration limit is given")
       .show_default()
       .range(1e-3, 1e3);
+  line.option("--position-limit", options.assumed.position,
+              "rad or m either way, where none is given or it is left blank as 0")
+      .range(0.0, 1e6);
+  line.option("--speed-limit", options.assumed.speed, "rad/s or m/s, where none is given").range(0.0, 1e6);
+  line.option("--effort-limit", options.assumed.effort, "N m or N, where none is given; default: unlimited")
+      .range(0.0, 1e9);
   line.option("--states", options.states, "random states to verify on").show_default().range(1, 100000);
   line.option("--seed", options.seed, "of those states").show_default();
   line.flag("--as-published", options.as_published,

@@ -13,15 +13,6 @@ using description::Finding;
 using description::number;
 
 constexpr double quarter = 1.57079632679489661923, rounding = 1e-13;
-constexpr double read_back = 1e-7;  // rad: what roll, pitch and yaw lose by a quaternion near 90 degrees of pitch
-
-Rows of_quaternion(const urdf::Rotation& q) {
-  const long double x = q.x, y = q.y, z = q.z, w = q.w, s = 2.0L / (x * x + y * y + z * z + w * w);
-  const auto entry = [](long double v) { return static_cast<double>(v); };
-  return {entry(1 - s * (y * y + z * z)), entry(s * (x * y - z * w)),     entry(s * (x * z + y * w)),
-          entry(s * (x * y + z * w)),     entry(1 - s * (x * x + z * z)), entry(s * (y * z - x * w)),
-          entry(s * (x * z - y * w)),     entry(s * (y * z + x * w)),     entry(1 - s * (x * x + y * y))};
-}
 
 double nearest_right(double angle) { return quarter * std::round(angle / quarter); }
 
@@ -30,99 +21,146 @@ Finding nearly(const std::string& link, const std::string& what, double off) {
           "if a right angle was meant, --snap makes it exact, which also costs less"};
 }
 
-/// The signed permutation that a rotation nearly is; false where it is none or is one already.
-bool snap_rotation(axial::FixedPose& pose, double& off) {
+/// The signed permutation that a rotation is within so much of, entry by entry; false where it is none or is one
+/// already.
+bool snap_rotation(axial::FixedPose& pose, double within, double& off) {
   off = 0.0;
   axial::FixedPose right = pose;
   for (int i = 0; i < 9; ++i) {
     right.rotation[i] = std::round(pose.rotation[i]) + 0.0;
     off = std::max(off, std::abs(pose.rotation[i] - right.rotation[i]));
   }
-  if (off > nearly_right || off <= rounding || !description::is_rotation(right)) return false;
+  if (off > within || off <= rounding || !description::is_rotation(right)) return false;
   pose = right;
   return true;
 }
 
 }  // namespace
 
-double RightAngles::snapped(double angle, const std::string& joint, const char* name) {
-  const double nearest = nearest_right(angle), off = std::abs(angle - nearest);
-  const bool near = !joint.empty() && off <= nearly_right;
-  if (off <= tolerance_ || (snap_ && near)) return nearest;
-  if (near && off > read_back)
-    warnings_.push_back(nearly("", "joint '" + joint + "': " + name + " of " + number(angle, 6) + " rad", off));
-  return angle;
+void record(std::vector<Change>& changes, const Change& change) {
+  for (auto& earlier : changes)
+    if (earlier.of == change.of && earlier.name == change.name && earlier.index == change.index) {
+      earlier.read = change.read;
+      return;
+    }
+  changes.push_back(change);
 }
 
-Rows RightAngles::rotation(const urdf::Rotation& written, const std::string& joint) {
-  const Rows plain = of_quaternion(written);
-  double roll = 0.0, pitch = 0.0, yaw = 0.0;
-  written.getRPY(roll, pitch, yaw);
+void RightAngles::change(Change::Of of, const std::string& name, std::size_t index, double written, double read) {
+  record(changes_, {of, name, index, written, read});
+}
+
+Rows RightAngles::rotation(std::array<double, 3> rpy, Change::Of of, const std::string& name) {
+  static constexpr const char* names[] = {"roll", "pitch", "yaw"};
+  const bool joint = of == Change::Of::joint_rpy;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double written = rpy[i], nearest = nearest_right(written), off = std::abs(written - nearest);
+    if (off <= rounding) continue;
+    if (off <= (joint ? near_.of_joints() : near_.angle))
+      rpy[i] = nearest, change(of, name, i, written, nearest);
+    else if (joint && off <= nearly_right)
+      warnings_.push_back(nearly("", "joint '" + name + "': " + names[i] + " of " + number(written, 6) + " rad", off));
+  }
   axial::FixedPose pose;
-  description::set_rotation(pose, snapped(roll, joint, "roll"), snapped(pitch, joint, "pitch"),
-                            snapped(yaw, joint, "yaw"));
-  if (tolerance_ <= 0.0 && !(snap_ && !joint.empty())) return plain;
+  description::set_rotation(pose, rpy[0], rpy[1], rpy[2]);
   Rows result;
   std::copy(pose.rotation, pose.rotation + 9, result.begin());
-  double change = 0.0;
-  for (std::size_t i = 0; i < 9; ++i)
-    change = std::max(change, std::abs(result[i] - plain[i]));
-  if (change > rounding) ++changed_, farthest_ = std::max(farthest_, change);
   return result;
 }
 
 std::array<double, 3> RightAngles::axis(std::array<double, 3> written, const std::string& joint) {
   const double length = std::hypot(written[0], written[1], written[2]);
-  for (double& component : written) {
-    const double off = std::abs(component) / length;
-    if (!(off > rounding && off <= nearly_right)) continue;
-    if (snap_)
-      component = 0.0, ++changed_, farthest_ = std::max(farthest_, off);
-    else
+  double moved = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double off = std::abs(written[i]) / length;
+    if (off == 0.0 || off > std::max(nearly_right, near_.of_joints())) continue;
+    if (std::hypot(moved, off) <= near_.of_joints())
+      moved = std::hypot(moved, off), change(Change::Of::joint_axis, joint, i, written[i], 0.0), written[i] = 0.0;
+    else if (off > rounding)
       warnings_.push_back(nearly("", "joint '" + joint + "': the axis' angle to an axis of its frame", off));
   }
   return written;
 }
 
-std::string RightAngles::text() const {
-  return std::to_string(changed_) + " rotations were read as the multiples of 90 degrees that they are within " +
-         number(snap_ ? std::max(tolerance_, nearly_right) : tolerance_, 2) + " rad of; the farthest by " +
-         number(farthest_, 2) + (snap_ ? " (without --snap fewer are)" : " (--right-angles 0 reads what is written)");
+std::array<double, 3> RightAngles::position(std::array<double, 3> written, const std::string& joint) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (near_.changes() && written[i] != 0.0 && std::abs(written[i]) < near_.length)
+      change(Change::Of::joint_xyz, joint, i, written[i], 0.0), written[i] = 0.0;
+  return written;
 }
 
-std::vector<Finding> table_right_angles(description::Table& table, bool snap) {
-  std::vector<Finding> warnings;
-  int changed = 0;
-  double farthest = 0.0;
-  const auto count = [&](double off) { ++changed, farthest = std::max(farthest, off); };
-  const auto visit = [&](axial::Angle& angle, const description::Link& link, const char* name) {
-    const double off = std::abs(angle.radians - nearest_right(angle.radians));
-    if (!(off > rounding && off <= nearly_right)) return;
-    if (snap)
-      angle = description::canonical_angle(angle.radians, nearly_right), count(off);
-    else
-      warnings.push_back(
-          nearly(link.name, "joint '" + link.joint + "': " + name + " of " + number(angle.radians, 6) + " rad", off));
+std::vector<std::string> sentences(const std::vector<Change>& changes, const Nearness& near) {
+  struct Kind {
+    int count;
+    double farthest;
+    std::string joints;
+  } angles{}, axes{}, lengths{};
+  for (const auto& change : changes) {
+    const double off = std::abs(change.read - change.written);
+    if (off <= rounding) continue;
+    const bool turned = change.of == Change::Of::joint_axis || change.of == Change::Of::joint_turn,
+               shifted = change.of == Change::Of::joint_xyz || change.of == Change::Of::row_length;
+    auto& kind = turned ? axes : shifted ? lengths : angles;
+    ++kind.count, kind.farthest = std::max(kind.farthest, off);
+    const std::string name = "'" + change.name + "'";
+    if (kind.joints.find(name) == std::string::npos) kind.joints += (kind.joints.empty() ? "" : ", ") + name;
+  }
+  const std::string remedy = near.snap ? " (without --snap fewer are)" : " (--right-angles 0 reads what is written)";
+  std::vector<std::string> text;
+  if (angles.count > 0)
+    text.push_back(std::to_string(angles.count) +
+                   " angles were read as the multiples of 90 degrees that they are within " +
+                   number(near.of_joints(), 2) + " rad of; the farthest by " + number(angles.farthest, 2) + remedy);
+  if (axes.count > 0)
+    text.push_back("axes were turned by up to " + number(axes.farthest, 2) +
+                   " rad onto axes of their frames or of their neighbours', joints " + axes.joints + remedy);
+  if (lengths.count > 0)
+    text.push_back("origins were shifted by up to " + number(lengths.farthest, 2) +
+                   " m, which is finer than the file's digits, " + lengths.joints + remedy);
+  return text;
+}
+
+TableChanges table_right_angles(description::Table& table, const Nearness& near) {
+  TableChanges result;
+  const auto turn = [&](axial::Angle& angle, const description::Link& link, std::size_t index) {
+    static constexpr const char* names[] = {"alpha", "theta", "gamma"};
+    const double written = angle.radians, off = std::abs(written - nearest_right(written));
+    if (!(off > rounding && off <= std::max(nearly_right, near.of_joints()))) return;
+    if (off <= near.of_joints()) {
+      angle = description::canonical_angle(written, off + rounding);
+      result.changes.push_back({Change::Of::row_angle, link.name, index, written, angle.radians});
+    } else {
+      result.warnings.push_back(
+          nearly(link.name, "joint '" + link.joint + "': " + names[index] + " of " + number(written, 6) + " rad", off));
+    }
+  };
+  const auto shorten = [&](double& length, const description::Link& link, std::size_t index) {
+    if (!near.changes() || length == 0.0 || std::abs(length) >= near.length) return;
+    result.changes.push_back({Change::Of::row_length, link.name, index, length, 0.0});
+    length = 0.0;
   };
   for (auto& link : table.robot.links) {
     auto& p = link.parameters;
-    visit(p.alpha, link, "alpha"), visit(p.theta, link, "theta"), visit(p.gamma, link, "gamma");
+    turn(p.alpha, link, 0), turn(p.theta, link, 1), turn(p.gamma, link, 2);
+    shorten(p.a, link, 0), shorten(p.d, link, 1), shorten(p.b, link, 2);
   }
-  const auto visit_pose = [&](axial::FixedPose& pose, const char* name) {
+  const auto turn_pose = [&](axial::FixedPose& pose, const std::string& name) {
     axial::FixedPose right = pose;
     double off = 0.0;
-    if (!snap_rotation(right, off)) return;
-    if (snap)
-      pose = right, count(off);
-    else
-      warnings.push_back(nearly("", std::string("the rotation of ") + name, off));
+    if (!snap_rotation(right, std::max(nearly_right, near.of_joints()), off)) return;
+    if (off > near.of_joints()) {
+      result.warnings.push_back(nearly("", "the rotation of " + name, off));
+      return;
+    }
+    for (std::size_t k = 0; k < 9; ++k)
+      if (pose.rotation[k] != right.rotation[k])
+        result.changes.push_back({Change::Of::pose_rotation, name, k, pose.rotation[k], right.rotation[k]});
+    pose = right;
   };
-  visit_pose(table.robot.base, "base"), visit_pose(table.robot.tool, "tool");
-  if (changed > 0)
-    table.robot.notes.push_back("--snap: " + std::to_string(changed) +
-                                " angles were made the multiples of 90 degrees that they nearly are; the farthest by " +
-                                number(farthest, 2) + " rad");
-  return warnings;
+  turn_pose(table.robot.base, "base"), turn_pose(table.robot.tool, "tool");
+  for (const auto& line : sentences(result.changes, near))
+    table.robot.notes.push_back(line);
+  return result;
 }
 
 }  // namespace importer

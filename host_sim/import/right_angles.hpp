@@ -1,47 +1,63 @@
-// Angles that were meant as multiples of 90 degrees and written with few digits.
+// Angles, axes and lengths that were meant as special ones and written with few digits: one rule for all of them.
 #pragma once
 
 #include <host_sim/description/findings.hpp>
 #include <host_sim/description/table.hpp>
 #include <host_sim/import/source_tree.hpp>
 
-#include <urdf_model/pose.h>
 #include <string>
 
 namespace importer {
 
-/// An angle this near to a multiple of 90 degrees, but not one, was most likely meant as it: 1.57 or 89.9 degrees.
-constexpr double nearly_right = 2e-3;  // rad
+/// An angle this near to a multiple of 90 degrees, but not one, was most likely meant as it: 1.57 or 89.75 degrees.
+constexpr double nearly_right = 5e-3;  // rad
 
-/// Reads a URDF's rotations and axes. Roll, pitch and yaw within `tolerance` rad of a multiple of 90 degrees become it,
-/// exactly. Those of joints that are `nearly_right` do so too where they are to snap, else a warning names the joint;
-/// likewise axes of joints that are nearly perpendicular to an axis of their frame.
+/// How near is near: what --right-angles and --snap allow.
+struct Nearness {
+  double angle = 1e-5;   ///< rad: of any angle or axis to a multiple of 90 degrees; 0 reads what is written
+  bool snap = false;     ///< nearly right ones of joints are taken for right
+  double length = 1e-6;  ///< m: less than this from 0 is 0
+
+  double of_joints() const { return snap && nearly_right > angle ? nearly_right : angle; }
+  bool changes() const { return of_joints() > 0.0; }
+};
+
+/// Reads a URDF's rotations, axes and positions. What is near a special value becomes it, exactly, and is recorded as a
+/// change; what is `nearly_right` and stays is a warning that names its joint.
 class RightAngles {
  public:
-  RightAngles(double tolerance, bool snap) : tolerance_(tolerance), snap_(snap) {}
+  explicit RightAngles(const Nearness& near) : near_(near) {}
 
-  /// The matrix of a URDF's rotation: of a joint's origin, or of an inertial frame where no joint is named.
-  Rows rotation(const urdf::Rotation& written, const std::string& joint);
-  /// A joint's axis.
+  /// The matrix of roll, pitch and yaw: of a joint's origin, or of a link's inertial frame.
+  Rows rotation(std::array<double, 3> rpy, Change::Of of, const std::string& name);
+  /// A joint's axis: components near 0 are 0.
   std::array<double, 3> axis(std::array<double, 3> written, const std::string& joint);
-  /// Angles that were moved by more than rounding.
-  int changed() const { return changed_; }
-  /// How many were moved and how far, as a sentence.
-  std::string text() const;
+  /// Where a joint's origin is.
+  std::array<double, 3> position(std::array<double, 3> written, const std::string& joint);
+
+  const std::vector<Change>& changes() const { return changes_; }
   /// Of angles that were left as they are and are nearly right.
   const std::vector<description::Finding>& warnings() const { return warnings_; }
 
  private:
-  double snapped(double angle, const std::string& joint, const char* name);
+  void change(Change::Of of, const std::string& name, std::size_t index, double written, double read);
 
-  double tolerance_, farthest_ = 0.0;
-  bool snap_;
-  int changed_ = 0;
+  Nearness near_;
+  std::vector<Change> changes_;
   std::vector<description::Finding> warnings_;
 };
 
-/// alpha, theta and gamma of a table's rows, rotations of base and tool: nearly right ones become right where they are
-/// to snap, which a note of the table says; else warnings.
-std::vector<description::Finding> table_right_angles(description::Table& table, bool snap);
+/// Records that a number was read as another one; of one that was changed before, as what it is now.
+void record(std::vector<Change>& changes, const Change& change);
+
+/// How many numbers were changed and how far, a sentence a kind; empty where none was by more than rounding.
+std::vector<std::string> sentences(const std::vector<Change>& changes, const Nearness& near);
+
+/// The same of a table: alpha, theta and gamma of its rows, rotations of base and tool, lengths of rows.
+struct TableChanges {
+  std::vector<Change> changes;
+  std::vector<description::Finding> warnings;
+};
+TableChanges table_right_angles(description::Table& table, const Nearness& near);
 
 }  // namespace importer

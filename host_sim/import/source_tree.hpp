@@ -17,6 +17,25 @@ struct Placement {
   std::array<double, 3> position{};
 };
 
+/// A number of the file that is read as another one: what --right-angles and --snap do. The verification knows of no
+/// others.
+struct Change {
+  enum class Of {
+    joint_rpy,
+    joint_xyz,
+    joint_axis,
+    inertial_rpy,
+    joint_turn,
+    row_angle,      ///< of a table: alpha, theta, gamma
+    row_length,     ///< a, d, b
+    pose_rotation,  ///< entries of "base" or "tool"
+  };
+  Of of = Of::joint_rpy;
+  std::string name;  ///< of the joint, or of the link whose inertial frame or row it is
+  std::size_t index = 0;
+  double written = 0.0, read = 0.0;  ///< rad, m; of an axis as long as it is written; of a turn in the parent's axes
+};
+
 enum class Kind { fixed, revolute, continuous, prismatic };
 
 struct SourceJoint {
@@ -26,7 +45,7 @@ struct SourceJoint {
   double held_at = 0.0;
   Placement origin;  ///< in the parent link's frame
   std::array<double, 3> axis{};
-  bool has_limits = false;
+  bool has_limits = false;                                     ///< of position; left blank, as 0 and 0, they are none
   double lower = 0.0, upper = 0.0, speed = 0.0, effort = 0.0;  ///< 0: none given
   double damping = 0.0, friction = 0.0;
   std::string leader;                ///< joint that it mimics: position ratio * leader + offset; empty: none
@@ -60,7 +79,9 @@ struct SourceTree {
   std::string name;
   std::vector<SourceLink> links;  ///< parents first; the first is the root
   std::vector<SourceTransmission> transmissions;
-  int tool = -1;  ///< the link whose frame is the tool's, or -1
+  int tool = -1;              ///< the link whose frame is the tool's, or -1
+  double length_digit = 0.0;  ///< m: how fine its joints' origins are written, at most 1e-6
+  std::vector<Change> changes;
   std::vector<std::string> notes;
   std::vector<description::Finding> warnings;  ///< of what is doubtful before anything is calculated
 };

@@ -3,11 +3,11 @@
 #include <host_sim/import/to_mdh.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace importer {
 namespace {
-
-using description::canonical_angle;
 
 constexpr int base = axial::LinkParameters::base;
 
@@ -26,9 +26,11 @@ struct Mover {
 
 class Converter {
  public:
-  Converter(const SourceTree& source, const axial::GravityVector& gravity) : source_(source) {
-    place_links();
+  Converter(SourceTree& source, const axial::GravityVector& gravity, const Nearness& near)
+      : source_(source), near_(near) {
+    find_movers();
     count();
+    place();
     result_.robot.name = source.name, result_.robot.notes = source.notes;
     start(gravity);
     add_bodies();
@@ -41,22 +43,26 @@ class Converter {
   Mover& mover(int i) { return movers_[static_cast<std::size_t>(i)]; }
   std::vector<int>& children(int parent) { return parent < 0 ? roots_ : mover(parent).children; }
 
-  /// Poses of links at position 0 in the root's frame, and which mover carries each.
-  void place_links() {
+  /// Which mover carries each link.
+  void find_movers() {
     for (int i = 0; i < static_cast<int>(source_.links.size()); ++i) {
-      if (link(i).parent < 0) {
-        poses_.emplace_back(), carriers_.push_back(base);
-        continue;
-      }
-      const auto above = static_cast<std::size_t>(link(i).parent);
-      const Pose joint = poses_[above] * to_pose(link(i).joint.origin);
-      poses_.push_back(joint * held(link(i).joint));
-      carriers_.push_back(link(i).joint.moves() ? add_mover(i, carriers_[above], joint) : carriers_[above]);
+      const int above = link(i).parent < 0 ? base : carriers_[static_cast<std::size_t>(link(i).parent)];
+      carriers_.push_back(link(i).parent >= 0 && link(i).joint.moves() ? add_mover(i, above) : above);
     }
   }
-  static Vector direction(const SourceJoint& joint) {
-    return Vector(joint.axis[0], joint.axis[1], joint.axis[2]).normalized();
+  /// Poses of links at position 0 in the root's frame, and axes there.
+  void place() {
+    poses_.assign(1, Pose{});
+    for (int i = 1; i < static_cast<int>(source_.links.size()); ++i) {
+      const Pose joint = poses_[static_cast<std::size_t>(link(i).parent)] * to_pose(link(i).joint.origin);
+      poses_.push_back(joint * held(link(i).joint));
+      if (link(i).joint.moves())
+        mover(carriers_[static_cast<std::size_t>(i)]).axis = {joint.position,
+                                                              joint.rotation * direction(link(i).joint)};
+    }
   }
+  static Vector unit(const std::array<double, 3>& v) { return Vector(v[0], v[1], v[2]).normalized(); }
+  static Vector direction(const SourceJoint& joint) { return unit(joint.axis); }
   static Pose held(const SourceJoint& joint) {
     Pose result;
     if (!joint.held || joint.kind == Kind::fixed) return result;
@@ -66,9 +72,9 @@ class Converter {
       result.rotation = Eigen::AngleAxis<Real>(joint.held_at, direction(joint)).toRotationMatrix();
     return result;
   }
-  int add_mover(int at, int parent, const Pose& joint) {
+  int add_mover(int at, int parent) {
     const int index = static_cast<int>(movers_.size());
-    movers_.push_back({at, parent, {joint.position, joint.rotation * direction(link(at).joint)}, {}, 1});
+    movers_.push_back({at, parent, {}, {}, 1});
     children(parent).push_back(index);
     return index;
   }
@@ -83,6 +89,7 @@ class Converter {
 
   void start(const axial::GravityVector& gravity) {
     Normal out{Vector::Zero(), Vector::Zero(), Vector::UnitX()};
+    if (!roots_.empty()) settle(roots_[0], {});
     if (!roots_.empty()) out = common_normal({}, mover(roots_[0]).axis, Vector::Zero(), Vector::UnitX());
     frame0_ = frame(out.first_foot, out.direction, Vector::UnitZ());
     const Vector g = frame0_.rotation.transpose() * Vector(gravity.x, gravity.y, gravity.z);
@@ -92,26 +99,102 @@ class Converter {
       add_row(child, base, {Vector::Zero(), Vector::UnitZ()}, frame0_);
   }
 
+  /// Makes a mover's axis special in the frame that carries it, where it nearly is.
+  void settle(int i, const Pose& carrier) {
+    if (!near_.changes()) return;
+    auto& joint = source_.links[static_cast<std::size_t>(mover(i).link)].joint;
+    const auto above = static_cast<std::size_t>(link(mover(i).link).parent);
+    const Matrix own = (poses_[above] * to_pose(joint.origin)).rotation, to_carrier = carrier.rotation.transpose();
+    if (const auto by = turn_of(to_carrier * own, to_carrier * mover(i).axis.direction))
+      turn(joint, poses_[above].rotation.transpose() * carrier.rotation * *by), place();
+    const Vector shift = carrier.rotation * shift_of(mover(i).axis, carrier);
+    if (shift.norm() > 0.0L) move(joint, poses_[above].rotation.transpose() * shift), place();
+  }
+  /// The small rotation vector, in the carrier's frame, that makes a joint's frame, or its axis alone, special there.
+  std::optional<Vector> turn_of(const Matrix& joint, const Vector& axis) const {
+    const Matrix right = joint.array().round().matrix();
+    if (std::abs(right.determinant() - 1.0L) < 0.5L && right.cwiseAbs().sum() < 3.5L) {
+      const Eigen::AngleAxis<Real> by(Matrix(right * joint.transpose()));
+      if (by.angle() <= near_.of_joints()) return chosen(by.angle() * by.axis());
+    }
+    Vector special = axis;
+    for (int k = 0; k < 3; ++k)
+      if (std::abs(axis[k]) <= near_.of_joints()) special[k] = 0.0L;
+    const Vector by = axis.cross(special.normalized());
+    return by.norm() <= near_.of_joints() ? chosen(by) : std::nullopt;
+  }
+  static std::optional<Vector> chosen(const Vector& by) {
+    return by.norm() > rounding ? std::optional<Vector>(by) : std::nullopt;
+  }
+  /// Turns a joint's origin by a rotation vector in its parent's axes, and all that it carries with it.
+  void turn(SourceJoint& joint, const Vector& by) {
+    const Matrix turned = Eigen::AngleAxis<Real>(by.norm(), by.normalized()).toRotationMatrix() *
+                          orthonormal(joint.origin.rotation.data());
+    for (int k = 0; k < 9; ++k)
+      joint.origin.rotation[static_cast<std::size_t>(k)] = static_cast<double>(turned(k / 3, k % 3));
+    for (std::size_t k = 0; k < 3; ++k)
+      record(source_.changes,
+             {Change::Of::joint_turn, joint.name, k, 0.0, static_cast<double>(by[static_cast<int>(k)])});
+  }
+  void move(SourceJoint& joint, const Vector& by) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double written = joint.origin.position[k];
+      joint.origin.position[k] = static_cast<double>(written + by[static_cast<int>(k)]);
+      if (joint.origin.position[k] != written)
+        record(source_.changes, {Change::Of::joint_xyz, joint.name, k, written, joint.origin.position[k]});
+    }
+  }
+  /// What is missing for an axis to stand at lengths that are meant, in the carrier's frame.
+  Vector shift_of(const Line& axis, const Pose& carrier) const {
+    const Line there{carrier.rotation.transpose() * (axis.point - carrier.position),
+                     carrier.rotation.transpose() * axis.direction};
+    Vector shift = Vector::Zero();
+    if (there.direction.head<2>().norm() <= rounding) {
+      for (int k = 0; k < 2; ++k)
+        shift[k] = missing(there.point[k]);
+    } else {
+      const Normal normal = common_normal({}, there, Vector::Zero(), Vector::UnitX());
+      const Real a = (normal.second_foot - normal.first_foot).dot(normal.direction);
+      shift = missing(a) * normal.direction;
+      shift[2] += missing(normal.first_foot[2]);
+    }
+    return shift;
+  }
+  /// From a length to 0, or to one that the source writes, where either is less than its last digit away.
+  Real missing(Real length) const {
+    Real best = near_.length, result = 0.0L;
+    const auto meet = [&](Real meant) {
+      if (std::abs(meant - length) < best) best = std::abs(meant - length), result = meant - length;
+    };
+    meet(0.0L);
+    for (const auto& other : source_.links)
+      for (const Real written : other.joint.origin.position)
+        meet(written), meet(-written);
+    return std::abs(result) <= rounding ? 0.0L : result;
+  }
   /// The row from a parent's frame to a mover's, then those of what it carries.
   void add_row(int i, int parent, const Line& parent_axis, const Pose& parent_frame) {
     const Vector x = parent_frame.rotation.col(0), z = parent_axis.direction;
     const bool main = children(parent)[0] == i;
+    if (!main) settle(i, parent_frame);
     Normal in = common_normal(parent_axis, mover(i).axis, parent_frame.position, x);
     if (main) in.direction = x;
     axial::LinkParameters p;
     p.parent = parent < 0 ? base : index_[static_cast<std::size_t>(parent)];
-    if (!main) p.gamma = canonical_angle(angle_about(z, x, in.direction));
+    if (!main) p.gamma = near_angle(angle_about(z, x, in.direction));
     if (!main) p.b = rounded((in.first_foot - parent_frame.position).dot(z));
     p.a = rounded((in.second_foot - in.first_foot).dot(in.direction));
-    p.alpha = canonical_angle(angle_about(in.direction, z, mover(i).axis.direction));
+    p.alpha = near_angle(angle_about(in.direction, z, mover(i).axis.direction));
     finish_row(i, in, p);
   }
   void finish_row(int i, const Normal& in, axial::LinkParameters& p) {
     const Line axis = mover(i).axis;
     Normal out{in.second_foot, in.second_foot, in.direction};
-    if (!mover(i).children.empty())
+    if (!mover(i).children.empty()) {
+      settle(mover(i).children[0], frame(in.second_foot, in.direction, axis.direction));
       out = common_normal(axis, mover(mover(i).children[0]).axis, in.second_foot, in.direction);
-    p.theta = canonical_angle(angle_about(axis.direction, in.direction, out.direction));
+    }
+    p.theta = near_angle(angle_about(axis.direction, in.direction, out.direction));
     p.d = rounded((out.first_foot - in.second_foot).dot(axis.direction));
     const Pose own = frame(out.first_foot, out.direction, axis.direction);
     const auto k = static_cast<std::size_t>(i);
@@ -141,13 +224,14 @@ class Converter {
         set_body(merged(bodies[i]), result_.robot.links[static_cast<std::size_t>(index_[i])].parameters);
   }
   static void set_body(const Body& body, axial::LinkParameters& p) {
-    p.mass = static_cast<double>(body.mass);
+    p.mass = near_decimal(body.mass, 1e-15L * body.mass);
+    const Real noise = 1e-15L * body.inertia.trace();
     for (int k = 0; k < 3; ++k)
-      p.com[k] = rounded(body.com[k]), p.inertia_com[k] = static_cast<double>(body.inertia(k, k));
+      p.com[k] = rounded(body.com[k]), p.inertia_com[k] = near_decimal(body.inertia(k, k), noise);
     const Real slack = 1e-17L * body.inertia.trace();  // what turning by right angles leaves of zeros
     const Real products[] = {body.inertia(0, 1), body.inertia(0, 2), body.inertia(1, 2)};
     for (int k = 0; k < 3; ++k)
-      p.inertia_com[3 + k] = std::abs(products[k]) <= slack ? 0.0 : static_cast<double>(products[k]);
+      p.inertia_com[3 + k] = std::abs(products[k]) <= slack ? 0.0 : near_decimal(products[k], noise);
   }
 
   void add_frames() {
@@ -163,7 +247,10 @@ class Converter {
     if (source_.tool >= 0) result_.robot.tool = result_.frames[static_cast<std::size_t>(source_.tool)].pose;
   }
 
-  const SourceTree& source_;
+  static constexpr Real rounding = 1e-14L;  // rad, m
+
+  SourceTree& source_;
+  Nearness near_;
   Imported result_;
   std::vector<Pose> poses_;    ///< of source links in the root's frame
   std::vector<int> carriers_;  ///< mover of each source link
@@ -176,8 +263,8 @@ class Converter {
 
 }  // namespace
 
-Imported to_mdh(const SourceTree& source, const axial::GravityVector& gravity) {
-  return Converter(source, gravity).result();
+Imported to_mdh(SourceTree& source, const axial::GravityVector& gravity, const Nearness& near) {
+  return Converter(source, gravity, near).result();
 }
 
 }  // namespace importer

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <host_sim/import/imported.hpp>
+#include <host_sim/import/right_angles.hpp>
 #include <host_sim/import/source_tree.hpp>
 
 namespace importer {
@@ -11,6 +12,10 @@ namespace importer {
 /// 1986). The sign of a normal keeps theta within 90 degrees. Parallel axes have d = 0. Links on fixed joints are
 /// merged into the moving one that carries them. Limits that are missing stay missing. Gravity is in axes of the
 /// source's root.
-Imported to_mdh(const SourceTree& source, const axial::GravityVector& gravity);
+///
+/// Where something is near, axes of joints are settled first, from the root outwards: turned onto the axes of the frame
+/// that carries them, shifted onto its z axis, to its origin or to a length that the source writes. `source` has what
+/// was changed afterwards, in its joints and among its changes.
+Imported to_mdh(SourceTree& source, const axial::GravityVector& gravity, const Nearness& near);
 
 }  // namespace importer

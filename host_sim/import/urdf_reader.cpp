@@ -63,8 +63,9 @@ Kind kind_of(const urdf::Joint& joint) {
 
 class Reader {
  public:
-  Reader(const urdf::ModelInterface& model, const std::string& from, const UrdfOptions& options)
-      : model_(model), from_(from), angles_(options.right_angles, options.snap), hold_mimic_(options.hold_mimic) {
+  Reader(const urdf::ModelInterface& model, const std::string& from, const UrdfOptions& options,
+         const WrittenNumbers& written, const Nearness& near)
+      : model_(model), from_(from), written_(written), angles_(near), hold_mimic_(options.hold_mimic) {
     tree_.name = model.getName();
     const auto root = find(options.root.empty() ? model.getRoot()->name : options.root, "--root");
     if (!options.tip.empty()) choose_path(root, find(options.tip, "--tip"));
@@ -74,8 +75,7 @@ class Reader {
     check_leaders();
     if (!problems_.empty()) throw Refused(problems_);
     say_held();
-    if (angles_.changed() > 0) tree_.notes.push_back(angles_.text());
-    tree_.warnings = angles_.warnings();
+    tree_.changes = angles_.changes(), tree_.warnings = angles_.warnings();
   }
   SourceTree tree() const { return tree_; }
 
@@ -119,7 +119,9 @@ class Reader {
     result.name = description::harmless(joint.name), result.kind = kind_of(joint);
     const bool mimics = joint.mimic && hold_mimic_;
     result.held = (mimics || (has_tip_ && !on_path)) && joint.type != urdf::Joint::FIXED;
-    result.origin = placement(joint.parent_to_joint_origin_transform, result.name);
+    const auto& origin = joint.parent_to_joint_origin_transform.position;
+    result.origin = {angles_.rotation(written_.joint_rpy.at(result.name), Change::Of::joint_rpy, result.name),
+                     angles_.position({origin.x, origin.y, origin.z}, result.name)};
     if (joint.type == urdf::Joint::FIXED) return result;
     if (mimics)
       mimics_.push_back(result.name), result.held_at = joint.mimic->offset;
@@ -183,7 +185,8 @@ class Reader {
     if (joint.dynamics) result.damping = joint.dynamics->damping, result.friction = joint.dynamics->friction;
     if (!joint.limits) return;
     const auto& limits = *joint.limits;
-    result.has_limits = result.kind != Kind::continuous && result.kind != Kind::fixed;
+    const bool blank = limits.lower == 0.0 && limits.upper == 0.0;
+    result.has_limits = result.kind != Kind::continuous && result.kind != Kind::fixed && !blank;
     result.lower = limits.lower, result.upper = limits.upper;
     result.speed = limits.velocity, result.effort = limits.effort;
     if (result.held && result.has_limits && limits.lower <= limits.upper)
@@ -203,11 +206,10 @@ class Reader {
     if (!link.inertial) return;
     const auto& inertial = *link.inertial;
     result.has_inertial = true, result.mass = inertial.mass;
-    result.inertial = placement(inertial.origin, "");
+    const auto& centre = inertial.origin.position;
+    result.inertial = {angles_.rotation(written_.inertial_rpy.at(result.name), Change::Of::inertial_rpy, result.name),
+                       {centre.x, centre.y, centre.z}};
     result.inertia = {inertial.ixx, inertial.iyy, inertial.izz, inertial.ixy, inertial.ixz, inertial.iyz};
-  }
-  Placement placement(const urdf::Pose& pose, const std::string& joint) {
-    return {angles_.rotation(pose.rotation, joint), {pose.position.x, pose.position.y, pose.position.z}};
   }
   static std::string listed(const std::vector<std::string>& names) {
     std::string all;
@@ -229,6 +231,7 @@ class Reader {
 
   const urdf::ModelInterface& model_;
   const std::string& from_;
+  const WrittenNumbers& written_;
   RightAngles angles_;
   SourceTree tree_;
   std::set<std::string> path_;
@@ -239,10 +242,16 @@ class Reader {
 
 }  // namespace
 
+Nearness nearness_of(const UrdfOptions& options, double length_digit) {
+  return {options.right_angles, options.snap, length_digit};
+}
+
 SourceTree read_urdf(const std::string& text, const std::string& from, const UrdfOptions& options) {
   check_urdf_text(text, from);
-  const auto model = parse(text, from);
-  SourceTree tree = Reader(*model, from, options).tree();
+  const auto model = parse(with_blank_limits(text), from);
+  const auto written = written_numbers(text);
+  SourceTree tree = Reader(*model, from, options, written, nearness_of(options, written.length_digit)).tree();
+  tree.length_digit = written.length_digit;
   read_transmissions(text, from, tree);
   return tree;
 }

@@ -4,6 +4,7 @@
 
 #include <tinyxml.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <locale>
@@ -134,7 +135,72 @@ class Checker {
   std::map<std::string, std::string> carried_by_, parent_of_;
 };
 
+std::array<double, 3> three(const TiXmlElement* element, const char* attribute) {
+  std::array<double, 3> values{};
+  const char* text = element != nullptr ? element->Attribute(attribute) : nullptr;
+  if (text == nullptr) return values;
+  std::istringstream numbers(text);
+  numbers.imbue(std::locale::classic());
+  for (double& value : values)
+    numbers >> value;
+  return values;
+}
+
+/// Significant digits of a number.
+int digits(const std::string& number) {
+  const auto mantissa = number.substr(0, number.find_first_of("eE"));
+  const auto first = mantissa.find_first_of("123456789");
+  if (first == std::string::npos) return 0;
+  return static_cast<int>(std::count_if(mantissa.begin() + static_cast<std::ptrdiff_t>(first), mantissa.end(),
+                                        [](char c) { return c >= '0' && c <= '9'; }));
+}
+
 }  // namespace
+
+void LengthDigit::see(const std::string& written, double length) {
+  digits_ = std::max(digits_, digits(written)), longest_ = std::max(longest_, std::abs(length));
+}
+double LengthDigit::value() const { return std::min(1e-6, longest_ * std::pow(10.0, -digits_)); }
+
+WrittenNumbers written_numbers(const std::string& text) {
+  TiXmlDocument document;
+  document.Parse(text.c_str());
+  const auto* robot = document.FirstChildElement("robot");
+  WrittenNumbers result;
+  LengthDigit digit;
+  for (auto* e = robot->FirstChildElement("joint"); e != nullptr; e = e->NextSiblingElement("joint")) {
+    const auto* origin = e->FirstChildElement("origin");
+    result.joint_rpy[harmless(e->Attribute("name"))] = three(origin, "rpy");
+    const char* xyz = origin != nullptr ? origin->Attribute("xyz") : nullptr;
+    const auto lengths = three(origin, "xyz");
+    std::istringstream words(xyz != nullptr ? xyz : "");
+    std::string word;
+    for (std::size_t k = 0; k < 3 && words >> word; ++k)
+      digit.see(word, lengths[k]);
+  }
+  for (auto* e = robot->FirstChildElement("link"); e != nullptr; e = e->NextSiblingElement("link"))
+    if (const auto* inertial = e->FirstChildElement("inertial"); inertial != nullptr)
+      result.inertial_rpy[harmless(e->Attribute("name"))] = three(inertial->FirstChildElement("origin"), "rpy");
+  result.length_digit = digit.value();
+  return result;
+}
+
+std::string with_blank_limits(const std::string& text) {
+  TiXmlDocument document;
+  document.Parse(text.c_str());
+  auto* robot = document.FirstChildElement("robot");
+  for (auto* e = robot->FirstChildElement("joint"); e != nullptr; e = e->NextSiblingElement("joint")) {
+    const std::string type = e->Attribute("type");
+    auto* limit = e->FirstChildElement("limit");
+    if (limit == nullptr && (type == "revolute" || type == "prismatic"))
+      limit = e->InsertEndChild(TiXmlElement("limit"))->ToElement();
+    for (const char* part : {"effort", "velocity"})
+      if (limit != nullptr && limit->Attribute(part) == nullptr) limit->SetAttribute(part, "0");
+  }
+  TiXmlPrinter printer;
+  document.Accept(&printer);
+  return printer.Str();
+}
 
 void check_urdf_text(const std::string& text, const std::string& from) {
   constexpr int deepest = 200;

@@ -42,7 +42,7 @@ void fill(Dense& into, int row, int column, int n, const Matrix& from) {
 template <class Model>
 Dense rates(const Model& model, const SetPoint& at, const axial::Joints<Model, double>& tau) {
   const int n = model.size(), all = 3 * n;
-  const auto d = axial::forward_dynamics_derivatives(model, values_of<Model>(at.q), values_of<Model>(at.qd), tau);
+  const auto d = axial::forward_dynamics_derivatives(model, values_of<Model>(at.q), values_of<Model>(at.qd), tau, {});
   if (!d.qdd.status.met()) throw std::runtime_error("the arm has no accelerations there");
   Dense F = Dense::Zero(all, all);
   F.block(0, n, n, n).setIdentity();
@@ -79,7 +79,7 @@ LinearArm linearised(const std::string& robot, const Model& model, double time, 
   LinearArm arm;
   arm.robot = robot, arm.at = point_of(robot, time), arm.tick = tick;
   const auto tau = axial::inverse_dynamics(model, values_of<Model>(arm.at.q), values_of<Model>(arm.at.qd),
-                                           values_of<Model>(arm.at.qdd));
+                                           values_of<Model>(arm.at.qdd), {});
   const int n = model.size();
   arm.tau.assign(tau.values, tau.values + n);
   const Dense after = (tick * rates(model, arm.at, tau)).exp();

@@ -109,7 +109,7 @@ class Plant {
     for (std::size_t i = 0; i < situation.push.size(); ++i)
       q[static_cast<int>(i)] += situation.push[i];
     // Until the first torque arrives the robot is held against gravity.
-    const auto weight = axial::gravity_torque(rigid_, q);
+    const auto weight = axial::gravity_torque(rigid_, q, {});
     x_ = arm_.state(q, values_of<Values>(start.qd), weight);
     const double limit = simulation::step_limit(simulation::Method::rk4, arm_.model(), x_.q);
     steps_ = std::max(least_steps, static_cast<int>(std::ceil(tick / (0.25 * limit))));
@@ -144,7 +144,7 @@ class Plant {
     const Values q = arm_.positions(x_), qd = arm_.velocities(x_);
     return {{q.values, q.values + n}, {qd.values, qd.values + n}};
   }
-  axial::Vec3<double> tool(const Values& q) const { return axial::forward_kinematics(rigid_, q).tool.position; }
+  axial::Vec3<double> tool(const Values& q) const { return axial::forward_kinematics(rigid_, q, {}).tool.position; }
   int joints() const { return rigid_.size(); }
 
  private:

@@ -44,12 +44,56 @@ def whole(folder):
     return markdown(header, rows, words=0)
 
 
-def provenance(folder):
-    made = load(folder / "commissioning_provenance.json")
+def verdicts(folder):
+    """A row per kind of fault, none first: how many logs, of how many the poses tell it, what is said of them."""
+    kinds, data = {}, load(folder / "accusations.json")
+    for row in data:
+        kinds.setdefault(row["fault"][0] if row["fault"] else "none", []).append(row)
+    header = ["fault planted", "logs", "poses can tell it", "of these named, and nothing else", "poses cannot tell it", "of these named all the same", "false accusations"]
+    rows = []
+    for kind, own in kinds.items():
+        tellable = [row for row in own if row["tellable"]]
+        named = lambda some: sum(row["outcome"] == "named" for row in some)
+        others = [row for row in own if row["fault"] and not row["tellable"]]
+        false = sum(row["outcome"] == "false" for row in own)
+        rows.append([kind, str(len(own)), str(len(tellable)), str(named(tellable)), str(len(others)), str(named(others)), str(false)])
+    total = [str(sum(int(row[k]) for row in rows)) for k in range(1, len(header))]
+    return markdown(header, [*rows, ["all", *total]])
+
+
+def untold(folder):
+    """A row per fault that the poses cannot tell: why, and what is said."""
+    rows = []
+    for row in load(folder / "accusations.json"):
+        if row["fault"] and not row["tellable"]:
+            kind, joints = row["fault"]
+            said = " or ".join(" and ".join(_named(*each) for each in way) for way in row["ways"]) or "; ".join(_named(*each) for each in row["claims"]) or "nothing wrong"
+            rows.append([row["arm"], _named(kind, joints), row["like"], said])
+    return markdown(["arm", "fault planted", "as well explained by", "verdict"], rows, words=4)
+
+
+def _named(kind, joints):
+    return kind if kind in ("sides negated", "mass", "tilt") else f"{kind} {', '.join(str(j + 1) for j in joints)}"
+
+
+def drawn(folder):
+    """A row per arm."""
+    arms = {}
+    for row in load(folder / "accusations.json"):
+        arms.setdefault(row["arm"], []).append(row)
+    count = lambda rows, outcome: sum(row["outcome"] == outcome for row in rows)
+    rows = [[name, str(own[0]["joints"]), str(sum(row["fault"] is None for row in own)), str(count(own, "nothing wrong")), str(sum(row["fault"] is not None for row in own)),
+             str(sum(row["tellable"] for row in own)), str(count(own, "named")), str(count(own, "false"))] for name, own in arms.items()]
+    return markdown(["arm", "joints", "logs without a fault", "called so", "logs with one", "poses can tell it", "named", "false accusations"], rows)
+
+
+def provenance(folder, of="commissioning"):
+    made = load(folder / f"{of}_provenance.json")
     return f"Commit `{made['commit']}`, {made['compiler']}; {made['libraries']}.\n"
 
 
-TABLES = {"commissioning": whole, "commissioning_arms": arms, "commissioning_provenance": provenance}
+TABLES = {"commissioning": whole, "commissioning_arms": arms, "commissioning_provenance": provenance,
+          "accusations_provenance": lambda folder: provenance(folder, "accusations"), "verdicts": verdicts, "untold": untold, "verdict_arms": drawn}
 
 
 if __name__ == "__main__":

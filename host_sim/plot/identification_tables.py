@@ -18,12 +18,27 @@ def study(folder):
     return markdown(header, rows)
 
 
-def provenance(folder):
-    made = load(folder / "identification_provenance.json")
+def verdicts(folder):
+    """A row per kind of mistake, none first."""
+    kinds = {}
+    for row in load(folder / "identification_verdicts.json"):
+        kinds.setdefault(row["mistake"] or "none", []).append(row)
+    header = ["mistake planted", "logs", "the log can tell it", "of these named, and no other", "it cannot", "of these named all the same", "false accusations"]
+    rows = []
+    for kind, own in kinds.items():
+        can, cannot = ([row for row in own if row["mistake"] and row["tellable"] == which] for which in (True, False))
+        named = lambda some: str(sum(row["outcome"] == "named" for row in some))
+        rows.append([kind, str(len(own)), str(len(can)), named(can), str(len(cannot)), named(cannot), str(sum(row["outcome"] == "false" for row in own))])
+    return markdown(header, [*rows, ["all", *(str(sum(int(row[k]) for row in rows)) for k in range(1, len(header)))]])
+
+
+def provenance(folder, of="identification"):
+    made = load(folder / f"{of}_provenance.json")
     return f"Commit `{made['commit']}`, {made['compiler']}; {made['libraries']}.\n"
 
 
-TABLES = {"identification": study, "identification_provenance": provenance}
+TABLES = {"identification": study, "identification_verdicts": verdicts, "identification_provenance": provenance,
+          "verdicts_provenance": lambda folder: provenance(folder, "identification_verdicts")}
 
 
 if __name__ == "__main__":

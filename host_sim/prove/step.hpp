@@ -12,7 +12,7 @@ namespace prove {
 template <class Motion, class Force>
 struct Neighbours {
   Motion parent{};
-  Force sent{};
+  Force on_parent{};
 };
 template <class Motion, class Force>
 Neighbours(Motion, Force) -> Neighbours<Motion, Force>;
@@ -21,21 +21,22 @@ Neighbours(Motion, Force) -> Neighbours<Motion, Force>;
 template <class Motion, class Force, class Effort>
 struct Stepped {
   Motion motion{};
-  Force sent{};
+  Force on_parent{};
   Effort effort{};
 };
 template <class Motion, class Force, class Effort>
 Stepped(Motion, Force, Effort) -> Stepped<Motion, Force, Effort>;
 
-/// The outward and the inward step of joint i, as rnea::link_motions and rnea::bear take them.
+/// The outward and the inward step of joint i, as rnea::link_motions and rnea::propagate_inward take them.
 template <class Links, class Screws, class I, class Around, class Q, class V, class A>
 auto step(const Links& links, const Screws& screws, I i, const Around& around, const Q& q, const V& qd, const A& qdd) {
   using namespace axial;
   const auto link = links.link(i);
   const auto motion = link.shape(rnea::move(Revolute{}, link, screws[i], around.parent, qd[i], qdd[i]));
   const auto own = link.shape(rnea::newton_euler(link, link.body(), link.inertia_differences(), motion));
-  const auto force = own + around.sent;
-  return Stepped{motion, rnea::sent_force(links, screws, i, force), rnea::joint_effort(links, i, force, q, qd, qdd)};
+  const auto force = own + around.on_parent;
+  return Stepped{motion, rnea::force_on_parent(links, screws, i, force),
+                 rnea::joint_effort(links, i, force, q, qd, qdd)};
 }
 
 /// The force that joint I's link and all outboard of it send to its parent, by the whole kernel.
@@ -45,9 +46,9 @@ auto sent_by(const Links& links, const In& in, const Screws& screws, const Motio
   constexpr Index<I> i;
   const auto own = rnea::own_force(links, in, motions, immersions(links, in, screws, NoMotion{}), i);
   if constexpr (I + 1 < Links::capacity)
-    return rnea::sent_force(links, screws, i, own + sent_by<I + 1>(links, in, screws, motions));
+    return rnea::force_on_parent(links, screws, i, own + sent_by<I + 1>(links, in, screws, motions));
   else
-    return rnea::sent_force(links, screws, i, own);
+    return rnea::force_on_parent(links, screws, i, own);
 }
 
 /// What joint J's step takes in the whole kernel's run.
@@ -98,7 +99,7 @@ auto run() {
   auto around = neighbours<J>(links, in, screws, at.qd, at.qdd);
   around.parent.w = exact(around.parent.w), around.parent.dw = exact(around.parent.dw);
   around.parent.a = exact(around.parent.a), around.parent.u = exact(around.parent.u);
-  around.sent.moment = exact(around.sent.moment), around.sent.force = exact(around.sent.force);
+  around.on_parent.moment = exact(around.on_parent.moment), around.on_parent.force = exact(around.on_parent.force);
   return std::pair{around, step(links, screws, Index<J>{}, around, at.q, at.qd, at.qdd)};
 }
 
@@ -182,8 +183,8 @@ Statement step_statement() {
   give(s, "dw", words.parent.dw, reals.parent.dw, given.parent.dw.bound);
   give(s, "acc", words.parent.a, reals.parent.a, given.parent.a.bound);
   give(s, "u", words.parent.u, reals.parent.u, given.parent.u);
-  give(s, "n", words.sent.moment, reals.sent.moment, given.sent.moment.bound);
-  give(s, "f", words.sent.force, reals.sent.force, given.sent.force.bound);
+  give(s, "n", words.on_parent.moment, reals.on_parent.moment, given.on_parent.moment.bound);
+  give(s, "f", words.on_parent.force, reals.on_parent.force, given.on_parent.force.bound);
   const auto result = stepped(run, words);
   const auto exact = stepped(exact_run, reals);
   add_turns(s);
@@ -191,8 +192,8 @@ Statement step_statement() {
   expect(s, "turning", result.motion.dw, exact.motion.dw, bounds.motion.dw.bound);
   expect(s, "acceleration", result.motion.a, exact.motion.a, bounds.motion.a.bound);
   expect(s, "effort", result.effort, exact.effort, bounds.effort.bound.error);
-  expect(s, "moment", result.sent.moment, exact.sent.moment, bounds.sent.moment.bound);
-  expect(s, "force", result.sent.force, exact.sent.force, bounds.sent.force.bound);
+  expect(s, "moment", result.on_parent.moment, exact.on_parent.moment, bounds.on_parent.moment.bound);
+  expect(s, "force", result.on_parent.force, exact.on_parent.force, bounds.on_parent.force.bound);
   return s;
 }
 

@@ -110,7 +110,7 @@ std::vector<LinkParameters> elastic_links(const std::string& robot, const std::v
     bare[i].rotor_inertia = 0.0;
     middle[static_cast<int>(i)] = 0.5 * (links[i].position_min + links[i].position_max);
   }
-  const auto mass = axial::mass_matrix(model_of(robot, bare), middle);
+  const auto mass = axial::mass_matrix(model_of(robot, bare), middle, {});
   const double w = 2.0 * 3.14159265358979323846 * resonance;
   for (std::size_t i = 0; i < links.size(); ++i) {
     const double own = mass(static_cast<int>(i), static_cast<int>(i));

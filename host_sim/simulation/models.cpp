@@ -191,7 +191,7 @@ namespace {
 
 template <class M, class Values>
 double kinetic_energy(const M& model, const Values& q, const Values& qd) {
-  const auto mass = axial::mass_matrix(model, q);
+  const auto mass = axial::mass_matrix(model, q, {});
   double sum = 0.0;
   for (int i = 0; i < model.size(); ++i)
     for (int j = 0; j < model.size(); ++j)
@@ -202,7 +202,7 @@ double kinetic_energy(const M& model, const Values& q, const Values& qd) {
 /// `joints`: the links of the tree.
 template <class M, class Joints, class Values>
 double height_energy(const M& model, const Joints& joints, const Values& q) {
-  const auto poses = axial::forward_kinematics(model, q);
+  const auto poses = axial::forward_kinematics(model, q, {});
   const auto up = joints.base_acceleration();  // minus gravity, in frame 0
   const auto frame_0 = joints.base_pose();
   double sum = 0.0;

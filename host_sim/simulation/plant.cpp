@@ -16,8 +16,8 @@ struct Tip {
   axial::Mat3<axial::Vec3<double>> link_axes;
   axial::Jacobian<M, double> jacobian;
 
-  Tip(const M& model, const Joints& q, const Joints& qd) : jacobian(axial::jacobian(model, q)) {
-    const auto poses = axial::forward_kinematics(model, q);
+  Tip(const M& model, const Joints& q, const Joints& qd) : jacobian(axial::jacobian(model, q, {})) {
+    const auto poses = axial::forward_kinematics(model, q, {});
     position = poses.tool.position;
     link_axes = poses.frames[model.link_count() - 1].rotation;
     for (int i = 0; i < model.size(); ++i)

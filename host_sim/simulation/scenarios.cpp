@@ -193,7 +193,7 @@ std::vector<Row> chaotic_babyboot() {
 Values<double> hanging(const Model& model, double stiffness, const Values<double>& rest) {
   Values<double> q = rest;
   for (int k = 0; k < 60; ++k) {
-    const auto all = axial::gravity_torque(model, q);  // gravity's efforts alone
+    const auto all = axial::gravity_torque(model, q, {});  // gravity's efforts alone
     for (int i = 0; i < model.size(); ++i)
       q[i] = rest[i] - all[i] / stiffness;
   }
@@ -323,7 +323,7 @@ std::vector<Row> float_at_rest() {
   const Model model = sprung_arm(0.0, nominal_pose());
   Motion<float> x;
   x.q = narrowed<float>(nominal_pose());
-  const auto weight = axial::gravity_torque(model, x.q);
+  const auto weight = axial::gravity_torque(model, x.q, {});
   const auto hold = [&](const Instant<float>&, Values<float>& tau, axial::Inputs<Model, float>&, Stiffness<float>&) {
     tau = weight;
   };

@@ -101,7 +101,7 @@ double reference_kernel_time() {
     constexpr int calls = 20000;
     const double begin = now();
     for (int k = 0; k < calls; ++k)
-      q[0] += 1e-9 * axial::forward_dynamics(model, q, qd, Values<double>{})[0];
+      q[0] += 1e-9 * axial::forward_dynamics(model, q, qd, Values<double>{}, {})[0];
     best = std::min(best, (now() - begin) / calls);
   }
   return best;

@@ -1,4 +1,5 @@
-"""What a build of a user's kernels says: which of them the library does not offer for joints that share drives, or for so many.
+"""What a build of a user's kernels says: which of them the library does not offer for joints that share drives, for so many, or for a
+joint that moves no mass, which is named.
 
 usage: refused.py LOG     prints the compiler's sentences; exits with 1 where anything else failed too
 """
@@ -8,7 +9,9 @@ import re
 import sys
 
 SENTENCE = re.compile(r"(?:static assertion failed: |error: static_assert failed.* \"|region `)([^\n\"]*)")
-ABOUT = re.compile("share drives|of up to 8 joints")
+ABOUT = re.compile("share drives|of up to 8 joints|every joint to move some mass")
+# recursion/composite_scale.hpp: compilers print the condition that failed.
+JOINT = re.compile(r"every_joint_moves_mass_but<(\d+)>")
 SOURCE = re.compile(r"([\w.+-]+)\.cpp\.obj?\b")
 
 
@@ -19,11 +22,18 @@ def failures(log):
         yield first, re.split(r"\n\[\d+/\d+\] |\nninja: ", rest)[0]
 
 
+def sentences(said):
+    """The library's sentences in what a compiler says, with the joint that moves no mass."""
+    joint = JOINT.search(said)
+    named = f" (joint {joint[1]}, counted from 0 at the base, moves none)" if joint else ""
+    return [sentence + (named if "every joint to move some mass" in sentence else "") for sentence in SENTENCE.findall(said)]
+
+
 def refused(log):
     """{source: the library's first sentence about the robot's joints}, and whether nothing else failed."""
     sources, only = {}, True
     for target, said in failures("\n" + log):
-        about = [sentence for sentence in SENTENCE.findall(said) if ABOUT.search(sentence)]
+        about = [sentence for sentence in sentences(said) if ABOUT.search(sentence)]
         source = SOURCE.search(target)
         if about and source:
             sources[source[1]] = min(about, key=lambda sentence: ("this function" in sentence, sentence))
@@ -35,7 +45,7 @@ def refused(log):
 def main():
     log = pathlib.Path(sys.argv[1]).read_text(encoding="utf-8", errors="replace")
     sources, only = refused(log)
-    said = SENTENCE.findall(log) if not only else sources.values()
+    said = sentences(log) if not only else sources.values()
     for sentence in sorted(set(said))[:5]:
         print(sentence)
     sys.exit(0 if only else 1)

@@ -194,11 +194,12 @@ template <class S, class T>
 bool in_batches() {
   Joints<robot_of<S>, T> states[8] = {};
   const auto q = load<8>(states);
-  store(inverse_dynamics<S>(q, q, q), states);
-  const auto answer = forward_dynamics<S>(q, q, q);
+  const Inputs<S, std::decay_t<decltype(q[0])>> in{};
+  store(inverse_dynamics<S>(q, q, q, in), states);
+  const auto answer = forward_dynamics<S>(q, q, q, in);
   return check_request<S>(q, q, q).ok() && check_position<S>(q).ok() && check_finite(q, q).ok() && answer.status.ok() &&
-         forward_kinematics<S>(q).status.ok() && jacobian<S>(q).status.ok() && separate<S>(q).status.ok() &&
-         momentum_terms<S>(q, q).status.ok() && is_finite(mass_matrix<S>(q)(0, 0))[0] && lane(q, 0)[0] < T(1);
+         forward_kinematics<S>(q, in).status.ok() && jacobian<S>(q, in).status.ok() && separate<S>(q, in).status.ok() &&
+         momentum_terms<S>(q, q, in).status.ok() && is_finite(mass_matrix<S>(q, in)(0, 0))[0] && lane(q, 0)[0] < T(1);
 }
 
 template <class Robot, class... Tags>

@@ -19,12 +19,12 @@ class Library : public Implementation {
     const auto in = inputs(state);
     if (quantity == "tau") return values(axial::inverse_dynamics(model, q, qd, joints(state.qdd), in), n);
     if (quantity == "qdd") return values(axial::forward_dynamics(model, q, qd, joints(state.tau), in), n);
-    if (quantity == "M") return matrix(axial::mass_matrix(model, q), n);
+    if (quantity == "M") return matrix(axial::mass_matrix(model, q, in), n);
     if (quantity == "cor") return coriolis(file, state);
-    if (quantity == "grav") return values(axial::gravity_torque(model, q), n);
-    const auto tool = axial::forward_kinematics(model, q).tool;
+    if (quantity == "grav") return values(axial::gravity_torque(model, q, std::decay_t<decltype(in)>{}), n);
+    const auto tool = axial::forward_kinematics(model, q, in).tool;
     if (quantity == "pose") return pose_rows(pose(tool));
-    return jacobian(axial::jacobian(model, q), n, quantity == "jace" ? pose(tool).rotation : oracle::Mat3<T>{});
+    return jacobian(axial::jacobian(model, q, in), n, quantity == "jace" ? pose(tool).rotation : oracle::Mat3<T>{});
   }
 
  private:

@@ -1,4 +1,4 @@
-// expect: axial: joint values are axial::Joints, or arrays with one number for each joint
+// expect: axial: no such call: inverse_dynamics<Robot>(q, qd, qdd) is what there is
 // within: 5 lines
 // at most: 12 lines
 #include <axial/axial.hpp>

@@ -12,6 +12,13 @@ if(NOT mended EQUAL 0)
   message(FATAL_ERROR "the mended source does not compile:\n${output}")
 endif()
 
+# "// standard: c++14": what the broken source is compiled as.
+file(STRINGS ${SOURCE} head LIMIT_COUNT 4)
+set(standard c++17)
+if(head MATCHES "// standard: ([a-z0-9+]+)")
+  set(standard ${CMAKE_MATCH_1})
+endif()
+list(TRANSFORM command REPLACE "-std=c\\+\\+17" "-std=${standard}")
 execute_process(COMMAND ${command} RESULT_VARIABLE broken ERROR_VARIABLE output)
 if(broken EQUAL 0)
   message(FATAL_ERROR "it compiles")
@@ -22,13 +29,12 @@ if(place EQUAL -1)
 endif()
 
 # "// within: 5 lines": what this compiler and the others say first.
-file(STRINGS ${SOURCE} head LIMIT_COUNT 3)
 if(NOT head MATCHES "// within: ([0-9]+) lines")
   return()
 endif()
 set(most ${CMAKE_MATCH_1})
 foreach(compiler IN LISTS COMPILER OTHERS)
-  execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C ${compiler} -std=c++17 -fsyntax-only -I${ROOT}/firmware/include
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C ${compiler} -std=${standard} -fsyntax-only -I${ROOT}/firmware/include
                           -I${ROOT} ${SOURCE} ERROR_VARIABLE output)
   string(FIND "${output}" "${expected}" place)
   string(SUBSTRING "${output}" 0 ${place} before)

@@ -205,6 +205,7 @@ DOUBTFUL = [
          f"{ONE}.branch(6.28, 0)"),
     link("gamma_of_branch_is_beyond_one_turn_give_radians_or_branch_deg", "branch", "gamma of one turn", f"{ONE}.branch_deg(-361, 0)",
          f"{ONE}.branch_deg(-360, 0)"),
+    link("mass_is_beyond_1000_kg_give_kilograms", "mass", "1000 kg", "revolute().mass(1000.1)", "revolute().mass(999.9)"),
     link("inertia_without_mass_give_mass", "inertia", "with a mass", "revolute().inertia_com(0, 0, 1e-9)", "revolute().inertia_com(0, 0, 0)"),
     link("inertia_without_mass_give_mass", "inertia", "with a mass", "revolute().mass(0).inertia_com(1, 1, 1)",
          "revolute().mass(1e-9).inertia_com(1, 1, 1)"),

@@ -11,4 +11,6 @@ struct Arm {
 };
 
 using Scene = axial::Scene<Arm, axial::FloatingBase>;
-auto accelerate(const axial::Joints<Arm, float>& x) { return axial::forward_dynamics<Scene>(x, x, x); }
+auto accelerate(const axial::Joints<Arm, float>& x, const axial::Inputs<Scene, float>& in) {
+  return axial::forward_dynamics<Scene>(x, x, x, in);
+}

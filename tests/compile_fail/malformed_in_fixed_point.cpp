@@ -23,8 +23,8 @@ using S = Scene<Plotter, Gravity, Payload>;
 using Q = Positions<Plotter, Fixed32>;
 using Qd = Velocities<Plotter, Fixed32>;
 
-auto pose(const Q& q) { return forward_kinematics<S>(q); }
-auto inertia(const Q& q) { return mass_matrix<S>(q); }
+auto pose(const Q& q, const Inputs<S, Fixed32>& in) { return forward_kinematics<S>(q, in); }
+auto inertia(const Q& q, const Inputs<S, Fixed32>& in) { return mass_matrix<S>(q, in); }
 auto efforts(const Q& q, const Qd& qd, const Accelerations<Plotter, Fixed32>& qdd, const Inputs<S, Fixed32>& in) {
   return inverse_dynamics<S>(q, qd, qdd, in);
 }

@@ -1,7 +1,7 @@
 // expect: rotors as bodies are a header of their own
 #include <axial/dynamics/inverse_dynamics.hpp>
 #ifdef MENDED
-#include <axial/dynamics/rotor_dynamics.hpp>
+#include <axial/transmissions/rotor_dynamics.hpp>
 #endif
 #include <robots/scara.hpp>
 

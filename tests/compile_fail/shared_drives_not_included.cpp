@@ -1,7 +1,7 @@
-// expect: joints of this robot share drives: add #include <axial/dynamics/shared_drives.hpp>
+// expect: joints of this robot share drives: add #include <axial/transmissions/shared_drives.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
 #ifdef MENDED
-#include <axial/dynamics/shared_drives.hpp>
+#include <axial/transmissions/shared_drives.hpp>
 #endif
 #include <robots/gripper.hpp>
 

@@ -13,4 +13,6 @@ struct Arm {
 };
 using Scene = axial::Scene<Arm, axial::RuntimeTool>;
 
-auto pose(const axial::Positions<Arm, axial::Fixed32>& q) { return axial::forward_kinematics<Scene>(q); }
+auto pose(const axial::Positions<Arm, axial::Fixed32>& q, const axial::Inputs<Scene, axial::Fixed32>& in) {
+  return axial::forward_kinematics<Scene>(q, in);
+}

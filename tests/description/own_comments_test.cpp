@@ -3,14 +3,16 @@
 
 #include <host_sim/description/own_comments.hpp>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 namespace {
 
 description::Description of_header(const std::string& text) {
-  const auto folder = std::filesystem::temp_directory_path() / "axial_own_comments_test";
-  std::filesystem::create_directories(folder);
+  auto path = (std::filesystem::temp_directory_path() / "axial-XXXXXX").string();  // tests run side by side
+  EXPECT_NE(mkdtemp(path.data()), nullptr);
+  const std::filesystem::path folder = path;
   const auto header = folder / "my_arm.hpp";
   std::ofstream(header) << text;
   description::Description robot;

@@ -36,7 +36,7 @@ TEST(Safety, DrivesAreHeldThenDisabled) {
   bool enable = true;
   drives.tick(enable);
   EXPECT_FALSE(enable) << "nothing was asked for";
-  const Joints q{0.1F, -0.4F, 0.3F, -1.2F, 0.5F, 1.6F, 0.2F}, still{}, fast{100.0F};
+  const Joints q{0.1F, -0.4F, 0.3F, -1.2F, 0.5F, 1.6F, 0.2F}, still{}, fast{100.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F};
   drives.request(q, fast, still);
   const Joints held = drives.tick(enable), weight = axial::gravity_torque<Robot>(q);
   EXPECT_TRUE(enable) << "the arm does not fall";
@@ -47,6 +47,20 @@ TEST(Safety, DrivesAreHeldThenDisabled) {
     drives.tick(enable);
   }
   EXPECT_FALSE(enable);
+}
+
+#include "safety-2.inc"
+
+TEST(Safety, AControlledStopBrakesThenHolds) {
+  axial::Request<Robot, float> wanted{
+      {0.1F, -0.4F, 0.3F, -1.2F, 0.5F, 1.6F, 0.2F}, {1.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F}, {}, {}};
+  EXPECT_TRUE(request_or_brake(wanted, axial::inverse_dynamics<Robot>(wanted.q, wanted.qd, wanted.qdd)));
+  brake.advance(20);
+  EXPECT_EQ(brake.phase(), axial::DrivePhase::fading);
+  brake.advance(500);
+  EXPECT_EQ(brake.phase(), axial::DrivePhase::holding);
+  EXPECT_EQ(brake.wanted().qd[0], 0.0F);
+  EXPECT_GT(brake.wanted().q[0], 0.1F);
 }
 
 }  // namespace fall_back

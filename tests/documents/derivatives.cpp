@@ -13,8 +13,8 @@ namespace {
 
 using Robot = robots::Puma560;
 constexpr axial::Joints<Robot, float> q{0.1F, -0.4F, 0.3F, 0.2F, 0.5F, -0.6F}, qd{0.5F, 0.2F, -0.3F, 0.1F, 0.4F, 0.2F},
-    qdd{1.0F, -1.0F, 2.0F, 1.0F, 0.5F, 0.1F}, tau{1.0F, 2.0F, 3.0F, 0.5F, 0.25F, 0.125F}, dq{0.0F, 0.0F, 1.0F}, dqd{},
-    dqdd{}, dtau{};
+    qdd{1.0F, -1.0F, 2.0F, 1.0F, 0.5F, 0.1F}, tau{1.0F, 2.0F, 3.0F, 0.5F, 0.25F, 0.125F},
+    dq{0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F}, dqd{}, dqdd{}, dtau{};
 
 TEST(DerivativesGuide, ItsLinesCompileAndAgree) {
   const int i = 1, j = 2;

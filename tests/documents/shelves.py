@@ -11,6 +11,9 @@ import sys
 LINK = re.compile(r"\]\(([^)\s#]+)(?:#[^)]*)?\)")
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 LONGEST_GUIDE, LONGEST_README = 150, 130
+LONGEST_GLOSSARY = 40  # entries
+SOUGHT = re.compile(r"\]\(([^)]+)\) \| `([^`]+)` \|$", re.MULTILINE)
+ENTRY = re.compile(r"^\| (?!---|here )", re.MULTILINE)
 FOR_WHOM = re.compile(r"^# .*\n\nFor ", re.MULTILINE)
 
 
@@ -34,6 +37,10 @@ def problems(root):
         yield from (f"doc/{shelf}/README.md does not list {page.name}" for page in pages if f"]({page.name})" not in index)
         if shelf == "guides":
             yield from guide_problems(root, pages)
+    yield from status_problems(root)
+    yield from where_problems(root / "doc/guides/where.md")
+    if len(ENTRY.findall((root / "doc/guides/glossary.md").read_text(encoding="utf-8"))) > LONGEST_GLOSSARY:
+        yield f"doc/guides/glossary.md has more than {LONGEST_GLOSSARY} entries"
     lines = len((root / "README.md").read_text(encoding="utf-8").splitlines())
     if lines > LONGEST_README:
         yield f"README.md has {lines} lines, at most {LONGEST_README}"
@@ -46,6 +53,28 @@ def guide_problems(root, pages):
             yield f"{page.relative_to(root)} has more than {LONGEST_GUIDE} lines"
         if not FOR_WHOM.match(text):
             yield f"{page.relative_to(root)} does not begin by saying for whom it is ('For ...')"
+
+
+def status_problems(root):
+    """The page of statuses has every code, by its number."""
+    header = (root / "firmware/include/axial/scene/status.hpp").read_text(encoding="utf-8")
+    page = (root / "doc/guides/statuses.md").read_text(encoding="utf-8")
+    told = {(name, number) for number, name in re.findall(r"^\| (\d+) \| `(\w+)`", page, re.MULTILINE)}
+    codes = set(re.findall(r"^    (\w+) =\s+(\d+),", header, re.MULTILINE))
+    yield from (f"doc/guides/statuses.md does not tell {name} = {number}" for name, number in sorted(codes - told))
+    if len(codes) < 17:
+        yield "scene/status.hpp: its codes were not found"
+
+
+def where_problems(page):
+    """What the page tells to look for stands in the file that it names."""
+    rows = SOUGHT.findall(page.read_text(encoding="utf-8"))
+    if len(rows) < 20:
+        yield f"{page.name} answers {len(rows)} questions"
+    for file, sought in rows:
+        path = page.parent / file
+        if path.exists() and sought not in path.read_text(encoding="utf-8"):
+            yield f"{page.name}: {sought} is not in {path.name}"
 
 
 def main():

@@ -314,7 +314,7 @@ class Holds(unittest.TestCase):
             path = self.file(arm, rows)
         status, _, err = run("planar2r", path, "--output", path.parent / "out", "-o", path.parent / "arm.hpp")
         self.assertEqual(status, 1)
-        self.assertIn("the mass looks given in grams", err)
+        self.assertIn("the mass at the tool looks given in grams", err)
         self.assertFalse((path.parent / "arm.hpp").exists())
 
     def test_that_nothing_explains_write_no_header(self):

@@ -13,6 +13,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "host_sim/compile_cost/compile_cost.py"
+LARGE = ROOT / "host_sim/compile_cost/large_robots.py"
 
 
 def run(*arguments):
@@ -55,11 +56,20 @@ class CompileCost(unittest.TestCase):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("unknown robot 'scara9'; there are: puma560, panda", done.stderr)
 
-    def test_the_page_shows_the_data(self):
-        page = self.folder / "page.md"
-        shutil.copy(ROOT / "doc/measurements/compile_cost.md", page)
-        subprocess.run([sys.executable, "-E", "-B", ROOT / "host_sim/plot/compile_cost_tables.py", ROOT / "doc/data", page], check=True)
-        self.assertEqual(page.read_text(encoding="utf-8"), (ROOT / "doc/measurements/compile_cost.md").read_text(encoding="utf-8"))
+    def test_the_pages_show_the_data(self):
+        for name in ("compile_cost", "compile_time"):
+            page, shown = self.folder / "page.md", ROOT / f"doc/measurements/{name}.md"
+            shutil.copy(shown, page)
+            subprocess.run([sys.executable, "-E", "-B", ROOT / f"host_sim/plot/{name}_tables.py", ROOT / "doc/data", page], check=True)
+            self.assertEqual(page.read_text(encoding="utf-8"), shown.read_text(encoding="utf-8"))
+
+    def test_large_robots_have_their_own_rows(self):
+        done = subprocess.run([sys.executable, "-E", "-B", LARGE, "--build", "host-gcc-O2", "--robot", "serial6", "--form", "route,looped",
+                               "--output", self.folder], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = json.loads((self.folder / "compile_time.json").read_text(encoding="utf-8"))
+        self.assertEqual([(row["robot"], row["joints"], row["form"]) for row in rows], [("serial6", 6, "route"), ("serial6", 6, "looped")])
+        self.assertLess(0, rows[0]["seconds"])
 
 
 if __name__ == "__main__":

@@ -153,6 +153,39 @@ TYPED_TEST(Jobs, FeedbackBeginsWithoutADerivativeAfterAPause) {
   EXPECT_NEAR(answer(job, rest).tau[0], 0.5F * first, 1e-3F * first);
 }
 
+// 0.2 rad to 0 between two measurements; the arm of the fall-back is that of the last good request.
+TYPED_TEST(Jobs, AnEncoderThatJumpsIsNotBelievedUntilASessionBegins) {
+  auto& job = this->tracking_;
+  job.measure(measured({0.1, 0.2}));
+  const auto before = answer(job, rest);
+  this->expect(before, link::TorqueStatus::ok, DrivePhase::running);
+  for (const double reads : {0.0, 0.0, 0.1, 0.2, 0.2}) {
+    job.measure(measured({0.1, reads}));
+    const auto told = answer(job, rest);
+    this->expect(told, link::TorqueStatus::not_measured, DrivePhase::running);
+    EXPECT_EQ(told.tau, before.tau) << reads;
+  }
+  job.advance(10'000);
+  EXPECT_EQ(job.phase(), DrivePhase::disabled);
+  job.restart();
+  job.measure(measured({0.1, 0.2}));
+  this->expect(answer(job, rest), link::TorqueStatus::ok, DrivePhase::running);
+}
+
+// The wanted motion leaves, what the encoder reads stays.
+TYPED_TEST(Jobs, AnEncoderThatStandsStillIsNotBelievedForLong) {
+  auto& job = this->tracking_;
+  link::SetPoint wanted = rest;
+  int refused = 0;
+  for (int k = 0; k < 500 && refused == 0; ++k) {
+    wanted.q[1] = 0.2F + 0.002F * static_cast<float>(k);
+    job.measure(measured({0.1, 0.2}));
+    refused = answer(job, wanted).status == static_cast<std::uint8_t>(link::TorqueStatus::not_measured) ? k : 0;
+  }
+  EXPECT_GT(refused, 50);
+  EXPECT_LT(refused, 250);  // at 0.39 rad, where feedback asks for twice the effort
+}
+
 TYPED_TEST(Jobs, WhereTheRequestIsNowhereTheArmIsHeldWhereEncodersSeeIt) {
   auto& job = this->tracking_;
   link::SetPoint nowhere = rest;

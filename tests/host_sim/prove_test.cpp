@@ -191,8 +191,8 @@ TEST(Prove, TheRecordedStepIsTheKernelBetweenItsNeighbours) {
     const auto [links, screws, at, speeds, accelerations] = prove::run_of<Puma, Fixed32>(q, qd, qdd);
     const auto around = prove::neighbours<2>(links, axial::Inputs<Puma, Fixed32>{}, screws, speeds, accelerations);
     name_words(named, "w", around.parent.w), name_words(named, "dw", around.parent.dw);
-    name_words(named, "acc", around.parent.a), name_words(named, "n", around.sent.moment);
-    name_words(named, "f", around.sent.force), name_words(named, "ux", around.parent.u.x);
+    name_words(named, "acc", around.parent.a), name_words(named, "n", around.on_parent.moment);
+    name_words(named, "f", around.on_parent.force), name_words(named, "ux", around.parent.u.x);
     name_words(named, "uy", around.parent.u.y), name_words(named, "uz", around.parent.u.z);
     std::vector<prove::Integer> inputs;
     for (const int i : s.program.inputs())

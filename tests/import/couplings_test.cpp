@@ -31,7 +31,7 @@ TEST(Couplings, OfAFollowerTakeItsFrictionToTheDrive) {
   EXPECT_EQ(description::drive_matrix(result.imported.robot).drives, 1);
   auto wrong = result.imported;
   wrong.robot.links[1].parameters.drives.offset += 1e-6;
-  const auto reference = importer::reference_of(importer::read_urdf(follower, "arm", {}), {}, {"shoulder", "elbow"});
+  const auto reference = importer::reference_of(follower, {}, {}, {}, {"shoulder", "elbow"}, "");
   EXPECT_GT(importer::verify(wrong, reference, 1, 20).pose, 1e-7);
 }
 TEST(Couplings, OfAFourBarAreItsLinearLaw) {
@@ -44,8 +44,8 @@ TEST(Couplings, OfAFourBarAreItsLinearLaw) {
 }
 TEST(Couplings, ThatAreWrongAreSeen) {
   const auto imported = importer::import_text(four_bar, "arm", {}).imported;
-  const auto source = importer::read_urdf(four_bar, "arm", {});
-  const auto reference = importer::reference_of(source, {0.0, 0.0, -9.81}, {"shoulder", "elbow"});
+  const auto reference =
+      importer::reference_of(four_bar, {}, imported.changes, {0.0, 0.0, -9.81}, {"shoulder", "elbow"}, "");
   EXPECT_TRUE(importer::verify(imported, reference, 1, 20).good());
   auto wrong = imported;
   wrong.robot.links[1].parameters.drives.ratio[0] *= -1.0;

@@ -52,7 +52,7 @@ TEST(Descriptions, OfOthersEqualKdl) {
 // The comparison sees an error of 1e-9 in any of the numbers.
 TEST(Verification, SeesAWrongNumber) {
   const auto table = description::parse_table(arms::table, "arm.json");
-  const auto reference = importer::reference_of(table);
+  const auto reference = importer::reference_of(arms::table, {}, 0.0);
   const auto figures_with = [&](auto change) {
     importer::Imported imported;
     imported.robot = description::to_mdh(table);

@@ -85,8 +85,8 @@ TEST(Frame, IsRightHanded) {
 TEST(Rounded, IsZeroBelow1em14) {
   EXPECT_EQ(rounded(Real(0.9e-14L)), 0.0);
   EXPECT_EQ(rounded(Real(-0.9e-14L)), 0.0);
-  EXPECT_EQ(rounded(Real(1.1e-14L)), 1.1e-14);
-  EXPECT_EQ(rounded(Real(-1.1e-14L)), -1.1e-14);
+  EXPECT_EQ(rounded(Real(1.3e-14L)), 1.3e-14);
+  EXPECT_EQ(rounded(Real(-1.23456789012e-3L)), -1.23456789012e-3);
 }
 
 TEST(Orthonormal, MendsWhatFewDigitsLeft) {

@@ -84,8 +84,13 @@ class Objects:
         return self.folder / (re.sub(r"\W", "_", " ".join([source, *flags])) + ".o")
 
     def depend_on(self, source, flags, file):
-        text = self.path(source, flags).with_suffix(".d").read_text()
-        return file in {os.path.normpath(word) for word in text.split()}
+        """Whether a source reads a file; where it was not compiled, its preprocessor tells."""
+        made = self.path(source, flags).with_suffix(".d")
+        if not made.exists():
+            flags = [flag.replace("@ROOT@", str(ROOT)) for flag in flags]
+            told = subprocess.run(["g++", *FLAGS, *INCLUDES, *flags, "-MM", source], cwd=ROOT, check=True, capture_output=True, text=True)
+            return file in {os.path.normpath(word) for word in told.stdout.split()}
+        return file in {os.path.normpath(word) for word in made.read_text().split()}
 
 
 def compile_source(copy, source, flags, output, included=()):

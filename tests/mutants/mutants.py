@@ -12,9 +12,11 @@ import re
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 
 import build
+import drawn
 import essence
 import table
 import trim
@@ -37,7 +39,8 @@ def arguments():
     parser.add_argument("--part", metavar="K/N", type=parts_of, help="the K-th of N parts of the same size")
     parser.add_argument("--rotate", metavar="N", type=int, help="one part of N: which one, the commit tells")
     parser.add_argument("--essence", metavar="N", type=int, help="N mutants, which ones the commit tells, against tests of ./axial test alone")
-    parser.add_argument("--seed", metavar="N", type=int, help="of --essence, instead of the commit")
+    parser.add_argument("--draw", metavar="N", type=int, help="N mutants made from the code by operators, each against tests of its file and folder")
+    parser.add_argument("--seed", metavar="N", type=int, help="of --essence and --draw, instead of the commit")
     parser.add_argument("--record", action="store_true", help="remember which test killed which mutant: it is tried first")
     parser.add_argument("--list", action="store_true", help="say which mutants there are, and run none")
     parser.add_argument("--check", action="store_true", help="only see whether every mutant's text stands in its file, once")
@@ -59,9 +62,14 @@ def chosen(mutants, options):
         options.part = commit_number() % options.rotate + 1, options.rotate
         print(f"part {options.part[0]} of {options.rotate}; to repeat it: ./axial mutants --part {options.part[0]}/{options.rotate}")
     mutants = table.part(mutants, *options.part) if options.part else mutants
+    seed = commit_number() if options.seed is None else options.seed
     if options.essence:
-        mutants = essence.sample(mutants, options.essence, commit_number() if options.seed is None else options.seed)
-    return mutants
+        mutants = essence.sample(mutants, options.essence, seed)
+    return drawn.draw(mutants, options.draw, seed, known_killers()) if options.draw else mutants
+
+
+def known_killers():
+    return json.loads(KILLERS.read_text()) if KILLERS.exists() else {}
 
 
 class Run:
@@ -69,7 +77,7 @@ class Run:
 
     def __init__(self, folder, jobs):
         self.folder = folder
-        self.killers = json.loads(KILLERS.read_text()) if KILLERS.exists() else {}
+        self.killers = known_killers()
         self.programs = build.Programs()
         self.objects = build.Objects(folder / "objects")
         self.objects.precompile()
@@ -157,27 +165,76 @@ class Run:
         """The first of those tests that fails with the mutant."""
         sources, libraries = self.programs.of(mutant.test)
         suite, objects = tests.split(".")[0], []
+        if not any(self.objects.depend_on(source, flags, mutant.file) for source, flags in sources):
+            return self.has_nothing_of(mutant)
         for source, flags in sources:
             path = self.objects.path(source, flags)
-            if self.objects.depend_on(source, flags, mutant.file):
-                text = (copy.folder / source).read_text()
-                if source == f"tests/{mutant.test}" and not mutant.by_compiler:
-                    text, tests = trim.trimmed(text, tests)
-                path = copy.folder / "mutant" / path.name
-                path.parent.mkdir(exist_ok=True)
-                try:
-                    with copy.changed(source, lambda _, kept=text: kept):
-                        build.compile_source(copy, source, flags, path, self.objects.precompiled)
-                except build.BuildError as error:
-                    if mutant.by_compiler:
-                        return f"compiler: {error}"
-                    raise table.TableError(f"does not compile: {error}") from error
+            if not self.objects.depend_on(source, flags, mutant.file):
+                objects.append(self.unchanged(copy, source, flags))
+                continue
+            text = (copy.folder / source).read_text()
+            if source == f"tests/{mutant.test}" and self.is_trimmed(mutant):
+                text, tests = trim.trimmed(text, tests)
+            path = copy.folder / "mutant" / path.name
+            path.parent.mkdir(exist_ok=True)
+            try:
+                with copy.changed(source, lambda _, kept=text: kept):
+                    build.compile_source(copy, source, flags, path, self.objects.precompiled)
+            except build.BuildError as error:
+                if mutant.by_compiler:
+                    return f"compiler: {error}"
+                raise table.TableError(f"does not compile: {error}") from error
             objects.append(path)
-        if objects == [self.objects.path(source, flags) for source, flags in sources]:
-            raise table.TableError(f"{mutant.test} does not include {mutant.file}")
         program = copy.folder / "mutant" / "program"
         build.link(objects, libraries, program)
         return build.run(program, tests)[2].replace(tests.split(".")[0], suite)
+
+
+    def is_trimmed(self, mutant):
+        return not mutant.by_compiler
+
+    def unchanged(self, _, source, flags):
+        return self.objects.path(source, flags)
+
+    def has_nothing_of(self, mutant):
+        raise table.TableError(f"{mutant.test} does not include {mutant.file}")
+
+
+class DrawnRun(Run):
+    """Drawn mutants, each against one test after the other until one notices it; what is not changed is built where it is asked for."""
+
+    def __init__(self, folder, jobs):
+        super().__init__(folder, jobs)
+        self.noticed, self.building = set(), threading.Lock()
+
+    def compile_unchanged(self, _):
+        pass
+
+    def unchanged_failures(self, _):
+        return {}
+
+    def tests_of(self, mutant):
+        return [mutant.filter]
+
+    def killed_by(self, copy, mutant):
+        if drawn.base(mutant.name) in self.noticed:
+            return "noticed before", ""
+        killer, fault = super().killed_by(copy, mutant)
+        self.noticed |= {drawn.base(mutant.name)} if killer else set()
+        return killer, fault
+
+    def is_trimmed(self, mutant):
+        return bool(mutant.filter)
+
+    def unchanged(self, copy, source, flags):
+        path = super().unchanged(copy, source, flags)
+        with self.building:
+            if not path.exists():
+                build.compile_source(copy, source, list(flags), path, self.objects.precompiled)
+        return path
+
+    def has_nothing_of(self, _):
+        return ""
 
 
 def is_compile_fail(test):
@@ -203,7 +260,7 @@ def run_all(mutants, jobs, rows):
     """Appends a row per mutant; raises TableError or BuildError where the table or the unchanged sources are at fault."""
     faults = []
     with tempfile.TemporaryDirectory(prefix="axial-mutants-") as folder:
-        run = Run(pathlib.Path(folder), jobs)
+        run = (DrawnRun if mutants and mutants[0].name.startswith("drawn.") else Run)(pathlib.Path(folder), jobs)
         run.compile_unchanged(mutants)
         failures = run.unchanged_failures(mutants)
         faults += [f"{test}: {failure}" for test, failure in sorted(failures.items())]
@@ -228,7 +285,7 @@ def summary(rows):
 
 
 def record(rows):
-    known = json.loads(KILLERS.read_text()) if KILLERS.exists() else {}
+    known = known_killers()
     known.update({row["mutant"]: row["killed_by"] for row in rows if row["killed_by"]})
     names = {mutant.name for mutant in table.read()}
     KILLERS.write_text(json.dumps({name: killer for name, killer in sorted(known.items()) if name in names}, indent=0) + "\n")
@@ -261,6 +318,10 @@ def main():
     print(f"{time.monotonic() - start:.0f} s")
     if options.json:
         pathlib.Path(options.json).write_text(json.dumps(rows, indent=1) + "\n")
+    if options.draw:
+        alive = drawn.survivors(rows, mutants)
+        print(f"{options.draw} drawn, {len(alive)} not noticed", *alive, sep="\n")
+        return 0
     if options.essence:
         survivors = [row["mutant"] for row in rows if not row["killed_by"]]
         print(f"not killed by the essence: {' '.join(survivors) or 'none'}")

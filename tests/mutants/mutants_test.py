@@ -4,9 +4,11 @@
 import contextlib
 import io
 import pathlib
+import re
 import tempfile
 import unittest
 
+import drawn
 import mutants
 import table
 import trim
@@ -52,6 +54,25 @@ class Table(unittest.TestCase):
         parts = [table.part(whole, k, 10) for k in range(1, 11)]
         self.assertCountEqual([mutant.name for part in parts for mutant in part], [mutant.name for mutant in whole])
         self.assertLessEqual(max(map(len, parts)) - min(map(len, parts)), 1)
+
+    def test_drawn_ones_apply_and_are_the_same_for_a_seed(self):
+        some = drawn.draw(table.read(), 40, 1, {})
+        self.assertEqual(table.stale(some), [])
+        self.assertEqual(len({mutant.name.split("/")[0] for mutant in some}), 40)
+        self.assertEqual([m.new for m in some], [m.new for m in drawn.draw(table.read(), 40, 1, {})])
+        self.assertNotEqual([m.new for m in some], [m.new for m in drawn.draw(table.read(), 40, 2, {})])
+        self.assertTrue(all(mutant.test for mutant in some))
+
+    def test_operators_change_what_they_name(self):
+        line = "if (a < b) return x + larger(c, 2.0) * d;"
+        made = {name: [line[:m.start()] + instead(m) + line[m.end():] for m in re.finditer(pattern, line)]
+                for name, pattern, instead in drawn.OPERATORS}
+        self.assertIn("if (a > b) return x + larger(c, 2.0) * d;", made["comparison turned"])
+        self.assertIn("if (false && a < b) return x + larger(c, 2.0) * d;", made["check removed"])
+        self.assertIn("if (a < b) return x - larger(c, 2.0) * d;", made["sign turned"])
+        self.assertIn("if (a < b) return x + smaller(c, 2.0) * d;", made["minimum for maximum"])
+        self.assertIn("if (a < b) return x + larger(c, 2.0);", made["factor dropped"])
+        self.assertIn("if (a < b) return x + larger(c, 4.0) * d;", made["constant doubled"])
 
     def test_parts_share_few_tests(self):
         whole = table.read()

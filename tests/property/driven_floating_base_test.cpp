@@ -202,8 +202,9 @@ TEST(DrivenFloatingBase, ThatWeighsNothingIsNamed) {
   using S = Scene<Light, FloatingBase>;
   using R = Afloat<Light>;
   using Heavy = Scene<R, FloatingBase>;
-  EXPECT_EQ(forward_dynamics<S>(Joints<Light, double>{0.3}, {1}, {2}).status.code, Status::Code::inaccurate);
-  EXPECT_TRUE(forward_dynamics<Heavy>(Joints<R, double>{0.3}, {1}, {2}).status.ok());
+  EXPECT_EQ(forward_dynamics<S>(Joints<Light, double>{0.3}, {1}, {2}, Inputs<S, double>{}).status.code,
+            Status::Code::inaccurate);
+  EXPECT_TRUE(forward_dynamics<Heavy>(Joints<R, double>{0.3}, {1}, {2}, Inputs<Heavy, double>{}).status.ok());
   Inputs<Heavy, double> in{};
   in.base_motion.angular_velocity.x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(forward_dynamics<Heavy>(Joints<R, double>{0.3}, {1}, {2}, in).status.code, Status::Code::not_finite);

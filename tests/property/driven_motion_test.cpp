@@ -107,7 +107,7 @@ double energy_error(simulation::Method method, double h, double seconds, bool dr
   const double first = simulation::energy(model, x.q, x.qd);
   double worst = 0.0, most = 0.0;
   simulation::run(method, model, x, h, std::lround(seconds / h), held, [&](const DrivenMotion& now) {
-    const auto M = axial::mass_matrix(model, now.q);
+    const auto M = axial::mass_matrix(model, now.q, {});
     double kinetic = 0.0;
     for (int k = 0; k < model.size(); ++k)
       for (int l = 0; l < model.size(); ++l)
@@ -207,7 +207,7 @@ TEST(DrivenPlant, StandsOnTheGroundWithWhatItsDrivesLeave) {
   surroundings.ground = simulation::Ground{};
   const auto model = simulation::driven_model_of("scara_quill", frictionless("scara_quill"));
   const Values start = values({0.3, -0.4, 30, 0});
-  surroundings.ground->height = axial::forward_kinematics(model, start).tool.position.z - 0.01;
+  surroundings.ground->height = axial::forward_kinematics(model, start, {}).tool.position.z - 0.01;
   const Values damping = values({50, 50, 1e-3, 1});
   const simulation::DrivenPlant plant(model, surroundings, [&](const auto& at, Values& tau, Stiffness& stiffness) {
     for (int k = 0; k < model.size(); ++k)

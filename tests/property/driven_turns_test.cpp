@@ -48,7 +48,7 @@ void expect_turns(unsigned seed) {
     EXPECT_TRUE(answer.status.ok()) << int(answer.status.code);
     const auto wanted = exact.forward(at, speed, convert<quad>(property::vector(tau)));
     expect_close<T>(answer, m, wanted, oracle::largest(wanted));
-    EXPECT_EQ(forward_dynamics<S>(given, ud, tau).status.code, Status::Code::not_finite) << "no pairs given";
+    EXPECT_EQ(forward_dynamics<S>(given, ud, tau, {}).status.code, Status::Code::not_finite) << "no pairs given";
   }
 }
 template <class T>

@@ -228,11 +228,11 @@ struct Rod {
 
 TEST(FloatingBase, ThatNothingResistsIsNamed) {
   const Joints<Needle, double> q{0.25}, qd{}, tau{3.0};
-  const auto needle = forward_dynamics<Scene<Needle, axial::FloatingBase>>(q, qd, tau);
+  const auto needle = forward_dynamics<Scene<Needle, axial::FloatingBase>>(q, qd, tau, {});
   EXPECT_EQ(needle.status.code, Status::Code::near_singular);
   EXPECT_EQ(needle.status.joint, -1);
   EXPECT_NEAR(needle[0], 3.0 / 1.5 + 3.0 / 2.0, 1e-12) << "the rest is solved all the same";
   EXPECT_NEAR(needle.base_acceleration.linear.z, -3.0 / 2.0, 1e-12);
   const Joints<Rod, double> rod_q{0.25}, rod_qd{}, rod_tau{3.0};
-  EXPECT_TRUE((forward_dynamics<Scene<Rod, axial::FloatingBase>>(rod_q, rod_qd, rod_tau).status.ok()));
+  EXPECT_TRUE((forward_dynamics<Scene<Rod, axial::FloatingBase>>(rod_q, rod_qd, rod_tau, {}).status.ok()));
 }

@@ -69,7 +69,7 @@ void expect_equal_to_oracle(bool tree) {
     EXPECT_LE(torque_error<float>(model, s, tau), torque_float);
     EXPECT_LE(acceleration_error<double>(model, s, tau), acceleration_double);
     EXPECT_LE(acceleration_error<float>(model, s, tau), acceleration_float);
-    const auto m = property::matrix(axial::mass_matrix(model, joints<Model, double>(s.q)), model.size());
+    const auto m = property::matrix(axial::mass_matrix(model, joints<Model, double>(s.q), {}), model.size());
     EXPECT_LE(oracle::relative_error(oracle::convert<quad>(m), oracle::mass_matrix(chain, q)), torque_double);
   }
 }

@@ -174,16 +174,16 @@ TEST(BranchedTrees, PosesAndJacobianEqualTheOracle) {
     const Exact exact(s);
     const auto model = cases::to_model<Plainest>(s.chain);
     const auto q = joints<Plainest, double>(s.q);
-    const auto poses = forward_kinematics(model, q);
+    const auto poses = forward_kinematics(model, q, {});
     const auto reference = oracle::link_poses(exact.chain, exact.q);
     for (int i = 0; i < model.size(); ++i) {
       EXPECT_LE(distance(reference[std::size_t(i)].position, poses.frames[i].position), 1e-13) << i;
       EXPECT_LE(distance(reference[std::size_t(i)].rotation, poses.frames[i].rotation), 1e-13) << i;
     }
-    const auto J = jacobian(model, q);
+    const auto J = jacobian(model, q, {});
     const auto columns = oracle::tool_jacobian(exact.chain, exact.q);
     const int hand = random.below(model.size());
-    const auto of_link = jacobian(model, hand, q);
+    const auto of_link = jacobian(model, hand, q, {});
     const auto origin = reference[std::size_t(hand)].position;
     for (int j = 0; j < model.size(); ++j) {
       const auto &A = columns.angular, &L = columns.linear;

@@ -47,6 +47,7 @@ class UntunedForwardDerivatives : UntunedReference<R, Features...> {
 
   SeenSlopes inverse, position, velocity;
   std::uint64_t overflows = 0, states = 0, answers = 0;
+  std::uint64_t inside = 0, refused = 0;  ///< motions within all limits; those of them without an answer
 
   /// Compares at one state, driven as its accelerations need, or as it says; the largest share of a bound there.
   double see(State state, bool needed) {
@@ -60,15 +61,30 @@ class UntunedForwardDerivatives : UntunedReference<R, Features...> {
             static_cast<std::int32_t>(std::lrint(std::fmax(-0x1.fffffp30, std::fmin(raw, 0x1.fffffp30))));
       }
     }
+    const bool within = needed && is_within(state, qd);
     const std::uint64_t before = axial::range_overflows;
     const auto got = axial::certified_forward_dynamics_derivatives<Checked>(state.q, state.qd, state.tau);
     overflows += axial::range_overflows - before;
     const bool ok = got.qdd.status.ok();
     ++states, answers += ok ? 1 : 0;
+    inside += within ? 1 : 0, refused += within && !ok ? 1 : 0;
     const auto exact = forward_dynamics_derivatives(model(), q, qd, values(state.tau));
     return std::fmax(inverse.see(got.M_inverse, got.bound.M_inverse, exact.M_inverse, ok),
                      std::fmax(position.see(got.dqdd_dq, got.bound.dqdd_dq, exact.dqdd_dq, ok),
                                velocity.see(got.dqdd_dqd, got.bound.dqdd_dqd, exact.dqdd_dqd, ok)));
+  }
+
+ private:
+  template <class Values>
+  static bool is_within(const State& state, const Values& qd) {
+    bool all = true;
+    for (int i = 0; i < joints; ++i) {
+      const auto& link = R::chain.links[i];
+      const double q = values(state.q, true)[i], tau = std::ldexp(state.tau[i].raw, -state.tau.exponent(i));
+      all = all && q >= link.position_min && q <= link.position_max && std::fabs(qd[i]) <= link.speed_limit &&
+            std::fabs(tau) <= link.effort_limit;
+    }
+    return all;
   }
 };
 
@@ -98,6 +114,9 @@ std::uint64_t expect_forward_derivatives_inside_their_bounds(double right = 1e-4
   expect_slopes_inside("d qdd / d qd", robot.velocity, right);
   std::printf("\n");
   EXPECT_EQ(robot.overflows, 0U);
+  std::printf("%s: %llu motions inside all limits, %llu refused\n", R::name,
+              static_cast<unsigned long long>(robot.inside), static_cast<unsigned long long>(robot.refused));
+  EXPECT_LE(50 * robot.refused, robot.inside) << "at most 2 % of motions inside all limits have no answer";
   return 100 * robot.answers / robot.states;
 }
 

@@ -73,7 +73,8 @@ constexpr axial::Link drawn_link(const Kind& kind, std::uint64_t seed, int i, in
                   .alpha_deg(i > 0 ? twist_of(draw) : 0.0);
   const double x = draw.uniform(0.1, 0.5) * size, y = draw.uniform(0.1, 0.5) * size, z = draw.uniform(0.1, 0.5) * size;
   if (!massless)
-    link = link.mass(mass)
+    link = link.accept(axial::as_published)  // a crane's boom is beyond 1000 kg
+               .mass(mass)
                .com(draw.uniform(-size, size), draw.uniform(-size, size), draw.uniform(-size, size))
                .inertia_com(mass * (y * y + z * z), mass * (x * x + z * z), mass * (x * x + y * y));
   const double inertia = slide ? mass : mass * size * size;

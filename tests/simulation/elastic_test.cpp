@@ -82,8 +82,8 @@ TEST(ElasticPlant, ArmsObeySpongsEquations) {
     Values<double> tau_l{};
     for (int i = 0; i < n; ++i)
       tau_l[i] = -links[static_cast<std::size_t>(i)].stiffness * spread[i] - 0.5 * rate[i];
-    const auto links_move = axial::forward_dynamics(rigid, q, qd, tau_l);
-    const auto chain = axial::forward_dynamics(arm.model(), x.q, x.qd, arm.efforts(tau_m));
+    const auto links_move = axial::forward_dynamics(rigid, q, qd, tau_l, {});
+    const auto chain = axial::forward_dynamics(arm.model(), x.q, x.qd, arm.efforts(tau_m), {});
     const auto motors = arm.motors(chain), more = arm.deflections(chain);
     for (int i = 0; i < n; ++i) {
       const auto& link = links[static_cast<std::size_t>(i)];

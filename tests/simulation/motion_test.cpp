@@ -59,7 +59,7 @@ TEST(Plant, HasTheNominalArmOfTheScenarios) {
   Values<double> q{};
   for (int i = 0; i < 6; ++i)
     q[i] = arm.q[static_cast<std::size_t>(i)];
-  const auto mine = axial::gravity_torque(model, q);
+  const auto mine = axial::gravity_torque(model, q, {});
   const auto theirs = oracle::recursive_inverse_dynamics(arm.chain, arm.q, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0});
   for (int i = 0; i < 6; ++i)
     EXPECT_NEAR(mine[i], theirs[static_cast<std::size_t>(i)], 1e-13);

@@ -5,36 +5,44 @@ library stays freestanding, answers are [[nodiscard]], folders explain themselve
 usage: check.py ROOT
 Prints each violation and exits 1 if there is one.
 """
+import collections
 import pathlib
 import re
 import subprocess
 import sys
 
 LIBRARY = "firmware/include/axial"
-# A layer may include itself and what is listed.
-BELOW_DYNAMICS = {"scalar", "spatial", "robot", "scene", "links"}
-LAYERS = {
-    "options": set(),
-    "scalar": set(),
-    "spatial": {"scalar"},
-    "robot": {"scalar", "spatial"},
-    "scene": {"scalar", "spatial", "robot"},
-    "links": BELOW_DYNAMICS - {"links"},
-    "dynamics": BELOW_DYNAMICS,
-    "closed_form": BELOW_DYNAMICS,
-    "control": BELOW_DYNAMICS | {"dynamics"},
-    "simulation": BELOW_DYNAMICS | {"dynamics"},
-    "c_interface": BELOW_DYNAMICS | {"dynamics", "control"},
-    "fixed": BELOW_DYNAMICS | {"dynamics", "closed_form", "control", "c_interface", "algorithm.hpp", "fixed.hpp"},
+# A room may include itself and what stands in front of it.
+KERNELS = ("scalar", "spatial", "robot", "scene", "links", "recursion", "base", "dynamics", "separation", "derivatives", "transmissions", "tool")
+LAYERS = {"options": set(), **{room: set(KERNELS[:i]) for i, room in enumerate(KERNELS)}}
+LAYERS |= {
+    "closed_form": LAYERS["recursion"],
+    "control": set(KERNELS),
+    "simulation": set(KERNELS),
+    "calls": {*KERNELS, "control"},
+    "batch": {*KERNELS, "control"},
+    "c_interface": {*KERNELS, "control"},
+    "fixed": {*KERNELS, "closed_form", "control", "calls", "c_interface", "algorithm.hpp", "fixed.hpp"},
+}
+MOST_HEADERS, LONGEST_PAGE = 20, 70  # of a folder; of its README.md, in lines
+# What users included before its header had a room of its own: one line, which includes that header and which no other header includes.
+OLD_PATHS = {
+    "dynamics/elastic_damping.hpp": "transmissions/elastic_damping.hpp",
+    "dynamics/rotor_dynamics.hpp": "transmissions/rotor_dynamics.hpp",
+    "dynamics/shared_drives.hpp": "transmissions/shared_drives.hpp",
+    "dynamics/water.hpp": "base/water.hpp",
+    "links/driven_model.hpp": "transmissions/driven_model.hpp",
 }
 PLUG_IN = "fixed"
-NUMBERLESS = {"spatial", "links", "dynamics", "simulation"}
+NUMBERLESS = {"spatial", *KERNELS[KERNELS.index("links"):], "simulation"}
 FIXED_WORDS = {"Stored", "Fixed32", "Fixed16"}
 DECLARED = re.compile(r"^(?:struct|class) (\w+)|^using (\w+) =|^inline constexpr [\w:<>]+ (\w+)\b", re.MULTILINE)
 INTRODUCED = re.compile(r"\b(?:struct|class|using)(?:\.\.\.)? (\w+)")  # template parameters and local names, too
 C_HEADER = "axial/axial.h"  # what a C source sees; the C interface alone includes it
 OPTIONAL = {"eigen.hpp": {"Eigen/Core"}}  # headers that no other header includes: what else they may include
 FREESTANDING = {"cstddef", "cstdint", "limits", "type_traits", "utility"}
+LANGUAGE = "axial/scalar/language.hpp"  # says of an older standard what is wrong
+THE_END = "nothing more: see the error above"  # no file has that name: it ends the compiler
 PAIR = ("axial/options/begin.hpp", "axial/options/end.hpp")  # around every header's own code
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
@@ -46,7 +54,8 @@ LARGEST = 2_000_000  # bytes of a file
 CODE = re.compile(r"^(?<!\\\n)(?!\s*(?://|#|$)).+", re.MULTILINE)
 
 # Folders whose functions answer users; steps of kernels (AXIAL_INLINE) and namespaces of their own are not for users.
-ANSWERING = ("", "closed_form", "control", "dynamics", "simulation")
+ANSWERING = ("", *KERNELS[KERNELS.index("dynamics"):], "batch", "calls", "closed_form", "control", "simulation")
+VIEWS = {"transmissions/driven_links.hpp", "transmissions/driven_model.hpp"}  # whose members algorithms ask
 USERS_NAMESPACES = (["axial"], ["axial", "closed_form"])
 NAMESPACE = re.compile(r"^namespace ([\w:]+) \{|^\}  // namespace", re.MULTILINE)
 # A function at the top of a namespace, or a constexpr member: attribute, specifiers and what it returns; its name; the rest.
@@ -66,22 +75,57 @@ def check_library_header(path, layer):
             if layer != "c_interface":
                 yield f"{path}: only c_interface/ includes {name}"
         elif parts[0] == "axial":
+            if "/".join(parts[1:]) in OLD_PATHS:
+                yield f"{path}: {name} is an old path"
             if parts[1] in OPTIONAL:
                 yield f"{path}: {name} is included where a user asks for it, never by the library"
             if layer is not None and name not in PAIR and parts[1] != layer and parts[1] not in LAYERS[layer]:
                 yield f"{path}: {layer}/ must not include {name}"
-        elif name not in FREESTANDING and name not in OPTIONAL.get(path.name, ()):
+        elif name not in FREESTANDING and name not in OPTIONAL.get(path.name, ()) and name != THE_END:
             yield f"{path}: the library must not include <{name}>"
 
 
 def check_library(root):
     for path in sorted((root / LIBRARY).rglob("*.hpp")):
         parts = path.relative_to(root / LIBRARY).parts
-        yield from check_library_header(path, parts[0] if len(parts) > 1 else None)
+        if "/".join(parts) not in OLD_PATHS:
+            yield from check_library_header(path, parts[0] if len(parts) > 1 else None)
     yield from check_folder(root, f"{LIBRARY}/fixed/closed_form", r"axial/(fixed/)?(dynamics|limits|control)/", "closed forms never see dynamics")
     for path in sorted((root / LIBRARY).glob("*.hpp")):
         if path.stem != PLUG_IN and any(name.startswith(f"axial/{PLUG_IN}") for name in includes(path)):
             yield f"{path}: only {PLUG_IN}.hpp includes the plug-in"
+
+
+def rooms(root):
+    """{folder of the library: names of its headers}."""
+    found = collections.defaultdict(list)
+    for path in sorted((root / LIBRARY).rglob("*.hpp")):
+        found[path.parent].append(path.name)
+    return found
+
+
+def check_rooms(root):
+    """A folder of the library is a page of headers; an old path is one line."""
+    for folder, headers in rooms(root).items():
+        if len(headers) > MOST_HEADERS:
+            yield f"{folder}: has {len(headers)} headers; {MOST_HEADERS} at most"
+    for old, new in OLD_PATHS.items():
+        path = root / LIBRARY / old
+        if path.is_file() and (includes(path) != [f"axial/{new}"] or CODE.search(path.read_text())):
+            yield f"{path}: an old path includes axial/{new} and nothing else"
+
+
+def check_pages(root):
+    """A folder's page says what is in it, what it may include and how to add one more."""
+    for folder, headers in rooms(root).items():
+        path = folder / "README.md"
+        page = path.read_text() if path.is_file() else ""
+        missing = [f"`{name}`" for name in headers if f"`{name}`" not in page]
+        missing += [words for words in ("nclude", "To add ") if words not in page]
+        if missing:
+            yield f"{path}: says nothing of {', '.join(missing)}"
+        if page.count("\n") > LONGEST_PAGE:
+            yield f"{path}: has more than {LONGEST_PAGE} lines"
 
 
 def check_options(root):
@@ -102,6 +146,23 @@ def check_options(root):
             yield f"{path}: nothing is included behind {PAIR[0]}, and {PAIR[1]} is the last line"
 
 
+def check_language(root):
+    """What is included first leads to the header that refuses an older standard, before any of the compiler's or any code."""
+    folder = root / LIBRARY.rpartition("/")[0]
+
+    def leads_there(path, above=()):
+        first = next((name for name in includes(path) if name not in PAIR), None)
+        if first is None:
+            return not CODE.search(path.read_text())
+        if first == LANGUAGE or not first.startswith("axial/"):
+            return first == LANGUAGE
+        return folder / first in above or not (folder / first).is_file() or leads_there(folder / first, (*above, path))
+
+    for path in sorted((root / LIBRARY).rglob("*.hpp")):
+        if path != folder / LANGUAGE and not leads_there(path):
+            yield f"{path}: includes <{LANGUAGE}> first, or a header that does"
+
+
 def code_of(path):
     """A header without comments and without what it says to people."""
     return re.sub(r'//[^\n]*|"(?:[^"\\\n]|\\.)*"', "", path.read_text())
@@ -112,7 +173,7 @@ def declared_in(paths):
 
 
 def check_number_systems(root):
-    """Kernels know no number system: nothing in dynamics/ has a name that the plug-in alone declares, nor that of its words."""
+    """Kernels know no number system: no room of theirs has a name that the plug-in alone declares, nor that of its words."""
     headers = list((root / LIBRARY).rglob("*.hpp"))
     folder = {path: path.relative_to(root / LIBRARY).parts[0] for path in headers}
     plugged_in = declared_in(path for path in headers if folder[path] == PLUG_IN)
@@ -128,6 +189,8 @@ def check_cycles(root):
     above = {}
     for path in (root / LIBRARY).rglob("*.hpp"):
         name = path.relative_to(root / LIBRARY)
+        if str(name) in OLD_PATHS:
+            continue
         own = str(name.parent) if len(name.parts) > 1 else str(name)
         others = {(i.rpartition("/")[0] if "/" in i else i) for i in (n[6:] for n in includes(path) if n.startswith("axial/"))}
         above.setdefault(own, set()).update(others - {own})
@@ -156,6 +219,8 @@ def check_results(root):
     for path in sorted((root / LIBRARY).rglob("*.hpp")):
         parts = path.relative_to(root / LIBRARY).parts
         if (parts[0] if len(parts) > 1 else "") not in ANSWERING:
+            continue
+        if "/".join(parts) in VIEWS:
             continue
         text = path.read_text()
         for function in FUNCTION.finditer(text):
@@ -222,7 +287,10 @@ def check_host_sim(root):
 
 def violations(root):
     yield from check_library(root)
+    yield from check_rooms(root)
+    yield from check_pages(root)
     yield from check_options(root)
+    yield from check_language(root)
     yield from check_number_systems(root)
     yield from check_cycles(root)
     yield from check_folder(root, "hal", r"axial/|robots/", "hal never sees dynamics")

@@ -93,11 +93,11 @@ class Safety(harness.BoardTest):
                     self.assertEqual(told[-1]["tau"], [0, 0, 0])
                     self.start_again(job, firmware, mode)
 
-    def start_again(self, job, firmware, mode):
+    def start_again(self, job, firmware, mode, number=2, refused=link.DISABLED):
         """Disabled drives take nothing until a session is opened, then everything."""
-        firmware.send(self.set_point(job, firmware, 2, AT_REST))
+        firmware.send(self.set_point(job, firmware, number, AT_REST))
         told = link.torque(firmware.expect(link.TORQUE)[1])
-        self.assertEqual((told["status"], told["tau"]), (link.DISABLED, [0, 0, 0]))
+        self.assertEqual((told["status"], told["tau"]), (refused, [0, 0, 0]))
         firmware.open(mode)
         firmware.send(self.set_point(job, firmware, 1, AT_REST))
         self.assertEqual(link.torque(firmware.expect(link.TORQUE)[1])["status"], link.OK)
@@ -220,6 +220,26 @@ class Safety(harness.BoardTest):
                 self.assertEqual(second["tau"], first["tau"])
                 self.until(firmware, link.PHASE_DISABLED)
                 self.expect_lifetime(firmware, link.LOCK_STEP)
+
+    def test_a_broken_encoder_wire(self):
+        """What it reads jumps to 0, or to anywhere: no torque follows it."""
+        for job in self.jobs("tracking"):
+            for joint, reading in (1, 0), (0, 0x5A5A5A5A), (2, 0):
+                broken = list(ENCODERS)
+                broken[joint] = reading
+                with self.subTest(job, joint=joint), self.run_job(job, link.LOCK_STEP) as firmware:
+                    firmware.send(self.set_point(job, firmware, 1, MOVING)
+                                  + self.set_point(job, firmware, 2, AT_REST, broken))
+                    first = link.torque(firmware.expect(link.TORQUE)[1])
+                    self.assertEqual(first["status"], link.OK)
+                    told = link.torque(firmware.expect(link.TORQUE)[1])
+                    self.assertEqual((told["status"], told["tau"]), (link.NOT_MEASURED, first["tau"]))
+                    held = [one for one in self.until(firmware, link.PHASE_DISABLED) if one["phase"] == link.HOLDING]
+                    self.assertTrue(held)
+                    for one in held:
+                        self.expect_weight(one["tau"])
+                    self.expect_lifetime(firmware, link.LOCK_STEP)
+                    self.start_again(job, firmware, link.LOCK_STEP, number=3, refused=link.NOT_MEASURED)
 
     def family(self):
         return "riscv" if emulator.board(self.board)["cpu"].startswith("rv") else "arm"

@@ -331,6 +331,12 @@ class Refused(unittest.TestCase):
         for sentence in ("joints that share drives have no derivatives", "derivatives in fixed point are those of up to 8 joints"):
             self.assertEqual(refused.refused(self.log("own-of-x", sentence)), ({"own-of-x": "axial: " + sentence}, True))
 
+    def test_a_joint_that_moves_no_mass_is_named(self):
+        sentence = "forward dynamics needs every joint to move some mass"
+        for condition in ("note: 'axial::every_joint_moves_mass_but<2>' evaluates to false", "requirement 'every_joint_moves_mass_but<2>'"):
+            said = refused.refused(self.log("own-of-x", f"{sentence}\n{condition}"))
+            self.assertEqual(said, ({"own-of-x": f"axial: {sentence} (joint 2, counted from 0 at the base, moves none)"}, True))
+
     def test_what_else_fails_is_not(self):
         self.assertEqual(refused.refused(self.log("own-of-x", "a link has no mass")), ({}, False))
 

@@ -27,7 +27,8 @@ Where joints share drives, positions, torques and faults are the drives'.
   --output FOLDER     report and picture; default output/commission
   --json FILE         the report once more, as an array of objects
 maintainers:
-  --documents         alone: thirty simulated arms by Orocos KDL, to doc/data, doc/pictures and doc/measurements/commissioned_arms.md (a minute)
+  --documents         alone: thirty simulated arms by Orocos KDL, sixty logs without a fault and sixty with one, to doc/data, doc/pictures and
+                      doc/measurements/commissioned_arms.md (some minutes)
 END_OF_USAGE
 }
 
@@ -59,8 +60,9 @@ write_commissioning_documents() {
   build "$HOST_PRESET" simulated_log
   commissioning study.py gravity_parts --simulator "$AXIAL_ROOT/build/$HOST_PRESET/tests/host_sim/simulated_log" \
     --output "$AXIAL_ROOT/output/commissioning" --documents "$doc"
+  commissioning accusations.py gravity_parts --output "$AXIAL_ROOT/output/accusations" --documents "$doc"
   printf '{"commit": "%s", "compiler": "%s", "libraries": "%s"}\n' "$("$AXIAL_ROOT/host_sim/system/commit.sh")" \
     "$(c++ --version | head -n 1)" "$(/usr/bin/python3 -E -c 'import numpy, scipy; print("NumPy", numpy.__version__ + ", SciPy", scipy.__version__)')" \
-    >"$doc/data/commissioning_provenance.json"
+    | tee "$doc/data/accusations_provenance.json" >"$doc/data/commissioning_provenance.json"
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/commissioning_tables.py" "$doc/data" "$doc/measurements/commissioned_arms.md"
 }

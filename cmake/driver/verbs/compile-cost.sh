@@ -5,6 +5,7 @@
 usage() {
   cat <<'END_OF_USAGE'
 usage: ./axial compile-cost [options]
+       ./axial compile-cost --large
 Installs what is missing. Compiles one source for each kernel, robot, number system and build, one at a time, and asks the system
 what the compiler's processes used: processor seconds and peak memory, the least of three runs (doc/measurements/compile_cost.md). Prints a
 table, writes JSON. Half an hour of one processor for all of them.
@@ -15,7 +16,9 @@ table, writes JSON. Half an hour of one processor for all of them.
   --runs N            of each; default 3
   --output FOLDER     where the file goes; default output/compile_cost
   --json FILE         the rows once more, as an array of objects
+  --large             alone: forward dynamics of chains and trees of 6 to 50 joints instead (doc/measurements/compile_time.md), one run of each
 maintainers:
+  --large-documents   alone: measures those anew and writes doc/data/compile_time*.json and the tables of doc/measurements/compile_time.md
   --documents         alone: measures all anew and writes doc/data/compile_cost*.json and the tables of doc/measurements/compile_cost.md
 END_OF_USAGE
 }
@@ -24,12 +27,24 @@ run() {
   ensure_packages clang
   if [[ ${1:-} == --documents ]]; then
     write_compile_cost_documents
+  elif [[ ${1:-} == --large ]]; then
+    large_robots_py
+  elif [[ ${1:-} == --large-documents ]]; then
+    write_compile_time_documents
   else
     compile_cost_py "$@"
   fi
 }
 
 compile_cost_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/compile_cost/compile_cost.py" "$@"; }
+
+large_robots_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/compile_cost/large_robots.py" "$@"; }
+
+write_compile_time_documents() {
+  local doc=$AXIAL_ROOT/doc
+  large_robots_py --output "$doc/data"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/compile_time_tables.py" "$doc/data" "$doc/measurements/compile_time.md"
+}
 
 write_compile_cost_documents() {
   local doc=$AXIAL_ROOT/doc

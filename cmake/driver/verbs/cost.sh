@@ -17,7 +17,7 @@ dynamics, limits, status, last safe torque.
   --type NAME         the robot's struct, such as robots::MyArm; default: the one that holds the last chain of the header
   --json FILE         the rows once more, as an array of objects
 Exits with 1 where a kernel does not compile, does not fit the board or has no bounded stack; what is not offered for joints that share
-drives is said, and is no error.
+drives, or for a joint that moves no mass, is said with its reason, and is no error.
 END_OF_USAGE
 }
 

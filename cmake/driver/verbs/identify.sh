@@ -49,8 +49,9 @@ write_identification_documents() {
   build "$HOST_PRESET" simulated_log
   identification study.py robot_regressor --simulator "$AXIAL_ROOT/build/$HOST_PRESET/tests/host_sim/simulated_log" \
     --output "$AXIAL_ROOT/output/identification" --documents "$doc"
+  identification verdicts.py robot_regressor --output "$AXIAL_ROOT/output/verdicts" --documents "$doc"
   printf '{"commit": "%s", "compiler": "%s", "libraries": "%s"}\n' "$("$AXIAL_ROOT/host_sim/system/commit.sh")" \
     "$(c++ --version | head -n 1)" "$(/usr/bin/python3 -E -c 'import numpy, scipy; print("NumPy", numpy.__version__ + ", SciPy", scipy.__version__)')" \
-    >"$doc/data/identification_provenance.json"
+    | tee "$doc/data/identification_verdicts_provenance.json" >"$doc/data/identification_provenance.json"
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/identification_tables.py" "$doc/data" "$doc/guides/identification.md"
 }

@@ -9,7 +9,7 @@ usage: ./axial import FILE [options]
 Installs and builds what is missing, reads a URDF (any chain or tree of revolute, continuous, prismatic and fixed joints) or a JSON table
 of Denavit-Hartenberg rows, classical or modified (format: host_sim/description/README.md), turns it into MDH rows, verifies poses, torques
 and mass matrix against Orocos KDL on random states, and writes a header with source, assumptions, warnings and the figures in its comment.
-Mimic joints and transmissions of a URDF become joints that share drives.
+Numbers that are read as others than they are written are counted, and listed by --json. Mimic joints and transmissions of a URDF become joints that share drives.
 A xacro file is expanded by the program xacro where that is installed. Of a header that is there, lines that end in "// kept" stay.
   --root LINK         where the chain starts; default: the URDF's root
   --tip LINK          where it ends, the tool's frame; joints beside the chain are held at 0. Default: every branch (a tree)
@@ -17,15 +17,18 @@ A xacro file is expanded by the program xacro where that is installed. Of a head
   -o, --output FILE   the header; default <name>.hpp
   --json FILE         figures, assumptions and warnings once more
   --gravity NUMBER NUMBER NUMBER  m/s^2 in axes of the root link; default 0 0 -9.81 (URDF only)
-  --right-angles NUMBER  an angle this near to a multiple of 90 degrees is one; default 1e-5, 0 reads what is written
+  --right-angles NUMBER  rad: an angle or an axis this near to a special one is that one, and lengths finer than the
+                      file's digits are 0 or what they nearly are; default 1e-5, 0 reads what is written
   --to-speed NUMBER   acceleration limits that are missing reach full speed in this time; default 0.25
+  --position-limit, --speed-limit, --effort-limit NUMBER  where a joint has none, or 0 is written: rad, m either way; a
+                      second; N m, N; default a turn or 1 m, half a turn or 1 m/s, none
   --hold-mimic        holds joints that mimic another one where that one is 0, and carries their bodies along
-  --snap              makes joints' angles exact that are within 0.002 rad of a multiple of 90 degrees
+  --snap              makes joints' angles and axes exact that are within 0.005 rad of a multiple of 90 degrees
   --states N, --seed N  random states to verify on; default 100, 1
   --as-published      keeps inertias, lengths and limits that no robot should have: .accept(axial::as_published)
   --strict            writes nothing where there are warnings
 Exits with 1 and says link, value and remedy when a description cannot be used or the figures miss their bounds (poses 1e-12, torques
-and mass matrix 1e-9 relative); warnings (no inertia, triangle inequality violated, ...) go to stderr and into the header.
+and mass matrix 1e-9 relative, bodies 1e-11); warnings (no inertia, triangle inequality violated, ...) go to stderr and into the header.
 maintainers:
   --documents         alone: imports tests/data/descriptions, writes doc/data/import.json and the table of doc/measurements/imported.md
 END_OF_USAGE

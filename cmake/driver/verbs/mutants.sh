@@ -11,7 +11,8 @@ with the change, must fail, and pass without. Ends with status 1 if one survives
   --part K/N    the K-th of N parts of the same size
   --rotate N    one part of N: which one, the commit tells
   --essence N   N mutants, drawn by the commit, against the essence of the tests alone: at least 85 in 100 are killed
-  --seed N      of --essence: draw by this number
+  --draw N      N mutants made from the code by operators, each against tests of its file and folder; lists what none notices
+  --seed N      of --essence and --draw: draw by this number
   --record      remember in tests/mutants/killers.json which test killed which: it is compiled alone next time
   --list        say which mutants there are, and run none
   --check       only see whether the text that each changes stands in its file, once

@@ -25,11 +25,21 @@ constexpr hal::link::TorqueStatus link_status(Status::Code code) {
   }
 }
 
+/// The run-time inputs of a controller's scene; of one that names none they take no byte.
+template <class Scene, class Number, bool any = has_run_time_inputs<Scene, Number>>
+struct GivenInputs {
+  Inputs<Scene, Number> in_{};
+};
+template <class Scene, class Number>
+struct GivenInputs<Scene, Number, false> {
+  static constexpr Inputs<Scene, Number> in_{};
+};
+
 /// One torque is load, compute, settle, store; `compute` alone is what is measured. The wire carries float; `Number` is
 /// what the control layer computes in: float, or fixed point, to and from which load and store convert. What is stored
 /// is what the fall-back exerts, whatever was asked for.
 template <class Scene, class Number = float>
-class Controller {
+class Controller : protected GivenInputs<Scene, Number> {
  protected:
   using Robot = robot_of<Scene>;
   using Real = Joints<Robot, float>;
@@ -54,7 +64,7 @@ class Controller {
         return;
       }
     }
-    result_ = feedforward<Scene>(state_, request_.q, request_.qd, request_.qdd);
+    result_ = feedforward<Scene>(state_, request_.q, request_.qd, request_.qdd, this->in_);
   }
 
   /// Gives the request to the fall-back: to follow; or, where it was refused, to hold the arm at its position.
@@ -102,7 +112,7 @@ class Controller {
 
   void follow(const Tau& tau) { follow(request_.q, tau); }
   void follow(const Q& q, const Tau& tau) {
-    const bool followed = fall_back_.follow(q, tau);
+    const bool followed = fall_back_.follow(q, tau, this->in_);
     status_ = followed ? link_status(result_.status.code) : hal::link::TorqueStatus::disabled;
   }
 
@@ -111,9 +121,9 @@ class Controller {
     status_ = link_status(result_.status.code);
     if constexpr (is_stored_v<Number>) {
       const auto position = to_fixed<Q>(real(request.q));
-      return position.status.ok() && fall_back_.hold_at(position.values);
+      return position.status.ok() && fall_back_.hold_at(position.values, this->in_);
     } else {
-      return fall_back_.hold_at(real(request.q));
+      return fall_back_.hold_at(real(request.q), this->in_);
     }
   }
 

@@ -1,11 +1,7 @@
 /// Prints the hash and the cost of fixed-point kernels of one robot, those that AXIAL_GOLDEN names; README.md has the
 /// format.
 
-#include <board.hpp>
-#include <robot.hpp>
-
-#include <hal/text.hpp>
-
+#include "../counted.hpp"
 #include "golden.hpp"
 
 namespace {
@@ -13,22 +9,12 @@ namespace {
 using namespace axial;
 using hal::Board;
 
-struct Counter {
-  template <class Code>
-  [[gnu::noinline]] std::uint32_t operator()(Code& code) const {
-    return Board::count(code);
-  }
-};
-
 void print(const apps::fixed::Golden& g) {
   for (const char* text : {"fixed,", g.kernel, ",", apps::Robot::name, ",", g.arithmetic, ","})
     Board::print(text);
-  Board::print(hal::hex(static_cast<std::uint32_t>(g.hash >> 32)).text);
-  Board::print(hal::hex(static_cast<std::uint32_t>(g.hash)).text);
-  for (const std::uint32_t count : {g.least, g.most}) {
-    Board::print(",");
-    Board::print(hal::decimal(count).text);
-  }
+  apps::print_hash(g.hash);
+  for (const std::uint32_t count : {g.least, g.most})
+    apps::print_number(count);
   Board::print("\n");
 }
 
@@ -36,7 +22,7 @@ void print(const apps::fixed::Golden& g) {
 
 int main() {
   Board::start();
-  axial::apps::fixed::AXIAL_GOLDEN<axial::apps::Robot>(Counter{}, print);
+  axial::apps::fixed::AXIAL_GOLDEN<axial::apps::Robot>(axial::apps::Counter{}, print);
   Board::print("end\n");
   Board::exit(0);
 }

@@ -30,7 +30,7 @@ class HandGuidingController : public Controller<GuidedScene<Robot>, Number> {
 
  public:
   constexpr HandGuidingController() {
-    in_.payload = held;
+    this->in_.payload = held;
     loop_.output.step = Words::steps(ramp_ms * control_Hz / 1000);
   }
 
@@ -47,7 +47,7 @@ class HandGuidingController : public Controller<GuidedScene<Robot>, Number> {
     if (!measured_)
       this->result_ = {exerted_.last, {Status::Code::not_ready, -1}};
     else if (tracks_)
-      this->result_ = track<S>(loop_, this->request_, seen_, Words::gains, in_);
+      this->result_ = track<S>(loop_, this->request_, seen_, Words::gains, this->in_);
     else
       this->result_ = guide();
   }
@@ -74,7 +74,7 @@ class HandGuidingController : public Controller<GuidedScene<Robot>, Number> {
   }
 
   void advance(std::uint32_t ticks) {
-    this->fall_back_.advance(ticks, in_);
+    this->fall_back_.advance(ticks);
     if (this->phase() != DrivePhase::running) started_ = false;
     moved_ = exert();
   }
@@ -89,7 +89,7 @@ class HandGuidingController : public Controller<GuidedScene<Robot>, Number> {
   FeedforwardResult<S, Number> guide() {
     const auto& wanted = this->request_;
     const Status asked = wanted.status.ok() ? check_request<S>(wanted.q, wanted.qd, wanted.qdd) : wanted.status;
-    auto result = compensate_gravity<S>(loop_, seen_.q, in_);
+    auto result = compensate_gravity<S>(loop_, seen_.q, this->in_);
     if (result.status.met() && !asked.ok()) result.status = asked;
     return result;
   }
@@ -97,7 +97,7 @@ class HandGuidingController : public Controller<GuidedScene<Robot>, Number> {
   /// Before anything was good the arm is held where the encoders see it.
   void refuse() {
     this->status_ = measured_ ? link_status(this->result_.status.code) : hal::link::TorqueStatus::not_measured;
-    if (ever_measured_) (void)this->fall_back_.hold_at(seen_.q, in_);  // or it is held already
+    if (ever_measured_) (void)this->fall_back_.hold_at(seen_.q, this->in_);  // or it is held already
     started_ = false;
   }
 
@@ -112,7 +112,6 @@ class HandGuidingController : public Controller<GuidedScene<Robot>, Number> {
     return Words::differ(before, exerted_.last);
   }
 
-  Inputs<S, Number> in_{};
   SafeLoopState<S, Number> loop_{};
   EffortRamp<S, Number> exerted_{};
   MeasuredMotion<S, Number> seen_{};

@@ -1,40 +1,20 @@
 /// Prints what the safe calls of a loop make of a fixed sequence, and their cost; README.md has the format.
 
-#include <board.hpp>
-#include <robot.hpp>
-
-#include <hal/text.hpp>
-
+#include "../counted.hpp"
 #include "sequence.hpp"
 
-namespace {
-
-using axial::hal::Board;
-
-struct Counter {
-  template <class Code>
-  [[gnu::noinline]] std::uint32_t operator()(Code& code) const {
-    return Board::count(code);
-  }
-};
-
-void print(std::uint32_t number) { Board::print(","), Board::print(axial::hal::decimal(number).text); }
-
-}  // namespace
-
 int main() {
+  using namespace axial::apps;
+  using axial::hal::Board;
   Board::start();
-  const auto all = axial::apps::safe_loop::report<axial::apps::Robot, AXIAL_NUMBER>(Counter{});
-  for (const char* text : {"safe_loop,", axial::apps::Robot::name, ","})
-    Board::print(text);
-  Board::print(axial::hal::hex(static_cast<std::uint32_t>(all.hash >> 32)).text);
-  Board::print(axial::hal::hex(static_cast<std::uint32_t>(all.hash)).text);
-  print(static_cast<std::uint32_t>(all.met)), print(static_cast<std::uint32_t>(all.refused));
+  const auto all = safe_loop::report<Robot, AXIAL_NUMBER>(Counter{});
+  print_line("safe_loop", all.hash);
+  print_number(static_cast<std::uint32_t>(all.met)), print_number(static_cast<std::uint32_t>(all.refused));
   for (const auto& cost : {all.gravity, all.tracking, all.bad})
-    print(cost.least), print(cost.most);
+    print_number(cost.least), print_number(cost.most);
   if (!axial::is_stored_v<AXIAL_NUMBER>)
     for (const auto& cost : {all.limiting, all.telling})
-      print(cost.least), print(cost.most);
+      print_number(cost.least), print_number(cost.most);
   Board::print("\nend\n");
   Board::exit(0);
 }

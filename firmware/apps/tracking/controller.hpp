@@ -35,7 +35,9 @@ constexpr auto tracking_gains() {
 /// Feed-forward and feedback: tau + Kp e + Kd (e - e_last) 1/s, cut to the declared efforts. The derivative is that of
 /// the error, so wanted and measured motion lag alike. In float or, by integers alone, in fixed point. A set-point
 /// without a measurement of its own is refused, for feedback of an old one grows without end. Feedback is part of the
-/// torque that the fall-back holds and lets fade; it begins without a derivative after each pause.
+/// torque that the fall-back holds and lets fade; it begins without a derivative after each pause. A measurement that
+/// jumps, or leaves so large an error that feedback alone asks for twice the declared effort, is that of a broken
+/// encoder: it and all that follow count as none, until a session begins.
 template <class Scene, class Number = float>
 class TrackingController : public Controller<Scene, Number> {
   using Base = Controller<Scene, Number>;
@@ -51,6 +53,9 @@ class TrackingController : public Controller<Scene, Number> {
 
  public:
   void measure(const hal::link::Measurement& measurement) {
+    broken_ = broken_ || (ever_measured_ && this->phase() == DrivePhase::running &&
+                          Encoders<Scene, Number>::jumps(position_, measurement.position));
+    if (broken_) return;
     position_ = measurement.position;
     feeds_forward_ = measurement.feeds_forward != 0;
     measured_ = ever_measured_ = true;
@@ -63,7 +68,7 @@ class TrackingController : public Controller<Scene, Number> {
   }
 
   void settle(const hal::link::SetPoint& request) {
-    if (this->met() && measured_)
+    if (this->met() && measured_ && !broken_)
       this->follow(sum_);
     else
       refuse(request);
@@ -77,7 +82,7 @@ class TrackingController : public Controller<Scene, Number> {
 
   void restart() {
     Base::restart();
-    measured_ = ever_measured_ = started_ = false;
+    measured_ = ever_measured_ = started_ = broken_ = false;
   }
 
  protected:
@@ -99,6 +104,16 @@ class TrackingController : public Controller<Scene, Number> {
     }
   }
 
+  /// The error at which feedback alone asks for twice the declared effort.
+  template <int I>
+  static constexpr Error largest_error() {
+    constexpr double error = 2.0 * scene_of<Scene>::Robot::chain.links[I].effort_limit / gains.stiffness[I];
+    double unit = 1.0;
+    if constexpr (is_stored_v<Number>)
+      unit = slides(I) ? detail::power_of_two(Positions<Robot, Number>::exponent(I)) : 4294967296.0 / 6.283185307179586;
+    constexpr double most = is_stored_v<Number> ? 2147483647.0 : 1e30;
+    return static_cast<Error>(error * unit < most ? error * unit : most);
+  }
   /// Adds the feedback to `sum_`.
   void add_feedback() { add_all(std::make_integer_sequence<int, n>{}); }
   /// The next set-point is refused as one without a measurement.
@@ -114,7 +129,8 @@ class TrackingController : public Controller<Scene, Number> {
     const bool good = this->met();
     const bool held = this->hold_at(request);
     if (!held && ever_measured_)
-      (void)this->fall_back_.hold_at(Encoders<Scene, Number>::positions(position_));  // or it is held already
+      (void)this->fall_back_.hold_at(Encoders<Scene, Number>::positions(position_),
+                                     this->in_);  // or it is held already
     if (good) this->status_ = hal::link::TorqueStatus::not_measured;
     started_ = false;
   }
@@ -130,6 +146,7 @@ class TrackingController : public Controller<Scene, Number> {
   void add() {
     const Error error = tracking_error<I>();
     const Error change = started_ ? difference(error, last_[I]) : Error{};
+    broken_ = broken_ || (started_ && (error > largest_error<I>() || error < -largest_error<I>()));
     last_[I] = error;
     if constexpr (is_stored_v<Number>)
       sum_[I] = {feedback<I>(error, change)};
@@ -170,7 +187,7 @@ class TrackingController : public Controller<Scene, Number> {
   }
 
   std::array<std::int32_t, hal::link::max_joints> position_{};
-  bool measured_ = false, ever_measured_ = false;
+  bool measured_ = false, ever_measured_ = false, broken_ = false;
 };
 
 }  // namespace axial::apps

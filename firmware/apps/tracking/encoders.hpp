@@ -37,12 +37,34 @@ struct Encoders {
       }(),
       "axial: a position limit is beyond what 32 bits of slide_counts hold; declare narrower limits");
 
+  /// Whether no arm gets from one reading to the other between two measurements: farther than at its declared speed in
+  /// 16 ms. A broken wire reads so.
+  static bool jumps(const Counts& from, const Counts& to) {
+    bool any = false;
+    for (int i = 0; i < Values::chain.size; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const std::uint32_t way = static_cast<std::uint32_t>(to[k]) - static_cast<std::uint32_t>(from[k]);
+      any = any | (way + most.counts[k] > 2 * most.counts[k]);  // either way, round the circle too
+    }
+    return any;
+  }
+
   static Q positions(const Counts& counts) {
     return positions(counts, std::make_integer_sequence<int, Values::chain.size>{});
   }
 
  private:
   static constexpr float turn = 6.28318530717958647692F;
+  struct Most {
+    std::uint32_t counts[Values::chain.size] = {};
+    constexpr Most() {
+      for (int i = 0; i < Values::chain.size; ++i) {
+        const double way = 0.016 * value(i).speed_limit * (slides(i) ? slide_counts : 4294967296.0 / 6.283185307179586);
+        counts[i] = way < 2147483647.0 ? static_cast<std::uint32_t>(way) : 2147483647U;
+      }
+    }
+  };
+  static constexpr Most most{};
 
   template <int... I>
   static Q positions(const Counts& counts, std::integer_sequence<int, I...>) {

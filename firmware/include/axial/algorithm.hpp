@@ -1,19 +1,20 @@
 // The algorithms as values: what cost<Scene>() and error_bound<Scene>() are asked for, and what a program calls that
 // runs them all.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/closed_form/scara.hpp>
+#include <axial/derivatives/forward_dynamics_along.hpp>
+#include <axial/derivatives/forward_dynamics_derivatives.hpp>
+#include <axial/derivatives/inverse_dynamics_along.hpp>
+#include <axial/derivatives/inverse_dynamics_derivatives.hpp>
+#include <axial/derivatives/torque_rates.hpp>
+#include <axial/derivatives/torque_regressor.hpp>
 #include <axial/dynamics/base_wrench.hpp>
-#include <axial/dynamics/elastic_feedforward.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
-#include <axial/dynamics/forward_dynamics_along.hpp>
-#include <axial/dynamics/forward_dynamics_derivatives.hpp>
-#include <axial/dynamics/inverse_dynamics_along.hpp>
-#include <axial/dynamics/inverse_dynamics_derivatives.hpp>
 #include <axial/dynamics/kinematics.hpp>
-#include <axial/dynamics/separated_torque.hpp>
-#include <axial/dynamics/torque_rates.hpp>
-#include <axial/dynamics/torque_regressor.hpp>
+#include <axial/separation/separated_torque.hpp>
+#include <axial/transmissions/elastic_feedforward.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -106,7 +107,7 @@ struct Gravity {
   /// Runs it for the scene S.
   template <class S, class J, class In>
   static constexpr auto run(const J& q, const J&, const J&, const In& in) {
-    return axial::gravity_torque<S>(q, in);
+    return axial::detail::holding_torque<S>(q, in);
   }
 };
 

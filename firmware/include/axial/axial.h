@@ -88,7 +88,7 @@ static inline const char* axial_code_text(int code) {
   }
 }
 /** The text of a status' code; the joint is the caller's to print. */
-static inline const char* axial_status_text(axial_status status) { return axial_code_text(status.code); }
+static inline const char* axial_status_text(axial_status of) { return axial_code_text(of.code); }
 
 /** Numbers by name: what an element of an array is. */
 /**@{*/
@@ -120,7 +120,8 @@ static inline const char* axial_status_text(axial_status status) { return axial_
  * q in rad or m, qd and qdd its derivatives, tau in N m or N; M(i, j) in kg m^2, kg m, kg; the tool's pose in the
  * world. fixed32: raw words; value = raw 2^-exponent with the exponents of `<prefix>_formats`, revolute positions
  * (where `revolute` is 1) are raw 2 pi / 2^32 rad. Every function gives AXIAL_NULL_ARGUMENT for a null pointer, and
- * refuses (result untouched) what is not finite; in fixed32 also what is outside the declared limits.
+ * refuses (result untouched) what is not finite, asked or answered, and angles of so many turns that sines are not
+ * exact; in fixed32 what is outside the declared limits.
  * `<prefix>_feedforward` is the one for a control loop: limits checked, efforts clamped, the last safe torque where a
  * request is refused; start its state with {0}. Called as a declaration, with a semicolon. */
 #define AXIAL_C_DECLARE(prefix, joints, number)                                                                \

@@ -1,6 +1,7 @@
 // What an algorithm costs for a scene, known to the compiler:
 // static_assert(cost<Scene>(algorithm::inverse_dynamics).total() < 800, "my control tick").
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/algorithm.hpp>
 #include <axial/scalar/counting.hpp>
@@ -177,7 +178,12 @@ constexpr Operations counted(Algorithm, Direction... direction) {
 /// (-fconstexpr-steps) suits about ten joints.
 template <class S, class Algorithm>
 [[nodiscard]] constexpr Operations cost(Algorithm algorithm) {
-  return detail::counted<S>(algorithm);
+  constexpr bool solves = std::is_same_v<Algorithm, algorithm::ForwardDynamics>;
+  if constexpr (solves) detail::check_resisted<scene_of<S>>();
+  if constexpr (solves && !every_joint_is_resisted<S>())
+    return {};  // the message alone
+  else
+    return detail::counted<S>(algorithm);
 }
 /// Overloads for an algorithm along a direction.
 ///@{

@@ -1,6 +1,7 @@
 // Eigen's view of this library's values: maps, nothing copied. For programs that have Eigen; no other header includes
 // it.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>

@@ -1,14 +1,37 @@
 // Fixed point: the plug-in. With it Fixed32 and Fixed16 are numbers of every algorithm.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 // What refuses arguments, each from here: a compiler names the headers on the way before the sentence.
-#include <axial/dynamics/plain_arrays.hpp>
+#include <axial/robot/chain.hpp>
+#include <axial/scene/scene.hpp>
 
-#include <axial/dynamics/role_checks.hpp>
+#include <axial/scene/joints.hpp>
 
-#include <axial/control/plain_arrays.hpp>
+#include <axial/scene/refused_calls.hpp>
 
-#include <axial/control/role_checks.hpp>
+#include <axial/dynamics/inverse_dynamics.hpp>
+
+#include <axial/dynamics/forward_dynamics.hpp>
+#include <axial/dynamics/joint_torque.hpp>
+#include <axial/dynamics/kinematics.hpp>
+#include <axial/dynamics/mass_matrix.hpp>
+#include <axial/dynamics/momentum.hpp>
+#include <axial/separation/separation.hpp>
+
+#include <axial/control/feedforward.hpp>
+
+#include <axial/control/gravity_compensation.hpp>
+
+#include <axial/fixed/formats/joint_formats.hpp>
+
+#include <axial/fixed/formats/input_formats.hpp>
+
+#include <axial/calls/arguments.hpp>
+
+#include <axial/calls/dynamics.hpp>
+
+#include <axial/calls/control.hpp>
 
 #include <axial/axial.hpp>
 
@@ -23,17 +46,17 @@
 #include <axial/fixed/control/payload_words.hpp>
 #include <axial/fixed/control/tool_border.hpp>
 #include <axial/fixed/control/tracking.hpp>
+#include <axial/fixed/derivatives/derivative_error.hpp>
+#include <axial/fixed/derivatives/derivatives.hpp>
+#include <axial/fixed/derivatives/forward_derivatives.hpp>
 #include <axial/fixed/dynamics/certified_forward_dynamics.hpp>
-#include <axial/fixed/dynamics/derivative_error.hpp>
-#include <axial/fixed/dynamics/derivatives.hpp>
-#include <axial/fixed/dynamics/forward_derivatives.hpp>
 #include <axial/fixed/dynamics/forward_dynamics.hpp>
 #include <axial/fixed/dynamics/inverse_dynamics.hpp>
 #include <axial/fixed/dynamics/kinematics.hpp>
 #include <axial/fixed/dynamics/mass_matrix.hpp>
 #include <axial/fixed/dynamics/momentum.hpp>
-#include <axial/fixed/dynamics/separated_error.hpp>
-#include <axial/fixed/dynamics/separated_torque.hpp>
-#include <axial/fixed/dynamics/tool_motion.hpp>
 #include <axial/fixed/error_bound.hpp>
 #include <axial/fixed/limits/position_check.hpp>
+#include <axial/fixed/separation/separated_error.hpp>
+#include <axial/fixed/separation/separated_torque.hpp>
+#include <axial/fixed/tool/tool_motion.hpp>

@@ -115,6 +115,21 @@ TEST(CInterface, RefusesWhatIsNotFinite) {
   EXPECT_EQ(arm_mass_matrix(&bad, &m).joint, 1);
 }
 
+// Numbers from which none follow: an angle of so many turns, a speed whose square overflows.
+TEST(CInterface, RefusesWhatAnswersNoNumber) {
+  arm_joints far = q, fast = qd, tau{{7.0F, 8.0F, 9.0F}};
+  far.of[0] = 1e6F, fast.of[0] = 1e25F;
+  arm_pose pose{};
+  arm_matrix m{};
+  for (const axial_status& status : {arm_inverse_dynamics(&far, &qd, &qdd, &tau), arm_gravity(&far, &tau),
+                                     arm_tool_pose(&far, &pose), arm_mass_matrix(&far, &m)})
+    EXPECT_EQ(status.code, AXIAL_ANGLE_RANGE);
+  EXPECT_EQ(arm_inverse_dynamics(&q, &fast, &qdd, &tau).code, AXIAL_NOT_FINITE);
+  EXPECT_EQ(tau.of[0], 7.0F) << "the result is untouched";
+  EXPECT_EQ(pose.rotation[0][0], 0.0F);
+  EXPECT_EQ(m.of[0][0], 0.0F);
+}
+
 TEST(CInterface, FixedRefusesWhatIsOutsideTheLimits) {
   const auto request = fixed_request();
   const fixed_arm_joints raw_q{{request.q[0].raw, request.q[1].raw, request.q[2].raw}}, rest{};

@@ -235,6 +235,25 @@ TEST(FallBack, WhatHoldsTheArmIsKeptInsideTheEffortLimits) {
   EXPECT_NEAR(fall_back.torque()[1], 5.0, 1e-12);
 }
 
+namespace {
+
+// A slide whose weight about the joint before it is no number of float where it is far out.
+struct Overflowing {
+  static constexpr auto chain =
+      axial::chain(gravity(-10.0, 0, 0), revolute().effort_limit(15),
+                   prismatic().alpha_deg(90).mass(1e35).position_limits(-1e4, 1e4).accept(as_published));
+};
+
+}  // namespace
+
+TEST(FallBack, WhatNeedsATorqueThatIsNoNumberIsNotHeld) {
+  FallBack<Overflowing, float> fall_back(times);
+  EXPECT_TRUE(fall_back.hold_at({0.0F, 1.0F}));
+  fall_back = FallBack<Overflowing, float>(times);
+  EXPECT_FALSE(fall_back.hold_at({0.0F, 9e3F}));
+  EXPECT_FALSE(fall_back.enabled());
+}
+
 // Gravity is a run-time input here; it fails before the arm is held.
 TEST(FallBack, WhereNothingIsKnownToHoldTheArmTheTorqueLeavesAlongTheRamp) {
   using S = Scene<Heavy, RuntimeGravity>;
@@ -243,10 +262,120 @@ TEST(FallBack, WhereNothingIsKnownToHoldTheArmTheTorqueLeavesAlongTheRamp) {
   FallBack<S, double> fall_back(times);
   EXPECT_FALSE(fall_back.hold_at({0.0, 0.0}, in));
   EXPECT_FALSE(fall_back.enabled());
-  ASSERT_TRUE(fall_back.follow({0.0, 0.0}, {8.0, 4.0}));
-  fall_back.advance(times.patience + times.ramp / 4, in);
+  ASSERT_TRUE(fall_back.follow({0.0, 0.0}, {8.0, 4.0}, in));
+  fall_back.advance(times.patience + times.ramp / 4);
   EXPECT_EQ(fall_back.torque()[0], 6.0);
   EXPECT_EQ(fall_back.torque()[1], 3.0);
-  fall_back.advance(times.ramp, in);
+  fall_back.advance(times.ramp);
   EXPECT_EQ(fall_back.torque()[0], 0.0);
+}
+
+namespace {
+
+// 1.51214 kg at 0.5 m: 9.81 (1.51214 0.5) = 7.417 N m; a kilogram at 0.58807 m: 5.769 N m more.
+struct Loaded {
+  static constexpr auto chain =
+      axial::chain(gravity(0.0, -9.81, 0.0), payload_limit(2.0, 1.0, 0.1), tip_wrench_limit(50.0, 20.0),
+                   revolute()
+                       .mass(1.51214)
+                       .com(-0.5, 0, 0)
+                       .inertia_com(0, 0.05, 0.05)
+                       .position_limits(-2, 2)
+                       .speed_limit(2)
+                       .acceleration_limit(10)
+                       .effort_limit(60));
+};
+constexpr PayloadBody<double> kilogram{1.0, {-0.58807, 0.0, 0.0}, {}};
+
+template <class T>
+struct LoadedCase {
+  using S = Scene<Loaded, Gravity, RotorInertia, Payload, TipWrench>;
+  static Inputs<S, T> with(const PayloadBody<double>& load, double push = 0.0) {
+    Inputs<S, T> in;
+    if constexpr (is_stored_v<T>) {
+      in.payload = to_fixed_payload<S, std::int32_t>(load).load;
+      using F = InputFormats<Loaded, T>;
+      in.tip_wrench.moment.z.raw = static_cast<std::int32_t>(push * std::ldexp(1.0, F::tip_moment));
+    } else {
+      in.payload.mass = static_cast<T>(load.mass), in.payload.com.x = static_cast<T>(load.com.x);
+      in.tip_wrench.moment.z = static_cast<T>(push);
+    }
+    return in;
+  }
+  static Positions<Loaded, T> level() { return {}; }
+  static double exerted(const FallBack<S, T>& fall_back) {
+    if constexpr (is_stored_v<T>)
+      return to_real<double>(fall_back.torque())[0];
+    else
+      return static_cast<double>(fall_back.torque()[0]);
+  }
+};
+
+template <class T>
+class FallBackWithALoad : public testing::Test {};
+using Numbers = testing::Types<float, double, Fixed32>;
+TYPED_TEST_SUITE(FallBackWithALoad, Numbers);
+
+}  // namespace
+
+TYPED_TEST(FallBackWithALoad, HoldsTheLoadOfTheLastGoodRequest) {
+  using Case = LoadedCase<TypeParam>;
+  FallBack<typename Case::S, TypeParam> fall_back(times);
+  ASSERT_TRUE(fall_back.follow(Case::level(), {}, Case::with({})));
+  fall_back.advance(times.patience + times.ramp);
+  EXPECT_NEAR(Case::exerted(fall_back), -7.417, 5e-4) << "no load";
+  ASSERT_TRUE(fall_back.follow(Case::level(), {}, Case::with(kilogram)));
+  for (int k = 0; k < times.patience + times.ramp; ++k)
+    fall_back.advance(1);
+  EXPECT_EQ(fall_back.phase(), DrivePhase::holding);
+  EXPECT_NEAR(Case::exerted(fall_back), -13.186, 5e-4);
+}
+
+TYPED_TEST(FallBackWithALoad, HoldsItBeforeAnyGoodRequest) {
+  using Case = LoadedCase<TypeParam>;
+  FallBack<typename Case::S, TypeParam> fall_back(times);
+  EXPECT_TRUE(fall_back.hold_at(Case::level(), Case::with(kilogram)));
+  EXPECT_NEAR(Case::exerted(fall_back), -13.186, 5e-4);
+}
+
+// A push of 5 N m is of its moment: an arm that leaned on it would fall when it ends.
+TYPED_TEST(FallBackWithALoad, LeansOnNoPush) {
+  using Case = LoadedCase<TypeParam>;
+  FallBack<typename Case::S, TypeParam> fall_back(times);
+  ASSERT_TRUE(fall_back.follow(Case::level(), {}, Case::with(kilogram, 5.0)));
+  fall_back.advance(times.patience + times.ramp);
+  EXPECT_NEAR(Case::exerted(fall_back), -13.186, 5e-4);
+}
+
+TYPED_TEST(FallBackWithALoad, TakesALoadThatChangesAfterTheLastRequestButNoneThatIsBad) {
+  using Case = LoadedCase<TypeParam>;
+  FallBack<typename Case::S, TypeParam> fall_back(times);
+  ASSERT_TRUE(fall_back.follow(Case::level(), {}, Case::with(kilogram)));
+  auto bad = Case::with(kilogram);
+  if constexpr (is_stored_v<TypeParam>)
+    bad.payload.mass.raw = -bad.payload.mass.raw;
+  else
+    bad.payload.mass = -bad.payload.mass;
+  fall_back.advance(1, bad);
+  fall_back.advance(times.patience + times.ramp, bad);
+  EXPECT_NEAR(Case::exerted(fall_back), -13.186, 5e-4);
+  ASSERT_TRUE(fall_back.follow(Case::level(), {}, Case::with(kilogram)));
+  fall_back.advance(times.patience + times.ramp, Case::with({}));
+  EXPECT_NEAR(Case::exerted(fall_back), -7.417, 5e-4);
+}
+
+// The pairs are those of the position that the arm is held at, and a scene without inputs pays for none.
+TEST(FallBack, KeepsThePairsOfItsPosition) {
+  using S = Scene<Loaded, Gravity, SineCosines>;
+  FallBack<S, double> fall_back(times);
+  Inputs<S, double> in;
+  in.turns[0] = {std::sin(1.0), std::cos(1.0)};
+  ASSERT_TRUE(fall_back.follow({1.0}, {}, in));
+  in.turns[0] = {0.0, 1.0};
+  fall_back.advance(times.patience + times.ramp, in);
+  EXPECT_NEAR(fall_back.torque()[0], -7.41705 * std::cos(1.0), 1e-4);
+  in.turns[0] = {0.0, 0.0};
+  FallBack<S, double> broken(times);
+  EXPECT_FALSE(broken.hold_at({1.0}, in));
+  EXPECT_LT(sizeof(FallBack<Loaded, double>), sizeof(FallBack<S, double>));
 }

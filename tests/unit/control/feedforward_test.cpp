@@ -39,7 +39,8 @@ using Carrying = Scene<Carrier, Gravity, RotorInertia, Friction, Payload, TipWre
 template <class T>
 FeedforwardResult<Carrying, T> carry(FeedforwardState<Carrying, T>& state, const Inputs<Carrying, T>& in) {
   return feedforward<Carrying>(state, Joints<Carrier, T>{T(0.125), T(-0.5), T(0.25), T(0.25), T(-0.5), T(0.5)},
-                               Joints<Carrier, T>{T(0.5)}, Joints<Carrier, T>{T(1)}, in);
+                               Joints<Carrier, T>{T(0.5), {}, {}, {}, {}, {}},
+                               Joints<Carrier, T>{T(1), {}, {}, {}, {}, {}}, in);
 }
 
 }  // namespace

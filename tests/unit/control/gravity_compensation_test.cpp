@@ -173,6 +173,21 @@ TEST(GravityCompensationOf, AnInputThatOverflowsKeepsTheLastGoodEffort) {
   }
 }
 
+/// Finite in all that it says, and too stiff for a float at 2 rad.
+struct Stiff {
+  static constexpr auto chain =
+      axial::chain(gravity(0.0, -10.0, 0.0), revolute().mass(1.0).position_limits(-3.0, 3.0).spring(3e38, 0.0));
+};
+
+TEST(GravityCompensationOf, AnInputThatOverflowsASpringKeepsTheLastGoodEffort) {
+  using S = Scene<Stiff, Gravity, JointSprings>;
+  SafeLoopState<S, float> state;
+  const auto carried = compensate_gravity<S>(state, Joints<Stiff, float>{0.0F});
+  const auto answer = compensate_gravity<S>(state, Joints<Stiff, float>{2.0F});
+  expect_status(answer.status, Code::not_finite, -1);
+  EXPECT_EQ(answer.tau[0], carried.tau[0]);
+}
+
 TEST(EffortRamp, AStepThatIsNoNumberOrNegativeAllowsNoChange) {
   EffortRamp<Heavy, float> ramp;
   for (const float step : {NAN, -1.0F}) {

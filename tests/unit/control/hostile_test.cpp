@@ -4,8 +4,8 @@
 #include <axial/control/feedforward.hpp>
 #include <axial/control/payload_estimator.hpp>
 #include <axial/dynamics/check_finite.hpp>
-#include <axial/dynamics/separation.hpp>
 #include <axial/fixed.hpp>
+#include <axial/separation/separation.hpp>
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>
 

@@ -22,6 +22,13 @@ struct Carrier {
                                              axial::payload_limit(2.0, 0.5, 0.01));
 };
 
+// A slide whose inertia about the joint before it is no number of float where it is far out.
+struct Overflowing {
+  static constexpr auto chain =
+      axial::chain(gravity(0, 0, -9.81), revolute(),
+                   prismatic().alpha_deg(90).mass(1e32).position_limits(-1e4, 1e4).accept(as_published));
+};
+
 void expect_near(const J& a, const J& b, double tolerance) {
   for (int i = 0; i < J::size; ++i)
     EXPECT_NEAR(a[i], b[i], tolerance) << i;
@@ -64,7 +71,7 @@ TEST(TwoRate, KeepsItsTermsOnABadRefresh) {
   expect_near(two_rate_feedforward<R>(state, moving, faster).tau, inverse_dynamics<R>(bent, moving, faster), 1e-12);
 }
 
-TEST(TwoRate, KeepsItsTermsWhenThoseOfARefreshAreNotFinite) {
+TEST(TwoRate, KeepsItsTermsWhenARefreshHasInputsThatAreNoNumbers) {
   using Pushed = Scene<Carrier, Gravity, TipWrench>;
   TwoRateState<Pushed, double> state;
   Inputs<Pushed, double> in{};
@@ -77,6 +84,15 @@ TEST(TwoRate, KeepsItsTermsWhenThoseOfARefreshAreNotFinite) {
     EXPECT_EQ(state.terms.G[0], before);
     EXPECT_EQ(state.q[0], 0.5);
   }
+}
+
+TEST(TwoRate, KeepsItsTermsWhenThoseOfARefreshAreNotFinite) {
+  TwoRateState<Overflowing, float> state;
+  ASSERT_TRUE(refresh<Overflowing>(state, {0.5F, 1.0F}).ok());
+  const auto before = state.terms.A[0][0];
+  EXPECT_EQ(refresh<Overflowing>(state, {0.5F, 9e3F}).code, Code::not_finite);
+  EXPECT_EQ(state.terms.A[0][0], before);
+  EXPECT_EQ(state.q[1], 1.0F);
 }
 
 TEST(TwoRate, AnswersABadRequestWithTheLastSafeEffort) {

@@ -12,7 +12,7 @@ constexpr Link body(const Link& link, double k) {
 // A trunk with two branches.
 struct Tree {
   static constexpr auto chain = axial::chain(
-      body(revolute().alpha(0.3), 1.0), body(prismatic().alpha_deg(90).a(0.2), 2.0),
+      axial::gravity(0, 0, -9.81), body(revolute().alpha(0.3), 1.0), body(prismatic().alpha_deg(90).a(0.2), 2.0),
       body(revolute().alpha_deg(-90).d(0.1).parent(0), 3.0), body(revolute().alpha(0.7).a(0.3).parent(1), 4.0),
       body(prismatic().alpha(1.1).a(0.3).parent(2), 5.0));
 };

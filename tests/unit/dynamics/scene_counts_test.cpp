@@ -29,18 +29,26 @@ Operations acceleration() {
   return cost<S>(algorithm::forward_dynamics);
 }
 
+/// Joint values of which the first is x.
+template <class J, class T>
+constexpr J first_of(const T& x) {
+  J values{};
+  values[0] = x;
+  return values;
+}
+
 template <int I>
 struct OneTorque {
   template <class S, class J, class In>
   static constexpr auto run(const J& q, const J& qd, const J& qdd, const In& in) {
-    return J{joint_torque<S, I>(q, qd, qdd, in)};
+    return first_of<J>(joint_torque<S, I>(q, qd, qdd, in));
   }
 };
 template <int I>
 struct OneGravityTorque {
   template <class S, class J, class In>
   static constexpr auto run(const J& q, const J&, const J&, const In& in) {
-    return J{gravity_torque<S, I>(q, in)};
+    return first_of<J>(gravity_torque<S, I>(q, in));
   }
 };
 
@@ -117,7 +125,7 @@ struct SolveOfTheBase {
     const auto solved = free_motion<Counting>(Plain{}, ArticulatedInertia{sym(a), coupling, sym(c)}, bias,
                                               CompositeScale{Counting{}, Counting{}, Counting{}});
     const auto& [w, v] = solved.acceleration;
-    return J{w.x, w.y, w.z, v.x, v.y, v.z};
+    return J{w.x, w.y, w.z, v.x, v.y, v.z, {}, {}, {}};
   }
 };
 

@@ -1,5 +1,6 @@
 // Every rule of a description on values: the last number that keeps it, and the first that breaks it.
 #include <gtest/gtest.h>
+#include <axial/robot/chain.hpp>
 #include <axial/robot/description_checks.hpp>
 #include <cmath>
 #include <functional>
@@ -55,6 +56,13 @@ TEST(DescriptionChecks, LengthsEndAtAHundredMetres) {
   EXPECT_EQ(after([](auto& p) { p.a = inf; }), Problem::a_or_d_is_not_finite);
   EXPECT_EQ(after([](auto& p) { p.d = -inf; }), Problem::a_or_d_is_not_finite);
   EXPECT_EQ(after([](auto& p) { p.b = inf; }), Problem::branch_is_not_finite);
+}
+
+TEST(DescriptionChecks, LinksWeighATonAtMostBodiesThatFloatMore) {
+  expect_between(&LinkParameters::mass, 1000, above(1000), Problem::mass_is_beyond_1000_kg);
+  EXPECT_EQ(after([](auto& p) { p.mass = 1200; }, JointType::revolute, true), Problem::none) << "as published";
+  constexpr auto ship = chain(gravity(0, 0, 0), revolute().mass(1), base_body().mass(1e6));
+  EXPECT_EQ(ship.base_body.mass, 1e6);
 }
 
 TEST(DescriptionChecks, TurnsEndAtOne) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <array>
 #include <axial/scalar/counting.hpp>
+#include <axial/spatial/articulated_congruence.hpp>
 #include <axial/spatial/branch_screw.hpp>
 #include <cmath>
 

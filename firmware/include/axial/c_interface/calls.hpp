@@ -1,5 +1,6 @@
 // What the exported functions do: C's structs to the library's types and back, and the checks that C cannot make.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/axial.h>
 #include <axial/control/feedforward.hpp>
@@ -65,13 +66,28 @@ constexpr bool any_null(const Pointers*... pointers) {
 }
 inline constexpr axial_status ok{AXIAL_OK, -1}, null_argument{AXIAL_NULL_ARGUMENT, -1};  ///< a status without a joint
 
-/// What a call looks at first: floating point may be asked beyond the declared limits.
+/// What a call looks at: floating point may be asked beyond the declared limits.
 template <class S, class T>
 struct CallCheck {
-  /// the first value that is not finite
+  /// the first value that is not finite; an angle of so many turns that its sine is not exact
   template <class Q, class V, class A>
   static constexpr Status of(const Q& q, const V& qd, const A& qdd) {
-    return check_finite(q, qd, qdd);
+    const Status finite = check_finite(q, qd, qdd);
+    return finite.ok() ? detail::collected_request(links_of<S, T>(), Inputs<S, T>{}, q, qd).of_numbers() : finite;
+  }
+  /// an answer that overflowed
+  template <class... Values>
+  static constexpr Status of_answer(const Values&... values) {
+    return first_bad(check_finite(values)...);
+  }
+
+ private:
+  template <class... Other>
+  static constexpr Status first_bad(const Status& first, const Other&... other) {
+    if constexpr (sizeof...(other) > 0)
+      return first.ok() ? first_bad(other...) : first;
+    else
+      return first;
   }
 };
 
@@ -107,8 +123,7 @@ struct Calls {
     const auto qd = from_c<V>(c_qd);
     const auto qdd = from_c<A>(c_qdd);
     const Status status = check(q, qd, qdd);
-    if (status.ok()) write_c(axial::inverse_dynamics<S>(q, qd, qdd), tau);
-    return to_c(status);
+    return status.ok() ? answered(axial::inverse_dynamics<S>(q, qd, qdd), tau) : to_c(status);
   }
 
   /// axial::gravity_torque(): `tau` is written where the status is ok.
@@ -116,11 +131,11 @@ struct Calls {
   static axial_status gravity(const C& c_q, C& tau) {
     const auto q = from_c<Q>(c_q);
     const Status status = check(q);
-    if (status.ok()) write_c(gravity_torque<S>(q), tau);
-    return to_c(status);
+    return status.ok() ? answered(gravity_torque<S>(q), tau) : to_c(status);
   }
 
-  /// axial::forward_dynamics(): `qdd` is written unless an input is refused; the status is the solver's.
+  /// axial::forward_dynamics(): `qdd` is written unless an input is refused or the answer is no number; the status is
+  /// the solver's.
   template <class C>
   static axial_status forward_dynamics(const C& c_q, const C& c_qd, const C& c_tau, C& qdd) {
     const auto q = from_c<Q>(c_q);
@@ -130,7 +145,7 @@ struct Calls {
     if (status.ok()) status = check_finite(tau);
     if (!status.ok()) return to_c(status);
     const auto result = axial::forward_dynamics<S>(q, qd, tau);
-    write_c(result, qdd);
+    if (result.status.code != Status::Code::not_finite) write_c(result, qdd);
     return to_c(result.status);
   }
 
@@ -138,9 +153,10 @@ struct Calls {
   template <class C, class CMatrix>
   static axial_status mass_matrix(const C& c_q, CMatrix& matrix) {
     const auto q = from_c<Q>(c_q);
-    const Status status = check(q);
-    if (!status.ok()) return to_c(status);
-    write_matrix_c(axial::mass_matrix<S>(q), size, matrix);
+    if (const Status status = check(q); !status.ok()) return to_c(status);
+    const auto m = axial::mass_matrix<S>(q);
+    const Status status = CallCheck<S, T>::of_answer(m);
+    if (status.ok()) write_matrix_c(m, size, matrix);
     return to_c(status);
   }
 
@@ -148,17 +164,25 @@ struct Calls {
   template <class C, class CPose>
   static axial_status tool_pose(const C& c_q, CPose& pose) {
     const auto q = from_c<Q>(c_q);
-    const Status status = check(q);
-    if (!status.ok()) return to_c(status);
-    const auto tool = forward_kinematics<S>(q).tool;
+    if (const Status status = check(q); !status.ok()) return to_c(status);
+    const auto poses = forward_kinematics<S>(q);
+    if (!poses.status.ok()) return to_c(poses.status);
+    const auto& tool = poses.tool;
     write_row(tool.rotation.x, pose.rotation[0]);
     write_row(tool.rotation.y, pose.rotation[1]);
     write_row(tool.rotation.z, pose.rotation[2]);
     write_row(tool.position, pose.position);
-    return to_c(status);
+    return to_c(poses.status);
   }
 
  private:
+  /// Efforts are written unless they overflowed.
+  template <class C>
+  static axial_status answered(const Tau& efforts, C& tau) {
+    const Status status = CallCheck<S, T>::of_answer(efforts);
+    if (status.ok()) write_c(efforts, tau);
+    return to_c(status);
+  }
   static constexpr void write_row(const Vec3<T>& v, CNumber<T> (&row)[3]) {
     row[0] = to_c(v.x);
     row[1] = to_c(v.y);

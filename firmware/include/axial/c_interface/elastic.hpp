@@ -1,8 +1,9 @@
 // Defines, beside AXIAL_C_EXPORT, the C function that AXIAL_C_DECLARE_ELASTIC (axial/axial.h) declares.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/c_interface/export.hpp>
-#include <axial/dynamics/elastic_feedforward.hpp>
+#include <axial/transmissions/elastic_feedforward.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -26,6 +27,8 @@ struct ElasticCalls : Calls<S, T> {
     if (status.ok()) status = check_finite(q3, q4);
     if (!status.ok()) return to_c(status);
     const auto motors = axial::elastic_feedforward<S>(q, qd, qdd, q3, q4);
+    status = CallCheck<S, T>::of_answer(motors.tau_m, motors.theta, motors.thetad, motors.tau_l);
+    if (!status.ok()) return to_c(status);
     write_c(motors.tau_m, result.tau_m);
     write_c(motors.theta, result.theta);
     write_c(motors.thetad, result.thetad);
@@ -40,6 +43,7 @@ struct ElasticCalls : Calls<S, T> {
 /// declares a stiffness or a scene that names ElasticJoints. In one source of a program, in the global namespace,
 /// without a semicolon.
 #define AXIAL_C_EXPORT_ELASTIC(prefix, scene, number)                                                               \
+  AXIAL_C_SHADOWS                                                                                                   \
   static_assert(axial::c_interface::check_export<prefix##_joints, scene, axial::c_interface::as_##number>());       \
   using prefix##_elastic_calls = axial::c_interface::ElasticCalls<scene, axial::c_interface::as_##number>;          \
   AXIAL_C_FUNCTION axial_status prefix##_elastic_feedforward(const prefix##_joints* q, const prefix##_joints* qd,   \
@@ -47,6 +51,7 @@ struct ElasticCalls : Calls<S, T> {
                                                              const prefix##_joints* q4, prefix##_elastic* result) { \
     AXIAL_C_CALL(prefix##_elastic_calls, elastic_feedforward, (q, qd, qdd, q3, q4, result),                         \
                  (*q, *qd, *qdd, *q3, *q4, *result));                                                               \
-  }
+  }                                                                                                                 \
+  AXIAL_C_SHADOWS_END
 
 #include <axial/options/end.hpp>

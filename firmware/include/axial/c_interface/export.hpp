@@ -1,5 +1,6 @@
 // Defines, in one C++ source, the C functions that AXIAL_C_DECLARE (axial/axial.h) declares.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/c_interface/calls.hpp>
 
@@ -13,10 +14,6 @@ inline constexpr int declared_joints = sizeof(CJoints{}.of) / sizeof(CJoints{}.o
 /// What such a struct holds a value in.
 template <class CJoints>
 using DeclaredNumber = std::decay_t<decltype(CJoints{}.of[0])>;
-
-/// Whether a scene has inputs, for which C has no place.
-template <class S, class T>
-inline constexpr bool has_run_time_inputs = !std::is_empty_v<detail::InputsOf<scene_of<S>, T>>;
 
 /// Everything that a declaration and an export can disagree about.
 template <class CJoints, class S, class T>
@@ -53,6 +50,12 @@ static_assert(AXIAL_OK == static_cast<int>(Status::Code::ok) &&
 
 }  // namespace axial::c_interface
 
+/// Between them a parameter q may shadow the user's global q.
+///@{
+#define AXIAL_C_SHADOWS _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wshadow\"")
+#define AXIAL_C_SHADOWS_END _Pragma("GCC diagnostic pop")
+///@}
+
 /// One C function: the call of the same name, unless a pointer is null.
 #define AXIAL_C_CALL(calls, name, pointers, values) \
   return axial::c_interface::any_null pointers ? axial::c_interface::null_argument : calls::name values
@@ -79,6 +82,7 @@ static_assert(AXIAL_OK == static_cast<int>(Status::Code::ok) &&
 /// Defines the functions of AXIAL_C_DECLARE(prefix, joints, number) for a robot or a scene (by an alias where its name
 /// has commas). In one source of a program, in the global namespace, without a semicolon.
 #define AXIAL_C_EXPORT(prefix, scene, number)                                                                  \
+  AXIAL_C_SHADOWS                                                                                              \
   static_assert(axial::c_interface::check_export<prefix##_joints, scene, axial::c_interface::as_##number>());  \
   using prefix##_calls = axial::c_interface::ExportedCalls<scene, axial::c_interface::as_##number>;            \
   AXIAL_C_EXPORT_MORE_##number(prefix) AXIAL_C_FUNCTION axial_status prefix##_feedforward(                     \
@@ -102,6 +106,7 @@ static_assert(AXIAL_OK == static_cast<int>(Status::Code::ok) &&
   }                                                                                                            \
   AXIAL_C_FUNCTION axial_status prefix##_tool_pose(const prefix##_joints* q, prefix##_pose* pose) {            \
     AXIAL_C_CALL(prefix##_calls, tool_pose, (q, pose), (*q, *pose));                                           \
-  }
+  }                                                                                                            \
+  AXIAL_C_SHADOWS_END
 
 #include <axial/options/end.hpp>

@@ -1,5 +1,6 @@
 // The closed form of SCARA dynamics, terms separated. An oracle for the recursions, and the cheapest SCARA torque.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/closed_form/scara_constants.hpp>
 #include <axial/links/link_view.hpp>
@@ -101,6 +102,7 @@ AXIAL_INLINE constexpr void torque_into(const Terms& k, const Q& q2, const V& v,
 /// overflows. For another robot it does not compile and says why.
 template <class S, class T>
 [[nodiscard]] constexpr auto scara(const Positions<robot_of<S>, T>& q) {
+  detail::check_scara<robot_of<S>>();
   using Rounder = detail::ScaraRounding<S, T>;
   using All = Separated<subject_of<S, T>, T>;
   const detail::ScaraTerms<S, Rounder> k;
@@ -118,6 +120,7 @@ template <class S, class T>
 [[nodiscard]] constexpr EffortsOf<S, T> scara_torque(const Positions<robot_of<S>, T>& q,
                                                      const Velocities<robot_of<S>, T>& qd,
                                                      const Accelerations<robot_of<S>, T>& qdd) {
+  detail::check_scara<robot_of<S>>();
   const detail::ScaraTerms<S, detail::ScaraRounding<S, T>> k;
   EffortsOf<S, T> tau{};
   detail::torque_into(k, k.read(q)[Index<1>{}], k.read(qd), k.read(qdd), tau);

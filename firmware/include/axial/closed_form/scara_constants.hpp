@@ -1,5 +1,6 @@
 // What the SCARA's closed form depends on, and what the robot must be for it.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/links/link_constants.hpp>
 #include <axial/scene/scene.hpp>
@@ -22,7 +23,7 @@ struct ScaraConstants {
 };
 
 template <class Robot>
-constexpr void check_scara() {
+constexpr auto check_scara() {
   constexpr auto& c = Robot::chain;
   static_assert(c.size == 3, "axial: closed_form::scara needs three joints: revolute, revolute, prismatic (RRP)");
   if constexpr (c.size == 3) {

@@ -1,5 +1,6 @@
 // Collisions from the residuals of a momentum observer: thresholds, confirmation, hysteresis.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/control/momentum_observer.hpp>
 

@@ -1,5 +1,6 @@
 // Currents that a motor's winding stands: an I^2 t limit, by a thermal model of first order.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/control/limits.hpp>
 #include <axial/scalar/math.hpp>
@@ -165,10 +166,10 @@ template <class S, class T, int N>
   CurrentLimits<S, T> limits{};
   for (int i = N; i-- > 0;) {
     const double gain = period > 0.0 ? detail::decayed(period / ratings[i].time_constant()) : 0.0;
-    if (detail::is_sound(ratings[i], gain))
-      limits.joints[i] = detail::current_limit_of<S, T>(ratings[i], gain);
-    else
+    if (!detail::is_sound(ratings[i], gain))
       limits.status = {Status::Code::input_limit, i};
+    else if constexpr (std::is_floating_point_v<T>)
+      limits.joints[i] = detail::current_limit_of<S, T>(ratings[i], gain);
   }
   return limits;
 }

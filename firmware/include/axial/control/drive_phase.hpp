@@ -1,5 +1,6 @@
 // When drives may exert a torque, and which part of it: the times of a fall-back, apart from any robot.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <cstdint>
 
@@ -59,6 +60,11 @@ class DrivePhases {
     leave(DrivePhase::running, times.patience, DrivePhase::fading);
     leave(DrivePhase::fading, times.ramp, DrivePhase::holding);
     leave(DrivePhase::holding, times.hold, DrivePhase::disabled);
+  }
+
+  /// A controlled stop came to rest: from fading the drives hold, and the time to hold begins.
+  constexpr void rest() {
+    if (phase_ == DrivePhase::fading) enter(DrivePhase::holding, 0);
   }
 
   /// Somebody asks for the drives again: from disabled to idle. An arm that is held stays held.

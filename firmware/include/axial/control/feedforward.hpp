@@ -1,5 +1,6 @@
 // Feed-forward torque: what a control loop embeds.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/control/limits.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
@@ -11,6 +12,7 @@ namespace axial {
 /// Memory of a feed-forward, owned by the caller; start with `{}`: the first safe output is no effort.
 template <class S, class T>
 struct FeedforwardState {
+  static_assert(detail::names_robot<S>, AXIAL_A_ROBOT_IS);
   EffortsOf<S, T> last_safe{};  ///< N m or N, answered where a request is refused
 };
 
@@ -44,8 +46,7 @@ constexpr bool all_finite(const EffortsOf<S, T>& tau) {
 // Everything about run-time inputs that can be wrong before anything is computed.
 template <class S, class T>
 constexpr Status check_given(const Inputs<S, T>& in) {
-  if constexpr (scene_of<S>::template has<Payload>)
-    if (const Status payload = check_payload<S>(in.payload); !payload.ok()) return payload;
+  if constexpr (scene_of<S>::template has<Payload>) check_payload_declared<S>();
   return LimitsFor<S, T>::check_inputs(in);
 }
 // Everything about a request.
@@ -83,7 +84,8 @@ template <class S, class T>
                                                             const Positions<robot_of<S>, T>& q,
                                                             const Velocities<robot_of<S>, T>& qd,
                                                             const Accelerations<robot_of<S>, T>& qdd,
-                                                            const Inputs<S, T>& in = {}) {
+                                                            const Inputs<S, T>& in = no_inputs<S, T>()) {
+  if constexpr (scene_of<S>::template has<Payload>) detail::check_payload_declared<S>();
   FeedforwardResult<S, T> result{state.last_safe, detail::check_all<S, T>(q, qd, qdd, in)};
   if (!result.status.ok()) return result;
   auto tau = inverse_dynamics<S>(q, qd, qdd, in);

@@ -1,5 +1,6 @@
 // Checked gravity compensation: an arm that a hand can guide, and what tracking falls back to.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/control/effort_ramp.hpp>
 #include <axial/control/feedforward.hpp>
@@ -12,6 +13,8 @@ namespace axial {
 /// loop changes between them without a step. Set `output.step` for a limited rate.
 template <class S, class T>
 struct SafeLoopState {
+  static_assert(detail::names_robot<S>, AXIAL_A_ROBOT_IS);
+  static_assert(detail::says_gravity<S>(), AXIAL_GRAVITY_IS);
   EffortsOf<S, T> hold{};     ///< N m or N, what carries the arm at its last good position
   EffortRamp<S, T> output{};  ///< what was answered, and by how much it may change
 };
@@ -21,7 +24,7 @@ namespace detail {
 // Finds what carries the arm at a position that was checked; what is not finite leaves the last good one.
 template <class S, class T>
 constexpr Status carry_at(SafeLoopState<S, T>& state, const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in) {
-  auto tau = gravity_torque<S>(q, in);
+  auto tau = holding_torque<S>(q, in);
   if (!all_finite<S>(tau)) return {Status::Code::not_finite, -1};
   const Status status = clamp_efforts<S>(tau);
   state.hold = tau;
@@ -53,7 +56,7 @@ constexpr FeedforwardResult<S, T> answer(SafeLoopState<S, T>& state, const Effor
 template <class S, class T>
 [[nodiscard]] constexpr FeedforwardResult<S, T> compensate_gravity(SafeLoopState<S, T>& state,
                                                                    const Positions<robot_of<S>, T>& q,
-                                                                   const Inputs<S, T>& in = {}) {
+                                                                   const Inputs<S, T>& in = no_inputs<S, T>()) {
   Status status = detail::check_given<S>(in);
   if (status.ok()) status = check_position<S>(q);
   if (status.ok()) status = detail::carry_at<S>(state, q, in);

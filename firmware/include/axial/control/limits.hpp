@@ -1,10 +1,10 @@
 // Checks of run-time requests against what a robot declares.
 #pragma once
 
-#include <axial/links/driven_links.hpp>
-#include <axial/links/soundness.hpp>
+#include <axial/links/inputs_soundness.hpp>
 #include <axial/scalar/finite.hpp>
 #include <axial/scene/joints.hpp>
+#include <axial/transmissions/driven_links.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -97,8 +97,8 @@ struct LimitsFor {
   }
   /// The nearest value that is allowed.
   static constexpr T nearest(const T& most, const T& x) { return x > most ? most : x < -most ? -most : x; }
-  /// What is wrong with run-time inputs other than a payload: here the answer tells.
-  static constexpr Status check_inputs(const Inputs<S, T>&) { return {}; }
+  /// What is wrong with run-time inputs.
+  static constexpr Status check_inputs(const Inputs<S, T>& in) { return inputs_status<S>(in); }
   /// What is wrong with a state where nothing else would tell: here everything else does.
   static constexpr Status check_state(const Positions<robot_of<S>, T>&, const Velocities<robot_of<S>, T>&) {
     return {};
@@ -200,23 +200,22 @@ template <class S, class T>
   return kept;
 }
 
+namespace detail {
+template <class S>
+constexpr auto check_payload_declared() {
+  static_assert(scene_of<S>::Robot::chain.payload_limit.declared,
+                "axial: a run-time payload is checked against the robot's declared maximum; add "
+                "axial::payload_limit(mass, com_reach, inertia) to its chain");
+}
+}  // namespace detail
+
 /// Whether a run-time payload is within what the robot declares; NaN is not.
 template <class S, class T>
 [[nodiscard]] constexpr Status check_payload(const PayloadBody<T>& load) {
-  constexpr PayloadLimit declared = scene_of<S>::Robot::chain.payload_limit;
-  static_assert(declared.declared,
-                "axial: a run-time payload is checked against the robot's declared maximum; add "
-                "axial::payload_limit(mass, com_reach, inertia) to its chain");
-  constexpr double slack = 1.0 + 4.0 * static_cast<double>(std::numeric_limits<T>::epsilon());  // squares are rounded
-  constexpr T zero = T(Zero{}), mass = limit<T>(declared.mass), inertia = limit<T>(declared.inertia);
-  constexpr T reach2 = limit<T>(declared.com_reach * declared.com_reach * slack);
-  const auto& j = load.inertia_com;
-  bool within = detail::inside(load.mass, zero, mass) && detail::inside(dot(load.com, load.com), zero, reach2);
-  within = within && detail::inside(j.xx, zero, inertia) && detail::inside(j.yy, zero, inertia) &&
-           detail::inside(j.zz, zero, inertia);
-  within = within && detail::inside(j.xy, -inertia, inertia) && detail::inside(j.xz, -inertia, inertia) &&
-           detail::inside(j.yz, -inertia, inertia);
-  return {within ? Status::Code::ok : Status::Code::payload_limit, -1};
+  detail::check_payload_declared<S>();
+  Soundness<T> all;
+  detail::collect_load<typename scene_of<S>::Robot>(all, load);
+  return {all.is_load_beyond() ? Status::Code::payload_limit : Status::Code::ok, -1};
 }
 
 }  // namespace axial

@@ -1,6 +1,7 @@
 // Mass and first moment of a payload from the residuals of an observer that does not know of it: recursive least
 // squares.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/control/payload_equations.hpp>
 #include <axial/control/payload_sums.hpp>
@@ -118,20 +119,26 @@ template <class S, class T, class Tuning>
                                               const Velocities<robot_of<S>, T>& qd,
                                               const typename detail::ResidualInput<S, T, Tuning>::type& residual) {
   static_assert(Tuning::deviation > 0.0 && Tuning::memory > 0.0, "axial: deviation and memory are positive");
-  if (const Status outside = detail::LimitsFor<S, T>::check_state(q, qd); !outside.ok()) {
-    state.ready = false;
-    return outside;
+  detail::check_weighing<T>();
+  detail::check_weighed<scene_of<S>>();
+  if constexpr (std::is_same_v<T, Fixed16>) {
+    return {};
+  } else {
+    if (const Status outside = detail::LimitsFor<S, T>::check_state(q, qd); !outside.ok()) {
+      state.ready = false;
+      return outside;
+    }
+    const auto now = detail::payload_columns<S, T>(q, qd);
+    detail::PayloadRow<T> lagged[joint_count<S>];
+    const Status status = detail::lag_columns<S, T, Tuning>(state, now, q, qd, residual, lagged);
+    if (!status.ok()) {
+      state.last = {}, state.ready = false;
+      return status;
+    }
+    detail::learn<S, T, Tuning>(state, lagged, residual);
+    state.last = now, state.ready = true;
+    return {};
   }
-  const auto now = detail::payload_columns<S, T>(q, qd);
-  detail::PayloadRow<T> lagged[joint_count<S>];
-  const Status status = detail::lag_columns<S, T, Tuning>(state, now, q, qd, residual, lagged);
-  if (!status.ok()) {
-    state.last = {}, state.ready = false;
-    return status;
-  }
-  detail::learn<S, T, Tuning>(state, lagged, residual);
-  state.last = now, state.ready = true;
-  return {};
 }
 
 /// Least-squares estimate of the payload from what was weighed, and how sure it is. Constant time: one L D L^T of 4x4.

@@ -7,11 +7,21 @@
 
 namespace axial::detail {
 
+/// Says what the estimator does not weigh under, and by which numbers not.
+template <class Scene>
+constexpr auto check_weighed() {
+  static_assert(Scene::template has<Gravity> && !Scene::template has<RuntimeGravity>,
+                "axial: a payload is weighed under the gravity that the chain declares; name Gravity in the scene");
+}
+template <class T>
+constexpr auto check_weighing() {
+  static_assert(!std::is_same_v<T, Fixed16>, "axial: the payload estimator takes Fixed32, float or double");
+}
+
 /// Gravity of a robot in world axes, m/s^2.
 template <class S>
 constexpr Vec3<double> world_gravity() {
-  static_assert(scene_of<S>::template has<Gravity> && !scene_of<S>::template has<RuntimeGravity>,
-                "axial: a payload is weighed under the gravity that the chain declares; name Gravity in the scene");
+  check_weighed<scene_of<S>>();
   constexpr const auto& chain = robot_of<S>::chain;
   const auto& r = chain.base.pose.rotation;
   const double x = chain.gravity.x, y = chain.gravity.y, z = chain.gravity.z;

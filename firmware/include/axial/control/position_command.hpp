@@ -1,5 +1,6 @@
 // Torque by drives that take positions alone: hobby servos and many bus drives.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/control/limits.hpp>
 

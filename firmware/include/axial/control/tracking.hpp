@@ -1,5 +1,6 @@
 // One safe call for a control loop: feed-forward and feedback together, gravity compensation where something is wrong.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/control/gravity_compensation.hpp>
 
@@ -82,7 +83,8 @@ constexpr Status follow(EffortsOf<S, T>& tau, const Request<S, T>& desired, cons
 template <class S, class T>
 [[nodiscard]] constexpr FeedforwardResult<S, T> track(SafeLoopState<S, T>& state, const Request<S, T>& desired,
                                                       const MeasuredMotion<S, T>& measured,
-                                                      const TrackingGains<S, T>& gains, const Inputs<S, T>& in = {}) {
+                                                      const TrackingGains<S, T>& gains,
+                                                      const Inputs<S, T>& in = no_inputs<S, T>()) {
   Status status = detail::check_measured<S>(measured, in);
   if (status.ok()) status = detail::carry_at<S>(state, measured.q, in);
   auto tau = state.hold;

@@ -1,8 +1,9 @@
 // Feed-forward at two rates: the terms of the dynamics slowly, the products of velocities and accelerations fast.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/control/feedforward.hpp>
-#include <axial/dynamics/separated_torque.hpp>
+#include <axial/separation/separated_torque.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -22,7 +23,9 @@ struct TwoRateState {
 /// finite (or whose sum of angles has no exact sines) leave the last good terms as they are; the status says which.
 template <class S, class T>
 [[nodiscard]] constexpr Status refresh(TwoRateState<S, T>& state, const Positions<robot_of<S>, T>& q,
-                                       const Inputs<S, T>& in = {}) {
+                                       const Inputs<S, T>& in = no_inputs<S, T>()) {
+  separation::check_separable<scene_of<S>, T>();
+  if constexpr (scene_of<S>::template has<Payload>) detail::check_payload_declared<S>();
   if (const Status status = detail::check_all<S, T>(q, {}, {}, in); !status.ok()) return status;
   const auto terms = separate<S>(q, in);
   if (!terms.status.ok()) return terms.status;

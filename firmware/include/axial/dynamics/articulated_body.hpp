@@ -1,10 +1,10 @@
 // The articulated-body algorithm (ABA) by successive axial screws, with the bias in classical accelerations.
 #pragma once
 
-#include <axial/dynamics/floating_base.hpp>
+#include <axial/base/floating_base.hpp>
 #include <axial/dynamics/free_response.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
-#include <axial/spatial/congruence.hpp>
+#include <axial/spatial/articulated_congruence.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -120,12 +120,12 @@ AXIAL_INLINE constexpr auto immersed(const Dry&, const Tree& tree) {
 /// What the outward pass needs of a joint, and what the parent gets.
 template <class G, class U, class Z, class B, class L, class S>
 struct InwardResult {
-  G gain{};      ///< K = U / D
-  U free{};      ///< u / D: the acceleration of the joint if its parent did not accelerate
-  Z zeta{};      ///< bias acceleration of its motion
-  B singular{};  ///< whether D is lost in rounding
-  L left{};      ///< whether anything is left of D: the joint is held if not
-  S sent{};      ///< subtree that its parent bears, in the parent's frame
+  G gain{};       ///< K = U / D
+  U free{};       ///< u / D: the acceleration of the joint if its parent did not accelerate
+  Z zeta{};       ///< bias acceleration of its motion
+  B singular{};   ///< whether D is lost in rounding
+  L left{};       ///< whether anything is left of D: the joint is held if not
+  S on_parent{};  ///< subtree that its parent bears, in the parent's frame
 };
 template <class G, class U, class Z, class B, class L, class S>
 InwardResult(G, U, Z, B, L, S) -> InwardResult<G, U, Z, detail::Decided<B>, L, S>;
@@ -133,8 +133,8 @@ InwardResult(G, U, Z, B, L, S) -> InwardResult<G, U, Z, detail::Decided<B>, L, S
 /// An inward result in the form in which the link keeps results.
 template <class Link, class G, class U, class Z, class B, class L, class S>
 AXIAL_INLINE constexpr auto shaped(const Link& link, const InwardResult<G, U, Z, B, L, S>& left) {
-  return InwardResult{link.shape(left.gain), link.shape(left.free), link.shape(left.zeta), left.singular, left.left,
-                      link.shape(left.sent)};
+  return InwardResult{link.shape(left.gain),     link.shape(left.free), link.shape(left.zeta), left.singular, left.left,
+                      link.shape(left.on_parent)};
 }
 
 /// Inward step of a joint: reflects the subtree across it and brings the result to the parent's frame.
@@ -143,10 +143,10 @@ AXIAL_INLINE constexpr auto reflect(Kind joint, const Link& link, const Screw& s
                                     const Vel& velocity, const Tau& tau) {
   auto x = link.x_inboard();
   auto r = reflection(joint, link, tree.inertia, tree.bias, velocity.zeta, tau, singularity_scale(joint, tree.scale));
-  Subtree sent{to_parent(x, to_parent(screw, r.inertia, link), link.outer()),
-               to_parent(x, to_parent(screw, r.bias, link), link.outer()),
-               seen_from(tree.scale, shift_length(x) + shift_length(screw))};
-  return InwardResult{r.gain, r.free, velocity.zeta, r.singular, r.left, sent};
+  Subtree on_parent{to_parent(x, to_parent(screw, r.inertia, link), link.outer()),
+                    to_parent(x, to_parent(screw, r.bias, link), link.outer()),
+                    seen_from(tree.scale, shift_length(x) + shift_length(screw))};
+  return InwardResult{r.gain, r.free, velocity.zeta, r.singular, r.left, on_parent};
 }
 
 /// What drives a moving structure: joint speeds, the base's motion, forces from outside, friction and springs.
@@ -168,8 +168,11 @@ struct InMotion {
   AXIAL_INLINE constexpr auto velocities(const Screws& screws) const {
     return outward(links, base_velocity(links, in), [&](auto i, const auto& parent) AXIAL_INLINE {
       auto link = links.link(i);
-      return link.on_joint([&](auto joint)
-                               AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i])); });
+      if constexpr (Links::unrolled)
+        return link.shape(move(detail::KindOfJoint<decltype(link)>{}, link, screws[i], parent, qd[i]));
+      else
+        return link.on_joint([&](auto joint)
+                                 AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i])); });
     });
   }
   /// Force that acts on link i from outside, water included: N m and N.
@@ -229,9 +232,12 @@ AXIAL_INLINE constexpr auto accelerations(const Links& links, const Input& in, c
   auto joints = inward(links, own, [&](auto i, const auto& tree) AXIAL_INLINE {
     auto link = links.link(i);
     auto effort = situation.effort(i, link, tau[i]);
-    return link.on_joint([&](auto joint) AXIAL_INLINE {
-      return shaped(link, reflect(joint, link, screws[i], tree, velocities[i], effort));
-    });
+    if constexpr (Links::unrolled)
+      return shaped(link, reflect(detail::KindOfJoint<decltype(link)>{}, link, screws[i], tree, velocities[i], effort));
+    else
+      return link.on_joint([&](auto joint) AXIAL_INLINE {
+        return shaped(link, reflect(joint, link, screws[i], tree, velocities[i], effort));
+      });
   });
   Ordinal<T> singular = -1;
   auto base = situation.base(joints);

@@ -1,7 +1,8 @@
 // The force between a robot and what carries it.
 #pragma once
+#include <axial/scalar/language.hpp>
 
-#include <axial/dynamics/floating_base.hpp>
+#include <axial/base/floating_base.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
 
 #include <axial/options/begin.hpp>
@@ -30,9 +31,9 @@ AXIAL_INLINE constexpr auto base_body_force(const Links& links, const Input& in)
 /// The inward pass of inverse dynamics, without the joints' efforts.
 template <class Links, class Input, class Q, class V, class A>
 AXIAL_INLINE constexpr auto force_on_base(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd) {
-  static_assert(!Links::Scene::template has<RotorDynamics>,
-                "axial: base_wrench has no rotors as bodies; take RotorDynamics out of the scene");
-  if constexpr (is_driven<Links>) {
+  if constexpr (is_refused<Links> || Links::Scene::template has<RotorDynamics>) {
+    return RefusedLinks<typename Links::Scene>{};
+  } else if constexpr (is_driven<Links>) {
     return force_on_base(links.template joints<recursion::BaseForce>(), in, links.positions(q), links.rates(qd),
                          links.rates(qdd));
   } else {
@@ -41,9 +42,18 @@ AXIAL_INLINE constexpr auto force_on_base(const Links& links, const Input& in, c
     auto water = immersions(links, in, screws, qd);
     auto own = [&](auto i) AXIAL_INLINE { return own_force(links, in, motions, water, i); };
     auto joint = [&](auto i, const auto& force)
-                     AXIAL_INLINE { return InwardResult{sent_force(links, screws, i, force)}; };
+                     AXIAL_INLINE { return InwardResult{force_on_parent(links, screws, i, force)}; };
     return with_roots(links, inward(links, own, joint), base_body_force(links, in));
   }
+}
+
+/// What a wrench of the base refuses, once for a scene. In fixed point Inputs have refused rotors.
+template <class Scene, class T>
+constexpr auto check_base_wrench() {
+  static_assert(detail::is_word<T> || !Scene::template has<RotorDynamics>,
+                "axial: base_wrench has no rotors as bodies; take RotorDynamics out of the scene");
+  if constexpr (Scene::template has<FloatingBase>) detail::check_base_body<typename Scene::Robot>();
+  detail::Forms<Scene, T>::template check<recursion::BaseForce>();
 }
 
 }  // namespace rnea
@@ -54,17 +64,20 @@ AXIAL_INLINE constexpr auto force_on_base(const Links& links, const Input& in, c
 /// Inputs as for inverse_dynamics. Always on full parameters: a mount feels what no joint feels.
 template <class S, class T>
 [[nodiscard]] constexpr Wrench<T> base_wrench(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
-                                              const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
+                                              const Accelerations<robot_of<S>, T>& qdd,
+                                              const Inputs<S, T>& in = no_inputs<S, T>()) {
   static_assert(!scene_of<S>::template has<BaseParameters>,
                 "axial: base_wrench needs every link's own parameters, which BaseParameters regroups; take "
                 "BaseParameters out of the scene");
+  rnea::check_base_wrench<scene_of<S>, T>();
   return rnea::force_on_base(links_of<S, T, FullParameters, recursion::BaseForce>(), in, q, qd, qdd);
 }
 /// Overload for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Wrench<T> base_wrench(const Model<N, F...>& model, const Positions<M, T>& q,
                                               const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,
-                                              const Inputs<M, T>& in = {}) {
+                                              const Inputs<M, T>& in = no_inputs<M, T>()) {
+  rnea::check_base_wrench<scene_of<M>, T>();
   return rnea::force_on_base(model.template links<T>(), in, q, qd, qdd);
 }
 

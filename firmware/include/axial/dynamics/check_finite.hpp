@@ -1,5 +1,6 @@
 // A query for answers that carry no status of their own: whether they are numbers.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/base_wrench.hpp>
 #include <axial/dynamics/kinematics.hpp>

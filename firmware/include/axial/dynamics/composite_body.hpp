@@ -3,7 +3,7 @@
 
 #include <axial/dynamics/elimination_loss.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
-#include <axial/dynamics/reflection.hpp>
+#include <axial/recursion/reflection.hpp>
 #include <axial/scene/status.hpp>
 
 #include <axial/options/begin.hpp>

@@ -1,92 +1,13 @@
 // How much eliminating M(q) loses against ABA, over the whole chain or tree: what route.hpp judges by.
 #pragma once
 
-#include <axial/dynamics/mass_matrix.hpp>
-#include <axial/scalar/math.hpp>
+#include <axial/dynamics/elimination_error.hpp>
+#include <axial/dynamics/plain_mass_matrix.hpp>
 
 #include <axial/options/begin.hpp>
 
 namespace axial {
 namespace detail {
-
-inline constexpr double infinite_loss = 1e300;  ///< of a matrix that double cannot tell from a singular one
-
-/// Inverse in place of a positive definite matrix, Gauss-Jordan without pivoting. Diagonal entries are 1 to begin with;
-/// false where a pivot is lost.
-template <int N>
-constexpr bool invert(double (&c)[N][N], int n) {
-  for (int k = 0; k < n; ++k) {
-    if (!(c[k][k] > 1e-13)) return false;
-    const double pivot = 1.0 / c[k][k];
-    c[k][k] = 1.0;
-    for (int j = 0; j < n; ++j)
-      c[k][j] *= pivot;
-    for (int i = 0; i < n; ++i) {
-      const double factor = c[i][k];
-      if (i == k || !(factor < 0.0 || factor > 0.0)) continue;
-      c[i][k] = 0.0;
-      for (int j = 0; j < n; ++j)
-        c[i][j] -= factor * c[k][j];
-    }
-  }
-  return true;
-}
-
-/// C^-1 of C = S^-1 M S^-1 with S = sqrt(diag M), S, and how far M in float is from M: in roundings of S_i S_j, at
-/// least a quarter of one.
-template <int N>
-struct RoundedMatrix {
-  double inverse[N][N] = {}, change[N][N] = {}, root[N] = {};
-  bool invertible = true;
-
-  template <class Exact, class Float>
-  constexpr RoundedMatrix(const Exact& m, const Float& rounded, int n) {
-    constexpr double rounding = 0.5 * static_cast<double>(std::numeric_limits<float>::epsilon());
-    for (int i = 0; i < n; ++i) {
-      invertible = invertible && m(i, i) > 0.0;
-      root[i] = square_root(m(i, i));
-    }
-    for (int i = 0; invertible && i < n; ++i)
-      for (int j = 0; j < n; ++j) {
-        const double size = root[i] * root[j], exact = m(i, j);
-        const double apart = magnitude(static_cast<double>(rounded(i, j)) - exact) / (size * rounding);
-        inverse[i][j] = exact / size, change[i][j] = apart > 0.25 ? apart : 0.25;
-      }
-    invertible = invertible && invert(inverse, n);
-  }
-};
-
-/// What M's rounding makes of an effort on any one joint, in roundings of the largest acceleration that the effort
-/// gives: |M^-1| |dM| |M^-1 e|.
-template <int N>
-constexpr double error_of_matrix(const RoundedMatrix<N>& m, int n) {
-  double spread[N][N] = {}, worst = 0.0;
-  for (int j = 0; j < n; ++j)
-    for (int k = 0; k < n; ++k)
-      for (int l = 0; l < n; ++l)
-        spread[j][l] += m.change[j][k] * magnitude(m.inverse[k][l]);
-  for (int l = 0; l < n; ++l) {
-    double largest = 0.0, error = 0.0;
-    for (int i = 0; i < n; ++i) {
-      double sum = 0.0;
-      for (int j = 0; j < n; ++j)
-        sum += magnitude(m.inverse[i][j]) * spread[j][l];
-      const double moved = magnitude(m.inverse[i][l]) / m.root[i];
-      largest = moved > largest ? moved : largest;
-      error = sum / m.root[i] > error ? sum / m.root[i] : error;
-    }
-    worst = error > worst * largest ? error / largest : worst;
-  }
-  return worst;
-}
-
-/// Error of an elimination at one configuration, in roundings of the largest acceleration, from M there in double and
-/// in float. To first order; measured errors of random chains were at most some three times it (tests/property).
-template <int N, class Exact, class Float>
-constexpr double elimination_error(const Exact& m, const Float& rounded, int n) {
-  const RoundedMatrix<N> matrix(m, rounded, n);
-  return matrix.invertible ? error_of_matrix(matrix, n) : infinite_loss;
-}
 
 inline constexpr int loss_samples = 12;  ///< configurations at which the error is computed
 
@@ -135,39 +56,9 @@ constexpr auto sampled_matrix(int sample) {
   if constexpr (loaded) {
     Inputs<FeltScene<Scene, Payload>, T> in{};
     in.payload = largest_payload<Robot, T>(sample);
-    return mass_matrix<FeltScene<Scene, Payload>>(q, in);
+    return PlainMassMatrix<FeltScene<Scene, Payload>, T>(q, in);
   } else {
-    return mass_matrix<FeltScene<Scene>>(q);
-  }
-}
-
-// One constant a configuration: compilers bound the steps of each.
-template <class Scene, bool loaded, int sample>
-inline constexpr double sampled_loss =
-    elimination_error<Scene::Robot::chain.size>(sampled_matrix<Scene, loaded, double>(sample),
-                                                sampled_matrix<Scene, loaded, float>(sample), Scene::Robot::chain.size);
-template <class Scene, bool loaded, int... Sample>
-constexpr double worst_loss(std::integer_sequence<int, Sample...>) {
-  const double losses[] = {sampled_loss<Scene, loaded, Sample>...};
-  double worst = 0.0;
-  for (const double loss : losses)
-    worst = loss > worst ? loss : worst;
-  return worst;
-}
-
-/// The worst error of an elimination over the sampled configurations, in roundings of the largest acceleration. A
-/// run-time payload counts as none and at the declared maximum; where none is declared it may lose anything.
-template <class Scene>
-constexpr double elimination_loss() {
-  using Samples = std::make_integer_sequence<int, loss_samples>;
-  constexpr double empty = worst_loss<Scene, false>(Samples{});
-  if constexpr (!Scene::template has<Payload>) {
-    return empty;
-  } else if constexpr (!Scene::Robot::chain.payload_limit.declared) {
-    return infinite_loss;
-  } else {
-    constexpr double loaded = worst_loss<Scene, true>(Samples{});
-    return empty > loaded ? empty : loaded;
+    return PlainMassMatrix<FeltScene<Scene>, T>(q, no_inputs<FeltScene<Scene>, T>());
   }
 }
 
@@ -183,10 +74,56 @@ constexpr double acceptable_loss(const LinkParameters* links, int size) {
   }
   return (slides && twisted ? 32.0 : 64.0) * (size < 7 ? size : 7) / 7.0;
 }
-/// Whether an elimination of the scene's M(q) stays within that.
+template <class Robot>
+constexpr auto parents_of() {
+  Parents<Robot::chain.size> parents;
+  for (int i = 0; i < Robot::chain.size; ++i)
+    parents.of[i] = Robot::chain.parent(i);
+  return parents;
+}
+
+/// The error at one configuration, or something above `enough` where it is more than that: M in float is not computed
+/// where M in double tells.
+template <class Scene, bool loaded>
+constexpr double loss_at(int sample, double enough) {
+  constexpr int n = Scene::Robot::chain.size;
+  const auto exact = sampled_matrix<Scene, loaded, double>(sample);
+  const ScaledInverse<n> inverse(exact, parents_of<typename Scene::Robot>(), n);
+  if (!inverse.invertible()) return infinite_loss;
+  if (inverse.least_error() > enough) return inverse.least_error();
+  return inverse.error(exact, sampled_matrix<Scene, loaded, float>(sample));
+}
+/// The same as a constant, one per configuration: compilers bound the steps of each.
+template <class Scene, bool loaded, int sample>
+inline constexpr double sampled_loss = loss_at<Scene, loaded>(sample, acceptable_loss(Scene::Robot::chain.links,
+                                                                                      Scene::Robot::chain.size));
+
+/// Whether no configuration from `sample` on loses more than is accepted. The first one that does decides.
+template <class Scene, bool loaded, int sample = 0>
+constexpr bool loses_little_from() {
+  constexpr double most = acceptable_loss(Scene::Robot::chain.links, Scene::Robot::chain.size);
+  if constexpr (sample == loss_samples)
+    return true;
+  else if constexpr (sampled_loss<Scene, loaded, sample> <= most)
+    return loses_little_from<Scene, loaded, sample + 1>();
+  else
+    return false;
+}
+/// Whether an elimination of the scene's M(q) stays within what is accepted over the sampled configurations. A run-time
+/// payload counts as none and at the declared maximum; where none is declared it may lose anything.
 template <class Scene>
-inline constexpr bool elimination_loses_little = elimination_loss<Scene>() <=
-                                                 acceptable_loss(Scene::Robot::chain.links, Scene::Robot::chain.size);
+constexpr bool decide_elimination_loses_little() {
+  if constexpr (Scene::template has<Payload> && !Scene::Robot::chain.payload_limit.declared)
+    return false;
+  else if constexpr (!loses_little_from<Scene, false>())
+    return false;
+  else if constexpr (Scene::template has<Payload>)
+    return loses_little_from<Scene, true>();
+  else
+    return true;
+}
+template <class Scene>
+inline constexpr bool elimination_loses_little = decide_elimination_loses_little<Scene>();
 
 }  // namespace detail
 }  // namespace axial

@@ -1,11 +1,12 @@
 // Forward dynamics: accelerations from efforts.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/articulated_body.hpp>
 #include <axial/dynamics/composite_body.hpp>
-#include <axial/dynamics/forward_soundness.hpp>
 #include <axial/dynamics/route.hpp>
 #include <axial/dynamics/split_form.hpp>
+#include <axial/recursion/forward_soundness.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -31,6 +32,19 @@ struct RouteOver {
 };
 template <class S, class T>
 inline constexpr Route route_over = RouteOver<S, T>::value;
+
+/// Says which joint of a scene moves no mass, for calls that then leave forward dynamics out: a parameter, so that
+/// compilers print its index.
+template <class Scene, int joint = unresisted_joint<Scene>()>
+constexpr auto check_resisted() {
+  static_assert(every_joint_moves_mass_but<joint>, AXIAL_JOINTS_MOVE_MASS);
+}
+/// What forward dynamics refuses, said once for a scene; a number system may refuse more.
+template <class Scene, class T>
+constexpr auto check_solvable() {
+  if constexpr (Scene::template has<FloatingBase>) check_base_body<typename Scene::Robot>();
+  Forms<Scene, T>::template check<recursion::ArticulatedBodiesAtRest>();
+}
 
 /// A run-time model has full parameters and no compile-time choice: ABA unless its features name another form.
 template <class Scene>
@@ -73,11 +87,10 @@ template <class S, class T>
 [[nodiscard]] constexpr ForwardDynamicsOf<S, T> forward_dynamics(const Positions<robot_of<S>, T>& q,
                                                                  const Velocities<robot_of<S>, T>& qd,
                                                                  const EffortsOf<S, T>& tau,
-                                                                 const Inputs<S, T>& in = {}) {
-  static_assert(
-      every_joint_is_resisted<S>(),
-      "axial: forward dynamics needs every joint to move some mass, inertia or rotor; give the links outboard of "
-      "each joint a mass, an inertia about the joint axis, or rotor_inertia()");
+                                                                 const Inputs<S, T>& in = no_inputs<S, T>()) {
+  constexpr int joint = unresisted_joint<S>();
+  static_assert(every_joint_moves_mass_but<joint>, AXIAL_JOINTS_MOVE_MASS);
+  detail::check_solvable<scene_of<S>, T>();
   ForwardDynamicsOf<S, T> result{};
   const detail::StateCheck<S, T> check(in, q, qd);
   result.status = detail::solve<detail::route_over<S, T>, scene_of<S>, T>(in, q, qd, tau, result);
@@ -88,12 +101,14 @@ template <class S, class T>
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr ForwardDynamicsOf<M, T> forward_dynamics(const Model<N, F...>& model, const Positions<M, T>& q,
                                                                  const Velocities<M, T>& qd, const Efforts<M, T>& tau,
-                                                                 const Inputs<M, T>& in = {}) {
+                                                                 const Inputs<M, T>& in = no_inputs<M, T>()) {
   ForwardDynamicsOf<M, T> result{};
   const auto links = model.template links<T>();
-  const auto asked = detail::collected_request(links, in, q, qd);
-  const auto solved = detail::solve_model<detail::model_route<scene_of<M>>>(links, in, q, qd, tau, result);
-  result.status = detail::sound_status(links, asked, result, solved);
+  if constexpr (!is_refused<std::decay_t<decltype(links)>>) {
+    const auto asked = detail::collected_request(links, in, q, qd);
+    const auto solved = detail::solve_model<detail::model_route<scene_of<M>>>(links, in, q, qd, tau, result);
+    result.status = detail::sound_status(links, asked, result, solved);
+  }
   return result;
 }
 

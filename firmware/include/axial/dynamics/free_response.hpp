@@ -2,13 +2,13 @@
 // structure serves any number of drives.
 #pragma once
 
-#include <axial/dynamics/forward_result.hpp>
-#include <axial/dynamics/joint_screws.hpp>
-#include <axial/dynamics/loads.hpp>
-#include <axial/dynamics/reflection.hpp>
-#include <axial/dynamics/stages.hpp>
-#include <axial/dynamics/water.hpp>
-#include <axial/spatial/congruence.hpp>
+#include <axial/base/water.hpp>
+#include <axial/recursion/forward_result.hpp>
+#include <axial/recursion/joint_screws.hpp>
+#include <axial/recursion/loads.hpp>
+#include <axial/recursion/reflection.hpp>
+#include <axial/recursion/stages.hpp>
+#include <axial/spatial/articulated_congruence.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -52,7 +52,7 @@ struct AtRest {
   R inverse{};     ///< 1 / D
   B singular{};    ///< whether D is lost in rounding
   L left{};        ///< whether anything is left of D: the joint is held if not
-  W sent{};        ///< weight that its parent bears, in the parent's frame
+  W on_parent{};   ///< weight that its parent bears, in the parent's frame
 };
 template <class K, class D, class R, class B, class L, class W>
 AtRest(K, D, R, B, L, W) -> AtRest<K, D, R, detail::Decided<B>, L, W>;
@@ -97,10 +97,10 @@ AXIAL_INLINE constexpr auto structure_at_rest(const Links& links, const Input& i
   auto reflect = [&](auto joint, auto i, const auto& link, const auto& tree) AXIAL_INLINE {
     auto x = link.x_inboard();
     auto h = hinge(joint, link, tree.inertia, singularity_scale(joint, tree.scale));
-    SubtreeInertia sent{to_parent(x, to_parent(screws[i], h.inertia, link), link.outer()),
-                        seen_from(tree.scale, shift_length(x) + shift_length(screws[i]))};
-    return AtRest{link.shape(h.gain), link.shape(h.resistance), link.shape(h.inverse), h.singular, h.left,
-                  link.shape(sent)};
+    SubtreeInertia on_parent{to_parent(x, to_parent(screws[i], h.inertia, link), link.outer()),
+                             seen_from(tree.scale, shift_length(x) + shift_length(screws[i]))};
+    return AtRest{link.shape(h.gain),   link.shape(h.resistance), link.shape(h.inverse), h.singular, h.left,
+                  link.shape(on_parent)};
   };
   if constexpr (detail::stages_apart<Links>) {
     return detail::called([&]() AXIAL_INLINE {  // a frame of its own holds what parents bear
@@ -118,9 +118,9 @@ AXIAL_INLINE constexpr auto structure_at_rest(const Links& links, const Input& i
 /// What the outward pass needs of a joint's drive, and what the parent gets.
 template <class U, class B, class F>
 struct Driven {
-  U free{};  ///< u / D, rad/s^2 or m/s^2
-  B lost{};  ///< whether D is lost, or the drive is beyond its format
-  F sent{};  ///< N m and N, on the parent, in its frame
+  U free{};       ///< u / D, rad/s^2 or m/s^2
+  B lost{};       ///< whether D is lost, or the drive is beyond its format
+  F on_parent{};  ///< N m and N, on the parent, in its frame
 };
 template <class U, class B, class F>
 Driven(U, B, F) -> Driven<U, B, F>;
@@ -144,9 +144,9 @@ AXIAL_INLINE constexpr auto respond(const Links& links, const Screws& screws, co
     Truth<T> lost = structure[i].singular;
     auto passed = passage(joint, link, structure[i], no_bias_products, force, drive[i], watch.magnified(), lost);
     auto turned = to_parent(screws[i], passed.bias, link);
-    auto sent = to_parent(link.x_inboard(), turned, link.outer());
-    watch(passed.bias, turned, sent, passed.free);
-    return Driven{link.shape(passed.free), lost, link.shape(sent)};
+    auto on_parent = to_parent(link.x_inboard(), turned, link.outer());
+    watch(passed.bias, turned, on_parent, passed.free);
+    return Driven{link.shape(passed.free), lost, link.shape(on_parent)};
   };
   auto forces = inward(links, nothing, ByJoint{links, pass});
   Ordinal<T> first = -1;

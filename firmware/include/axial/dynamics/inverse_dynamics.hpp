@@ -1,14 +1,15 @@
 // Inverse dynamics: joint efforts from the motion, by recursive Newton-Euler (RNEA) with successive axial screws.
 #pragma once
+#include <axial/scalar/language.hpp>
 
-#include <axial/dynamics/drives.hpp>
-#include <axial/dynamics/gyration.hpp>
-#include <axial/dynamics/joint_axis.hpp>
-#include <axial/dynamics/joint_screws.hpp>
-#include <axial/dynamics/loads.hpp>
-#include <axial/dynamics/moving_base.hpp>
-#include <axial/dynamics/water.hpp>
 #include <axial/links/run_time_model.hpp>
+#include <axial/recursion/drives.hpp>
+#include <axial/recursion/gyration.hpp>
+#include <axial/recursion/immersion.hpp>
+#include <axial/recursion/joint_axis.hpp>
+#include <axial/recursion/joint_screws.hpp>
+#include <axial/recursion/loads.hpp>
+#include <axial/recursion/moving_base.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -149,7 +150,7 @@ AXIAL_INLINE constexpr auto joint_effort(const Links& links, I i, const F& force
 
 /// Force of link i as its parent bears it, in the parent's frame.
 template <class Links, class Screws, class I, class F>
-AXIAL_INLINE constexpr auto sent_force(const Links& links, const Screws& screws, I i, const F& force) {
+AXIAL_INLINE constexpr auto force_on_parent(const Links& links, const Screws& screws, I i, const F& force) {
   auto link = links.link(i);
   return link.shape(to_parent(link.x_inboard(), to_parent(screws[i], force, link), link.outer()));
 }
@@ -157,7 +158,7 @@ AXIAL_INLINE constexpr auto sent_force(const Links& links, const Screws& screws,
 /// What the inward pass keeps of a link.
 template <class F>
 struct InwardResult {
-  F sent{};  ///< N m and N, on its parent, in the parent's frame
+  F on_parent{};  ///< N m and N, on its parent, in the parent's frame
 };
 template <class F>
 InwardResult(F) -> InwardResult<F>;
@@ -165,11 +166,11 @@ InwardResult(F) -> InwardResult<F>;
 /// The algorithm over any form of links and the screws at q; calls each(i, force, effort) for every joint, from the
 /// tips on, with what it bears.
 template <class Links, class Input, class Q, class Screws, class V, class A, class Each>
-AXIAL_INLINE constexpr void bear(const Links& links, const Input& in, const Q& q, const Screws& screws, const V& qd,
-                                 const A& qdd, const Each& each) {
+AXIAL_INLINE constexpr void propagate_inward(const Links& links, const Input& in, const Q& q, const Screws& screws,
+                                             const V& qd, const A& qdd, const Each& each) {
   static_assert(
       detail::rotors_included<std::conditional_t<Links::Scene::template has<RotorDynamics>, RotorDynamics, void>>,
-      "axial: rotors as bodies are a header of their own: add #include <axial/dynamics/rotor_dynamics.hpp>");
+      "axial: rotors as bodies are a header of their own: add #include <axial/transmissions/rotor_dynamics.hpp>");
   auto motions = link_motions(links, in, screws, qd, qdd);
   auto water = immersions(links, in, screws, qd);
   auto joint = [&](auto i, const auto& force) AXIAL_INLINE {
@@ -177,7 +178,7 @@ AXIAL_INLINE constexpr void bear(const Links& links, const Input& in, const Q& q
       each(i, force, joint_effort(links, i, force, q, qd, qdd) + effort_on_rotor(links, in, i, motions));
     else
       each(i, force, joint_effort(links, i, force, q, qd, qdd));
-    return InwardResult{sent_force(links, screws, i, force)};
+    return InwardResult{force_on_parent(links, screws, i, force)};
   };
   if constexpr (Links::Scene::template has<RotorDynamics>) {
     auto spins = rotor_spins(links, qd, qdd);
@@ -194,13 +195,15 @@ AXIAL_INLINE constexpr void bear(const Links& links, const Input& in, const Q& q
 template <class Links, class Input, class Q, class Screws, class V, class A, class Tau>
 AXIAL_INLINE constexpr void efforts(const Links& links, const Input& in, const Q& q, const Screws& screws, const V& qd,
                                     const A& qdd, Tau& tau) {
-  bear(links, in, q, screws, qd, qdd,
-       [&](auto i, const auto&, const auto& effort) AXIAL_INLINE { links.write(tau, i, effort); });
+  propagate_inward(links, in, q, screws, qd, qdd,
+                   [&](auto i, const auto&, const auto& effort) AXIAL_INLINE { links.write(tau, i, effort); });
 }
 /// Writes tau[i] for every joint from q itself, whatever the form in which joint values stand.
 template <class Links, class Input, class Q, class V, class A, class Tau>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Tau& tau) {
-  if constexpr (is_driven<Links>) {
+  if constexpr (is_refused<Links>) {
+    return;
+  } else if constexpr (is_driven<Links>) {
     DrivenKernels<Links>::efforts(links, in, q, qd, qdd, tau);
   } else {
     auto at = links.read(q);
@@ -220,25 +223,36 @@ template <class S, class T>
 [[nodiscard]] constexpr EffortsOf<S, T> inverse_dynamics(const Positions<robot_of<S>, T>& q,
                                                          const Velocities<robot_of<S>, T>& qd,
                                                          const Accelerations<robot_of<S>, T>& qdd,
-                                                         const Inputs<S, T>& in = {}) {
+                                                         const Inputs<S, T>& in = no_inputs<S, T>()) {
   EffortsOf<S, T> tau{};
   rnea::run(links_of<S, T, BaseParameters>(), in, q, qd, qdd, tau);
   return tau;
 }
 
-/// Gravity torque g(q) (with the tip wrench that the scene names): the effort that holds the robot still.
+namespace detail {
+/// g(q), of who has looked at what the chain says.
 template <class S, class T>
-[[nodiscard]] constexpr EffortsOf<S, T> gravity_torque(const Positions<robot_of<S>, T>& q,
-                                                       const Inputs<S, T>& in = {}) {
+constexpr EffortsOf<S, T> holding_torque(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in) {
   EffortsOf<S, T> tau{};
   rnea::run(links_of<S, T, BaseParameters>(), in, q, NoMotion{}, NoMotion{}, tau);
   return tau;
+}
+}  // namespace detail
+
+/// Gravity torque g(q) (with the tip wrench that the scene names): the effort that holds the robot still. Of a robot
+/// whose chain says which way gravity pulls.
+template <class S, class T>
+[[nodiscard]] AXIAL_INLINE constexpr EffortsOf<S, T> gravity_torque(const Positions<robot_of<S>, T>& q,
+                                                                    const Inputs<S, T>& in = no_inputs<S, T>()) {
+  static_assert(detail::says_gravity<S>(), AXIAL_GRAVITY_IS);
+  return detail::holding_torque<S>(q, in);
 }
 
 /// Bias torque c(q, qd) + g(q) [+ friction] - J^T wrench: the effort at zero acceleration.
 template <class S, class T>
 [[nodiscard]] constexpr EffortsOf<S, T> bias_torque(const Positions<robot_of<S>, T>& q,
-                                                    const Velocities<robot_of<S>, T>& qd, const Inputs<S, T>& in = {}) {
+                                                    const Velocities<robot_of<S>, T>& qd,
+                                                    const Inputs<S, T>& in = no_inputs<S, T>()) {
   EffortsOf<S, T> tau{};
   rnea::run(links_of<S, T, BaseParameters>(), in, q, qd, NoMotion{}, tau);
   return tau;
@@ -248,7 +262,7 @@ template <class S, class T>
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Efforts<M, T> inverse_dynamics(const Model<N, F...>& model, const Positions<M, T>& q,
                                                        const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,
-                                                       const Inputs<M, T>& in = {}) {
+                                                       const Inputs<M, T>& in = no_inputs<M, T>()) {
   Efforts<M, T> tau{};
   rnea::run(model.template links<T>(), in, q, qd, qdd, tau);
   return tau;
@@ -256,7 +270,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 /// Overload for a run-time model, in the looped form.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Efforts<M, T> gravity_torque(const Model<N, F...>& model, const Positions<M, T>& q,
-                                                     const Inputs<M, T>& in = {}) {
+                                                     const Inputs<M, T>& in = no_inputs<M, T>()) {
   Efforts<M, T> tau{};
   rnea::run(model.template links<T>(), in, q, NoMotion{}, NoMotion{}, tau);
   return tau;
@@ -264,7 +278,8 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 /// Overload for a run-time model, in the looped form.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Efforts<M, T> bias_torque(const Model<N, F...>& model, const Positions<M, T>& q,
-                                                  const Velocities<M, T>& qd, const Inputs<M, T>& in = {}) {
+                                                  const Velocities<M, T>& qd,
+                                                  const Inputs<M, T>& in = no_inputs<M, T>()) {
   Efforts<M, T> tau{};
   rnea::run(model.template links<T>(), in, q, qd, NoMotion{}, tau);
   return tau;

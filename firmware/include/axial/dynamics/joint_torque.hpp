@@ -1,5 +1,6 @@
 // The effort of one joint: what the links outboard of it need, and nothing of the other joints' efforts.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/inverse_dynamics.hpp>
 
@@ -39,7 +40,7 @@ struct Branch {
     if constexpr (C >= Links::capacity)
       return detail::NoLoad{};
     else if constexpr (Links::template parent_of<C> == I)
-      return detail::loaded(children<I, C + 1>(), sent_force(links, screws, Index<C>{}, force(Index<C>{})));
+      return detail::loaded(children<I, C + 1>(), force_on_parent(links, screws, Index<C>{}, force(Index<C>{})));
     else
       return children<I, C + 1>();
   }
@@ -50,7 +51,7 @@ struct Branch {
       total[i] = own(i);
     for (int i = links.size(); --i > joint;) {
       const int parent = links.parent_index(i);
-      if (parent >= joint) total[parent] = total[parent] + sent_force(links, screws, i, total[i]);
+      if (parent >= joint) total[parent] = total[parent] + force_on_parent(links, screws, i, total[i]);
     }
     return total[joint];
   }
@@ -79,16 +80,20 @@ AXIAL_INLINE constexpr auto effort_with_rotor(const Branch& branch, I i, const Q
 template <class Links, class Input, class I, class Q, class V, class A>
 AXIAL_INLINE constexpr auto run_joint(const Links& links, const Input& in, I joint, const Q& q, const V& qd,
                                       const A& qdd) {
-  auto screws = joint_screws(links, in, q);
-  auto motions = link_motions(links, in, screws, qd, qdd);
-  auto water = immersions(links, in, screws, qd);
-  const auto spins = spins_of(links, qd, qdd);
-  const Branch<Links, Input, decltype(screws), decltype(motions), decltype(water), decltype(spins)> branch{
-      links, in, screws, motions, water, spins};
-  if constexpr (Links::unrolled)
-    return effort_with_rotor(branch, joint, q, qd, qdd);
-  else
-    return effort_with_rotor(branch, int{joint}, q, qd, qdd);
+  if constexpr (is_refused<Links>) {
+    return links;
+  } else {
+    auto screws = joint_screws(links, in, q);
+    auto motions = link_motions(links, in, screws, qd, qdd);
+    auto water = immersions(links, in, screws, qd);
+    const auto spins = spins_of(links, qd, qdd);
+    const Branch<Links, Input, decltype(screws), decltype(motions), decltype(water), decltype(spins)> branch{
+        links, in, screws, motions, water, spins};
+    if constexpr (Links::unrolled)
+      return effort_with_rotor(branch, joint, q, qd, qdd);
+    else
+      return effort_with_rotor(branch, int{joint}, q, qd, qdd);
+  }
 }
 
 /// Whether a scene's robot has a joint of that index.
@@ -118,7 +123,8 @@ constexpr T joint_effort_of(const Inputs<S, T>& in, const Q& q, const V& qd, con
 /// effort there.
 template <class S, int Joint, class T>
 [[nodiscard]] constexpr T joint_torque(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
-                                       const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in = {}) {
+                                       const Accelerations<robot_of<S>, T>& qdd,
+                                       const Inputs<S, T>& in = no_inputs<S, T>()) {
   static_assert(rnea::has_joint<S, Joint>,
                 "axial: the robot has no such joint; joints are counted from 0, base outwards");
   if constexpr (rnea::has_joint<S, Joint>)  // else the message alone
@@ -128,7 +134,8 @@ template <class S, int Joint, class T>
 }
 /// Effort of one joint in gravity_torque: gravity_torque<Robot, 2>(q).
 template <class S, int Joint, class T>
-[[nodiscard]] constexpr T gravity_torque(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr T gravity_torque(const Positions<robot_of<S>, T>& q,
+                                         const Inputs<S, T>& in = no_inputs<S, T>()) {
   static_assert(rnea::has_joint<S, Joint>,
                 "axial: the robot has no such joint; joints are counted from 0, base outwards");
   if constexpr (rnea::has_joint<S, Joint>)
@@ -141,13 +148,13 @@ template <class S, int Joint, class T>
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr T joint_torque(const Model<N, F...>& model, int joint, const Positions<M, T>& q,
                                        const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,
-                                       const Inputs<M, T>& in = {}) {
+                                       const Inputs<M, T>& in = no_inputs<M, T>()) {
   return rnea::run_joint(model.template links<T>(), in, joint, q, qd, qdd);
 }
 /// Overload for a run-time model, 0 <= joint < model.size().
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr T gravity_torque(const Model<N, F...>& model, int joint, const Positions<M, T>& q,
-                                         const Inputs<M, T>& in = {}) {
+                                         const Inputs<M, T>& in = no_inputs<M, T>()) {
   return rnea::run_joint(model.template links<T>(), in, joint, q, NoMotion{}, NoMotion{});
 }
 

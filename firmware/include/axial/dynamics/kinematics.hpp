@@ -1,9 +1,10 @@
 // Forward kinematics and the geometric Jacobian.
 #pragma once
+#include <axial/scalar/language.hpp>
 
-#include <axial/dynamics/joint_screws.hpp>
-#include <axial/dynamics/position_soundness.hpp>
-#include <axial/dynamics/tool_pose.hpp>
+#include <axial/recursion/joint_screws.hpp>
+#include <axial/recursion/position_soundness.hpp>
+#include <axial/recursion/tool_pose.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -78,13 +79,21 @@ AXIAL_INLINE constexpr auto status_at(const Links& links, const Input& in, const
     for_each_link(links, [&](auto i) AXIAL_INLINE { detail::collect(all, numbers(i)); });
     (detail::collect(all, more), ...);
   }
-  return all.status();
+  auto status = all.status();
+  if constexpr (Links::Scene::template has<RuntimeTool> && is_number_v<typename Links::Scalar>) {
+    Soundness<typename Links::Scalar> tool;  // what is not finite behind a tool that is none is the tool's fault
+    detail::collect_tool<void>(tool, in.tool);
+    put_where(status, tool.is_beyond(), Status::Code::input_limit);
+  }
+  return status;
 }
 
 /// Writes the poses of all frames and of the tool.
 template <class Links, class Input, class Q, class Result>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Result& result) {
-  if constexpr (is_driven<Links>) {
+  if constexpr (is_refused<Links>) {
+    return;
+  } else if constexpr (is_driven<Links>) {
     run(links.joints(), in, links.positions(q), result);
   } else {
     auto poses = frames(links, in, links.read(q));
@@ -92,7 +101,6 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
     result.tool = links.stored(poses[links.last()] * tool_of(links, in));
     result.status = status_at(
         links, in, q, [&](auto i) { return result.frames[i].position; }, result.tool.position);
-    judge_tool(result.status, links, in);
   }
 }
 
@@ -123,7 +131,9 @@ AXIAL_INLINE constexpr void columns(const Links& links, const Poses& poses, K k,
 /// Columns for the tool's origin.
 template <class Links, class Input, class Q, class Result>
 AXIAL_INLINE constexpr void tool_columns(const Links& links, const Input& in, const Q& q, Result& jacobian) {
-  if constexpr (is_driven<Links>) {
+  if constexpr (is_refused<Links>) {
+    return;
+  } else if constexpr (is_driven<Links>) {
     Jacobian<typename Links::JointRobot, typename Links::Value> by_joints{};
     tool_columns(links.joints(), in, links.positions(q), by_joints);
     DrivenKernels<Links>::columns(links, by_joints, jacobian);
@@ -132,13 +142,14 @@ AXIAL_INLINE constexpr void tool_columns(const Links& links, const Input& in, co
     auto tool = poses[links.last()] * tool_of(links, in);
     columns(links, poses, links.last(), links.link(links.last()).sum(quantity::Length{}, tool.position), jacobian);
     jacobian.status = status_at(links, in, q, [&](auto i) { return jacobian[i]; });
-    judge_tool(jacobian.status, links, in);
   }
 }
 /// Columns for the origin of link k's frame.
 template <class Links, class Input, class K, class Q, class Result>
 AXIAL_INLINE constexpr void link_columns(const Links& links, const Input& in, K k, const Q& q, Result& jacobian) {
-  if constexpr (is_driven<Links>) {
+  if constexpr (is_refused<Links>) {
+    return;
+  } else if constexpr (is_driven<Links>) {
     Jacobian<typename Links::JointRobot, typename Links::Value> by_joints{};
     link_columns(links.joints(), in, k, links.positions(q), by_joints);
     DrivenKernels<Links>::columns(links, by_joints, jacobian);
@@ -157,8 +168,8 @@ AXIAL_INLINE constexpr void link_columns(const Links& links, const Input& in, K 
 /// In fixed point position_limit names the first slide beyond its limits, where formats wrap; input_limit,
 /// payload_limit. input_limit: a run-time tool is no frame, or more than a kilometre away.
 template <class S, class T>
-[[nodiscard]] constexpr ForwardKinematics<robot_of<S>, T> forward_kinematics(const Positions<robot_of<S>, T>& q,
-                                                                             const Inputs<S, T>& in = {}) {
+[[nodiscard]] constexpr ForwardKinematics<robot_of<S>, T> forward_kinematics(
+    const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = no_inputs<S, T>()) {
   ForwardKinematics<robot_of<S>, T> result{};
   kinematics::run(links_of<S, T, FullParameters, recursion::Kinematics>(), in, q, result);
   detail::PositionCheck<S, T>::name(result.status, in, q);
@@ -168,7 +179,7 @@ template <class S, class T>
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr ForwardKinematics<M, T> forward_kinematics(const Model<N, F...>& model,
                                                                    const Positions<M, T>& q,
-                                                                   const Inputs<M, T>& in = {}) {
+                                                                   const Inputs<M, T>& in = no_inputs<M, T>()) {
   ForwardKinematics<M, T> result{};
   kinematics::run(model.template links<T>(), in, q, result);
   return result;
@@ -179,7 +190,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 /// status is that of forward_kinematics().
 template <class S, class T>
 [[nodiscard]] constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q,
-                                                          const Inputs<S, T>& in = {}) {
+                                                          const Inputs<S, T>& in = no_inputs<S, T>()) {
   Jacobian<robot_of<S>, T> result{};
   kinematics::tool_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, q, result);
   detail::PositionCheck<S, T>::name(result.status, in, q);
@@ -188,11 +199,13 @@ template <class S, class T>
 /// Jacobian for the origin of one link's frame, such as the other hand of a tree: jacobian<Robot, 3>(q).
 template <class S, int Link, class T>
 [[nodiscard]] constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q,
-                                                          const Inputs<S, T>& in = {}) {
-  static_assert(Link >= 0 && Link < link_count<S>,
-                "axial: the robot has no such link; links are counted from 0, base outwards");
+                                                          const Inputs<S, T>& in = no_inputs<S, T>()) {
+  constexpr bool there = Link >= 0 && Link < link_count<S>;
+  static_assert(there, "axial: the robot has no such link; links are counted from 0, base outwards");
   Jacobian<robot_of<S>, T> result{};
-  if constexpr (scene_of<S>::template has<Looped>)
+  if constexpr (!there)
+    return result;  // the message alone
+  else if constexpr (scene_of<S>::template has<Looped>)
     kinematics::link_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, Link, q, result);
   else
     kinematics::link_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, Index<Link>{}, q, result);
@@ -202,7 +215,7 @@ template <class S, int Link, class T>
 /// Overload for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, const Positions<M, T>& q,
-                                                const Inputs<M, T>& in = {}) {
+                                                const Inputs<M, T>& in = no_inputs<M, T>()) {
   Jacobian<M, T> result{};
   kinematics::tool_columns(model.template links<T>(), in, q, result);
   return result;
@@ -210,7 +223,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 /// Jacobian for the origin of a link's frame of a run-time model, 0 <= link < model.size().
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, int link, const Positions<M, T>& q,
-                                                const Inputs<M, T>& in = {}) {
+                                                const Inputs<M, T>& in = no_inputs<M, T>()) {
   Jacobian<M, T> result{};
   kinematics::link_columns(model.template links<T>(), in, link, q, result);
   return result;

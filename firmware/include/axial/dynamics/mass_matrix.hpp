@@ -1,9 +1,10 @@
 // Joint-space mass matrix by composite rigid bodies (CRBA) with successive axial screws.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/inverse_dynamics.hpp>
-#include <axial/dynamics/reflection.hpp>
-#include <axial/spatial/congruence.hpp>
+#include <axial/recursion/reflection.hpp>
+#include <axial/spatial/articulated_congruence.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -39,8 +40,8 @@ namespace crba {
 /// and as its parent bears it.
 template <class B, class P>
 struct InwardResult {
-  B turned{};  ///< beyond its joint
-  P sent{};    ///< in the parent's frame
+  B turned{};     ///< beyond its joint
+  P on_parent{};  ///< in the parent's frame
 };
 template <class B, class P>
 InwardResult(B, P) -> InwardResult<B, P>;
@@ -87,7 +88,7 @@ template <class Links, class I, class J, class F>
 AXIAL_INLINE constexpr auto at_link(const Links& links, I i, J j, const F& force) {
   static_assert(
       detail::rotors_included<std::conditional_t<Links::Scene::template has<RotorDynamics>, RotorDynamics, void>>,
-      "axial: rotors as bodies are a header of their own: add #include <axial/dynamics/rotor_dynamics.hpp>");
+      "axial: rotors as bodies are a header of their own: add #include <axial/transmissions/rotor_dynamics.hpp>");
   if constexpr (Links::Scene::template has<RotorDynamics>)
     return with_rotor(links, i, j, force);
   else
@@ -128,7 +129,7 @@ AXIAL_INLINE constexpr auto composite_bodies(const Links& links, const Input& in
   return inward(links, own, [&](auto i, const auto& body) AXIAL_INLINE {
     auto link = links.link(i);
     auto turned = link.shape(to_parent(screws[i], body, link));
-    return InwardResult{turned, link.shape(to_parent(link.x_inboard(), felt_inboard(turned), link.outer()))};
+    return InwardResult{turned, link.shape(to_parent(link.x_inboard(), inboard_part(turned), link.outer()))};
   });
 }
 
@@ -150,7 +151,9 @@ AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const S
 /// Writes the mass matrix from q itself, whatever the form in which joint values stand.
 template <class Links, class Input, class Q, class Matrix>
 AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Matrix& m) {
-  if constexpr (is_driven<Links>)
+  if constexpr (is_refused<Links>)
+    return;
+  else if constexpr (is_driven<Links>)
     DrivenKernels<Links>::matrix_at(links, in, q, m);
   else
     entries(links, in, joint_screws(links, in, links.read(q)), m);
@@ -163,7 +166,7 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
 /// Table II; underwater with added mass, as 6x6 inertias (Table II, symmetric 6x6). In: q (rad or m). Out: M(i, j).
 template <class S, class T>
 [[nodiscard]] constexpr MassMatrixOf<S, T> mass_matrix(const Positions<robot_of<S>, T>& q,
-                                                       const Inputs<S, T>& in = {}) {
+                                                       const Inputs<S, T>& in = no_inputs<S, T>()) {
   MassMatrixOf<S, T> m{};
   crba::run(links_of<S, T, BaseParameters, recursion::CompositeBodies>(), in, q, m);
   return m;
@@ -171,7 +174,7 @@ template <class S, class T>
 /// Overload for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr MassMatrix<M, T> mass_matrix(const Model<N, F...>& model, const Positions<M, T>& q,
-                                                     const Inputs<M, T>& in = {}) {
+                                                     const Inputs<M, T>& in = no_inputs<M, T>()) {
   MassMatrix<M, T> m{};
   crba::run(model.template links<T>(), in, q, m);
   return m;

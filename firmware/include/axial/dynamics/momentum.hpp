@@ -1,8 +1,9 @@
 // Momenta of the joints and what changes them besides the drives, without accelerations: C^T qd and no matrix.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/inverse_dynamics.hpp>
-#include <axial/dynamics/position_soundness.hpp>
+#include <axial/recursion/position_soundness.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -70,7 +71,7 @@ AXIAL_INLINE constexpr void hold(const Links& links, const Input& in, const Q& q
   auto own = [&](auto i) AXIAL_INLINE { return rnea::own_force(links, in, motions, water, i); };
   inward(links, own, [&](auto i, const auto& force) AXIAL_INLINE {
     links.write(tau, i, rnea::joint_effort(links, i, force, q, qd, none));
-    return rnea::InwardResult{rnea::sent_force(links, screws, i, force)};
+    return rnea::InwardResult{rnea::force_on_parent(links, screws, i, force)};
   });
 }
 
@@ -88,7 +89,7 @@ AXIAL_INLINE constexpr void carry(const Links& links, const Input& in, const Scr
     link.on_joint([&](auto joint) AXIAL_INLINE {
       links.write_difference(terms.drift, i, kinetic_slope(joint, motions[i], h), holding[i]);
     });
-    return rnea::InwardResult{rnea::sent_force(links, screws, i, h)};
+    return rnea::InwardResult{rnea::force_on_parent(links, screws, i, h)};
   });
 }
 
@@ -98,7 +99,6 @@ AXIAL_INLINE constexpr auto status_of(const Links& links, const Input& in, const
                                       const Terms& terms) {
   Soundness<typename Links::Scalar> all;
   detail::judge_positions(all, links, in, q);
-  detail::collect_inputs<typename Links::Scene>(all, in);
   for_each_link(links, [&](auto i) AXIAL_INLINE {
     all.number(qd[i]), all.number(terms.momentum[i]), all.number(terms.drift[i]);
   });
@@ -118,11 +118,10 @@ AXIAL_INLINE constexpr void run_drives(const Holding& at_rest, const Links& link
   MomentumTerms<typename Links::JointScene, typename Links::Value> at_joints{};
   run(at_rest.joints(), links.joints(), in, q, links.rates(ud), at_joints);
   const auto speeds = links.read_drives(ud);
-  const auto momenta = links.felt_by_drives(at_joints.momentum);
-  const auto drifts = links.felt_by_drives(at_joints.drift);
+  const auto momenta = links.actuator_efforts(at_joints.momentum);
+  const auto drifts = links.actuator_efforts(at_joints.drift);
   Soundness<typename Links::Scalar> all;
   detail::judge_positions(all, links.joints(), in, q);
-  detail::collect_inputs<typename Links::JointScene>(all, in);
   links.each_drive([&](auto k) AXIAL_INLINE {
     const auto drive = links.drives().link(k);
     links.answer(terms.momentum, k, momenta, drive.rotor() * speeds[k]);
@@ -132,17 +131,27 @@ AXIAL_INLINE constexpr void run_drives(const Holding& at_rest, const Links& link
   terms.status = all.status();
 }
 
+/// Whether momenta are those of the joints alone; where not, calls say so, and nothing else is said.
+template <class Scene>
+inline constexpr bool has_momenta =
+    !base_moves<Scene> && !Scene::template has<Underwater> && !Scene::template has<RotorDynamics>;
+/// Says it, once for a scene. In fixed point Inputs have said it.
+template <class Scene, bool words>
+constexpr auto check_momenta() {
+  static_assert(words || (!base_moves<Scene> && !Scene::template has<Underwater>),
+                "axial: momenta are those of a robot on a fixed base in air; take BaseMotion, FloatingBase and "
+                "Underwater out of this scene");
+  static_assert(words || !Scene::template has<RotorDynamics>,
+                "axial: momenta have no rotors as bodies; take RotorDynamics out of this scene");
+}
+
 /// Momenta and drifts over the links of RNEA and of momenta, which differ where links have formats.
 template <class Holding, class Links, class Input, class Q, class V, class Terms>
 AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, const Input& in, const Q& q, const V& qd,
                                 Terms& terms) {
-  using Scene = typename Links::Scene;
-  static_assert(!base_moves<Scene> && !Scene::template has<Underwater>,
-                "axial: momenta are those of a robot on a fixed base in air; take BaseMotion, FloatingBase and "
-                "Underwater out of this scene");
-  static_assert(!Scene::template has<RotorDynamics>,
-                "axial: momenta have no rotors as bodies; take RotorDynamics out of this scene");
-  if constexpr (is_driven<Links>) {
+  if constexpr (is_refused<Links> || !has_momenta<typename Links::Scene>) {
+    return;
+  } else if constexpr (is_driven<Links>) {
     run_drives(at_rest, links, in, q, qd, terms);
   } else {
     auto at = at_rest.read(q);
@@ -167,7 +176,8 @@ AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, cons
 template <class S, class T>
 [[nodiscard]] constexpr MomentumTerms<S, T> momentum_terms(const Positions<robot_of<S>, T>& q,
                                                            const Velocities<robot_of<S>, T>& qd,
-                                                           const Inputs<S, T>& in = {}) {
+                                                           const Inputs<S, T>& in = no_inputs<S, T>()) {
+  momentum::check_momenta<scene_of<S>, detail::is_word<T>>();
   MomentumTerms<S, T> terms{};
   momentum::run(links_of<S, T, BaseParameters>(), links_of<S, T, BaseParameters, recursion::Momenta>(), in, q, qd,
                 terms);
@@ -177,7 +187,9 @@ template <class S, class T>
 /// Overload for a run-time model.
 template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr MomentumTerms<M, T> momentum_terms(const Model<N, F...>& model, const Positions<M, T>& q,
-                                                           const Velocities<M, T>& qd, const Inputs<M, T>& in = {}) {
+                                                           const Velocities<M, T>& qd,
+                                                           const Inputs<M, T>& in = no_inputs<M, T>()) {
+  momentum::check_momenta<scene_of<M>, detail::is_word<T>>();
   MomentumTerms<M, T> terms{};
   const auto& links = model.template links<T>();
   momentum::run(links, links, in, q, qd, terms);

@@ -63,7 +63,7 @@ constexpr RouteCost unrolled_cost() {
   return cost;
 }
 
-/// Whether articulated bodies over clusters cost less where joints share drives: dynamics/shared_drives.hpp.
+/// Whether articulated bodies over clusters cost less where joints share drives: transmissions/shared_drives.hpp.
 template <class Scene>
 constexpr bool clusters_cost_less();
 

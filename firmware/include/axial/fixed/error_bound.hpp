@@ -1,11 +1,12 @@
 // How far a result in fixed point can be from the exact one: known to the compiler, usable in a static_assert.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/algorithm.hpp>
 #include <axial/fixed/closed_form/scara.hpp>
-#include <axial/fixed/driven_forward_error.hpp>
 #include <axial/fixed/links/fixed_links.hpp>
-#include <axial/fixed/shared_drives_error.hpp>
+#include <axial/fixed/transmissions/driven_forward_error.hpp>
+#include <axial/fixed/transmissions/shared_drives_error.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -74,8 +75,9 @@ using Bounds = ErrorBound<joint_count<S>>;
 /// Refuses what fixed point does not compute: nothing is certified of it.
 template <class S, class Recursion>
 constexpr void check_bound() {
-  check_fixed_scene<scene_of<S>>();
-  check_fixed_form<scene_of<S>, Recursion>();
+  check_fixed_scene<scene_of<S>, std::int32_t>();
+  static_cast<void>(sizeof(Inputs<S, Fixed32>));
+  Forms<scene_of<S>, Fixed32>::template check<said_as<Recursion>>();
 }
 
 /// Errors of separated terms, as Separated has the terms.

@@ -12,15 +12,21 @@ namespace detail {
 /// A robot whose only link is the base body of another, so that one view serves both.
 template <class Robot>
 struct BaseBodyOf {
-  static_assert(Robot::chain.has_base_body,
-                "axial: FloatingBase needs the inertia of the body that floats; add axial::base_body().mass(kg).com(x, "
-                "y, z).inertia_com(...) to the robot's chain");
   static constexpr auto chain = [] {
     Chain<1> body;
     body.links[0] = Robot::chain.base_body;
     return body;
   }();
 };
+
+/// Whether a body that floats is declared.
+template <class Robot>
+constexpr auto check_base_body() {
+  if constexpr (is_described<Robot>)
+    static_assert(Robot::chain.has_base_body,
+                  "axial: FloatingBase needs the inertia of the body that floats; add "
+                  "axial::base_body().mass(kg).com(x, y, z).inertia_com(...) to the robot's chain");
+}
 
 template <class Scene, class Robot>
 struct SceneOnRobot;

@@ -1,11 +1,11 @@
 // What all links of a table have in common: in the looped form such a constant is a type as well.
 #pragma once
 
-#include <cstddef>
-#include <limits>
-
 #include <axial/links/base_parameters.hpp>
 #include <axial/links/link_constants.hpp>
+
+#include <cstddef>
+#include <limits>
 
 #include <axial/options/begin.hpp>
 

@@ -2,9 +2,9 @@
 // neither Friction nor JointSprings holds none of it.
 #pragma once
 
-#include <cstddef>
-
 #include <axial/robot/chain_parameters.hpp>
+
+#include <cstddef>
 
 #include <axial/options/begin.hpp>
 

@@ -1,14 +1,14 @@
 // How an algorithm sees a link: through constants known to the compiler (unrolled) or through a table (looped).
 #pragma once
 
-#include <utility>
-
 #include <axial/links/base_parameters.hpp>
 #include <axial/links/drive_constants.hpp>
 #include <axial/links/link_constants.hpp>
 #include <axial/scalar/rounding.hpp>
 #include <axial/scene/joints.hpp>
 #include <axial/spatial/branch_screw.hpp>
+
+#include <utility>
 
 #include <axial/options/begin.hpp>
 

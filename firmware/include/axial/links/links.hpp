@@ -232,6 +232,32 @@ struct KnowsDrives {
                 "axial::JointCoordinates<Robot> with joint_positions<Robot>(u) and map efforts by drive_efforts()");
 };
 
+/// Stand for the links of what a number system has refused: kernels do nothing with them and answer anything, so that
+/// nothing more is said.
+template <class SceneType>
+struct RefusedLinks {
+  using Scene = SceneType;  ///< what was refused
+  /// Any answer.
+  template <class Any>
+  constexpr operator Any() const {
+    return {};
+  }
+};
+template <class Links>
+inline constexpr bool is_refused = false;  ///< whether links are such ones
+template <class Scene>
+inline constexpr bool is_refused<RefusedLinks<Scene>> = true;  ///< they are
+
+namespace detail {
+/// What a number system refuses of a recursion over a scene. Calls say it first, before links do; at once, for a
+/// function whose result is deduced is looked into where it is called.
+template <class Scene, class Number>
+struct Forms {
+  template <class Recursion>
+  static constexpr auto check() {}
+};
+}  // namespace detail
+
 /// The door for number systems: what kernels of a recursion walk over for a scene and numbers T. Here for numbers that
 /// carry their own scale; a number system with formats specialises it.
 template <class Scene, class Number, class Parameters, class Recursion>
@@ -240,7 +266,7 @@ struct LinksOf {
   using Robot = typename Scene::Robot;                  ///< of the scene
 
   static_assert(!detail::shares_drives_in<Robot>,
-                "axial: joints of this robot share drives: add #include <axial/dynamics/shared_drives.hpp>");
+                "axial: joints of this robot share drives: add #include <axial/transmissions/shared_drives.hpp>");
   /// the links, in the form that the scene asks for
   AXIAL_INLINE static constexpr auto links() {
     if constexpr (Scene::template has<Looped>) {

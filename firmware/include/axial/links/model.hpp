@@ -1,9 +1,11 @@
 // A robot that is described at run time: for tests, reports, import and plants on the host.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/links/links.hpp>
 #include <axial/links/rotors.hpp>
 #include <axial/links/run_time_model.hpp>
+#include <axial/links/water_constants.hpp>
 #include <axial/robot/base_body.hpp>
 
 #include <axial/options/begin.hpp>
@@ -105,7 +107,10 @@ class Model {
   /// The links over numbers T, as algorithms walk over them; they refer to the model.
   template <class T>
   constexpr auto links() const {
-    return shared_.template links<T>(*this);
+    if constexpr (detail::is_word<T>)
+      return RefusedLinks<Scene>{};  // Inputs say it
+    else
+      return shared_.template links<T>(*this);
   }
 
  private:

@@ -19,9 +19,7 @@ struct IsModel<Model<N, Features...>> : std::true_type {};
 
 namespace detail {
 template <int N, class... Features>
-struct SceneOf<Model<N, Features...>> {
-  using type = typename Model<N, Features...>::Scene;
-};
+struct SceneOf<Model<N, Features...>> : SceneOf<typename Model<N, Features...>::Scene> {};
 }  // namespace detail
 
 }  // namespace axial

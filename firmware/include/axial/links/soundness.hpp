@@ -20,12 +20,22 @@ inline constexpr double largest_angles<double> = 524288.0;
 namespace detail {
 template <class T>
 AXIAL_INLINE constexpr std::uint32_t upper_word(const T& x) {
-  using Bits = typename BitsOf<T>::type;
+  using Bits = typename detail::BitsOf<T>::type;
   return static_cast<std::uint32_t>(__builtin_bit_cast(Bits, x) >> (8 * sizeof(T) - 32));
 }
 // All ones where the sign bit is set.
 AXIAL_INLINE constexpr std::uint32_t spread_sign(std::uint32_t x) {
   return static_cast<std::uint32_t>(static_cast<std::int32_t>(x) >> 31);
+}
+
+// 0 where x is finite, else infinity.
+template <class T>
+AXIAL_INLINE constexpr T infinite_where_not_finite(const T& x) {
+  using Bits = typename detail::BitsOf<T>::type;
+  constexpr std::uint32_t infinite = upper_word(std::numeric_limits<T>::infinity()),
+                          lowest = infinite & (0U - infinite);
+  const std::uint32_t all = spread_sign((upper_word(x) & infinite) + lowest) & infinite;
+  return __builtin_bit_cast(T, static_cast<Bits>(static_cast<Bits>(all) << (8 * sizeof(T) - 32)));
 }
 
 }  // namespace detail
@@ -68,7 +78,8 @@ class Soundness {
   /// Looks at nothing.
   template <class Kind, class X>
   AXIAL_INLINE constexpr void position(Kind, const X&) {}
-  AXIAL_INLINE constexpr StatusOf<T> status() const { return {}; }  ///< always ok
+  AXIAL_INLINE constexpr StatusOf<T> status() const { return {}; }      ///< always ok
+  AXIAL_INLINE constexpr StatusOf<T> of_numbers() const { return {}; }  ///< always ok
 };
 
 /// float and double, and batches of them.
@@ -82,16 +93,46 @@ class Soundness<T, std::enable_if_t<std::is_floating_point_v<Lane<T>> && sizeof(
   AXIAL_INLINE constexpr void number(Zero) {}                                 ///< zero by type is a number
   AXIAL_INLINE constexpr void position(Revolute, const T& q) { angle(q); }    ///< of a revolute joint, rad
   AXIAL_INLINE constexpr void position(Prismatic, const T& q) { number(q); }  ///< of a prismatic joint, m
+  /// Whether a run-time input is beyond its range.
+  AXIAL_INLINE constexpr void range(const Truth<T>& beyond) { beyond_ = beyond_ | beyond; }
+  /// What was looked at of a payload.
+  AXIAL_INLINE constexpr void load(const Soundness& body) {
+    others_ = others_ + body.others_, load_ = load_ | body.beyond_;
+  }
+  /// Whether an input is beyond its range, or NaN.
+  [[nodiscard]] AXIAL_INLINE constexpr Truth<T> is_beyond() const { return beyond_; }
+  /// Whether a payload is, likewise.
+  [[nodiscard]] AXIAL_INLINE constexpr Truth<T> is_load_beyond() const { return load_; }
 
-  /// ok; not_finite where one of the numbers is NaN or infinite; angle_range where the angles are too large. Names no
-  /// joint.
+  /// ok; not_finite where one of the numbers is NaN or infinite; angle_range where the angles are too large or a pair
+  /// is none; payload_limit, input_limit where an input is beyond its range. Names no joint.
   [[nodiscard]] AXIAL_INLINE constexpr StatusOf<T> status() const {
-    return soundness_of(angles_ + absolute_of(others_ - others_));  // the latter is 0 or NaN
+    StatusOf<T> ranges{};
+    put_where(ranges, beyond_, Status::Code::input_limit);
+    put_where(ranges, load_, Status::Code::payload_limit);
+    return first_trouble(of_numbers(), ranges);
+  }
+  /// The same where there are no run-time inputs.
+  [[nodiscard]] AXIAL_INLINE constexpr StatusOf<T> of_numbers() const {
+    return soundness_of(angles_ + absolute_of(of_others()));
   }
 
  private:
   // -0 is what an addition leaves as it is; +0 would turn -0 into +0, so that compilers keep the addition.
   T angles_ = T(Lane<T>(-0.0)), others_ = T(Lane<T>(-0.0));
+  Truth<T> beyond_ = false, load_ = false;
+  /// 0, or none where the sum is NaN or infinite. By bits for Clang, which takes x - x for 0 where it may regroup sums,
+  /// and (x 2^k) 0 for x 0.
+  [[nodiscard]] AXIAL_INLINE constexpr T of_others() const {
+#ifdef __clang__
+    if constexpr (std::is_floating_point_v<T>)
+      return detail::infinite_where_not_finite(others_);
+    else
+      return others_ * T(0);
+#else
+    return others_ - others_;
+#endif
+  }
 };
 
 }  // namespace axial

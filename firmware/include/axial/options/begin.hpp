@@ -8,6 +8,9 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored \
     "-Wsign-conversion"  // GCC 12 warns of each array that is as long as a template's int says
+#ifndef AXIAL_WARN_SHADOW
+#pragma GCC diagnostic ignored "-Wshadow"  // a parameter q is no mistake where the user's q is a global
+#endif
 #ifndef AXIAL_USER_OPTIONS
 #pragma GCC push_options
 #ifdef __NO_INLINE__
@@ -17,5 +20,12 @@
 #ifndef __ARM_ARCH_6M__
 #pragma GCC optimize("live-range-shrinkage")  // on a Cortex-M0 it makes fixed point spill
 #endif
+#pragma GCC optimize("no-unsafe-math-optimizations", "no-finite-math-only", "signed-zeros")
+#pragma GCC optimize("no-associative-math", "no-reciprocal-math")
+#elif __FINITE_MATH_ONLY__
+#define AXIAL_OPTIONS_SET_BACK
+#pragma GCC push_options
+#pragma GCC optimize("no-unsafe-math-optimizations", "no-finite-math-only", "signed-zeros")
+#pragma GCC optimize("no-associative-math", "no-reciprocal-math")
 #endif
 #endif

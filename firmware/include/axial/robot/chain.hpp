@@ -1,5 +1,6 @@
 // A robot's chain: gravity, links, base and tool, checked while it compiles.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/robot/malformed.hpp>  // first: few lines of includes before what the compiler quotes of it
 
@@ -70,7 +71,11 @@ inline constexpr bool accepts = (false || ... || std::is_same_v<Parts, Acceptanc
 template <int N>
 struct ChainBuilder {
   bool accepted = false;  ///< the whole robot, as published
-  Chain<N> chain{};
+  Chain<N> chain = [] {
+    Chain<N> none{};
+    none.says_gravity = false;
+    return none;
+  }();
   int next = 0;
   Broken broken{};
   unsigned once = 0;  ///< a bit for each kind of part, in the order of Problem's "twice"
@@ -100,7 +105,7 @@ struct ChainBuilder {
   constexpr void add(const GravityVector& g) {
     const bool sound = finite(g.x) && finite(g.y) && finite(g.z);
     note_part(sound ? Problem::none : Problem::gravity_is_not_finite, Problem::gravity_is_given_twice);
-    chain.gravity = g;
+    chain.gravity = g, chain.says_gravity = true;
   }
   constexpr void add(const Base& base) {
     note_part(pose_problem(base.pose), Problem::base_is_given_twice,
@@ -133,7 +138,8 @@ struct ChainBuilder {
   }
   constexpr void add(const BaseBody& body) {
     note_part(Problem::none, Problem::base_body_is_given_twice);
-    note(Broken::base_body, link_problem(body.parameters(), body.given(), 0, accepted));
+    note(Broken::base_body,
+         link_problem(body.parameters(), body.given(), 0, accepted, (std::numeric_limits<double>::max)()));
     chain.base_body = body.parameters();
     chain.has_base_body = true;
   }
@@ -176,19 +182,20 @@ constexpr auto chain(const Parts&... parts) {
 }
 
 namespace detail {
-/// What kernels compute with where chain() has stopped the compiler, so that nothing more is said: as many links that
-/// have every limit.
+/// As many links that have every limit.
+template <class Chain>
+constexpr Chain with_every_limit(Chain sound) {
+  for (LinkParameters& p : sound.links)
+    p.mass = p.inertia_com[0] = p.inertia_com[1] = p.inertia_com[2] = p.speed_limit = p.acceleration_limit = 1.0,
+    p.position_min = -1.0, p.position_max = p.effort_limit = 1.0;
+  sound.payload_limit = {1.0, 1.0, 1.0, true}, sound.tip_wrench_limit = {1.0, 1.0, true};
+  sound.tool_limit = {1.0, true}, sound.says_gravity = true;
+  return sound;
+}
+/// What kernels compute with where chain() has stopped the compiler, so that nothing more is said.
 template <class R>
 struct StandIn {
-  static constexpr auto chain = [] {
-    std::decay_t<decltype(R::chain)> sound{};
-    for (LinkParameters& p : sound.links)
-      p.mass = p.inertia_com[0] = p.inertia_com[1] = p.inertia_com[2] = p.speed_limit = p.acceleration_limit = 1.0,
-      p.position_min = -1.0, p.position_max = p.effort_limit = 1.0;
-    sound.payload_limit = {1.0, 1.0, 1.0, true}, sound.tip_wrench_limit = {1.0, 1.0, true};
-    sound.tool_limit = {1.0, true};
-    return sound;
-  }();
+  static constexpr auto chain = with_every_limit(std::decay_t<decltype(R::chain)>{});
 };
 }  // namespace detail
 

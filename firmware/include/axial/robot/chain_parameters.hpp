@@ -65,6 +65,7 @@ struct Chain {
   static constexpr int size = N;      ///< number of links and of joints
   LinkParameters links[N] = {};       ///< from the base outwards
   GravityVector gravity{};            ///< m/s^2, axes of frame 0
+  bool says_gravity = true;           ///< whether it was declared, of what chain() built
   Base base{};                        ///< pose of frame 0 in the world
   Tool tool{};                        ///< pose of the tool in the last link's frame
   PayloadLimit payload_limit{};       ///< of a run-time payload

@@ -1,5 +1,6 @@
 // Robots written in classical (distal, standard) Denavit-Hartenberg frames, turned into MDH chains by the compiler.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/robot/chain.hpp>
 

@@ -18,6 +18,7 @@ namespace bound {
 inline constexpr double length = 100.0;          // m
 inline constexpr double position = 1000.0;       // rad
 inline constexpr double turn = 6.2831853071796;  // rad, rounded up: 360 degrees are one turn
+inline constexpr double mass = 1000.0;           // kg
 inline constexpr double inertia_defect = 0.05;   // share by which published tensors miss what bodies have
 }  // namespace bound
 
@@ -194,19 +195,24 @@ constexpr Problem inertia_problem(const LinkParameters& p, const Given& given) {
 }
 
 /// Numbers that no robot has, unless they are accepted as published.
-constexpr Problem doubtful_problem(const LinkParameters& p, const Given& given) {
-  const Problem found[] = {twice_problem(given.twice, Problem::a_is_given_twice), length_problem(p), turn_problem(p),
-                           range_problem(p), inertia_problem(p, given)};
+constexpr Problem doubtful_problem(const LinkParameters& p, const Given& given, double heaviest) {
+  const Problem found[] = {twice_problem(given.twice, Problem::a_is_given_twice),
+                           length_problem(p),
+                           turn_problem(p),
+                           range_problem(p),
+                           p.mass > heaviest ? Problem::mass_is_beyond_1000_kg : Problem::none,
+                           inertia_problem(p, given)};
   for (const Problem problem : found)
     if (problem != Problem::none) return problem;
   return Problem::none;
 }
 
-/// The first rule that a link breaks; `index` counts from 0.
-constexpr Problem link_problem(const LinkParameters& p, const Given& given, int index, bool accepted) {
+/// The first rule that a link breaks; `index` counts from 0. A body that floats may be heavier: a ship.
+constexpr Problem link_problem(const LinkParameters& p, const Given& given, int index, bool accepted,
+                               double heaviest = bound::mass) {
   const Problem structural = structural_problem(p, given, index);
   if (structural != Problem::none || accepted || given.accepted) return structural;
-  return doubtful_problem(p, given);
+  return doubtful_problem(p, given, heaviest);
 }
 
 }  // namespace detail

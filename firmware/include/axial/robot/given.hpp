@@ -1,5 +1,6 @@
 // What has been said of a link so far: which quantities, which of them twice, and whether its numbers are accepted.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/options/begin.hpp>
 

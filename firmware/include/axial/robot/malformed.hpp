@@ -1,5 +1,6 @@
 // What the compiler says of a description that cannot be right: a function for each rule, named after it.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -74,6 +75,7 @@ template <class Of> void position_limits_look_like_degrees_give_radians_or_posit
 template <class Of> void alpha_is_beyond_one_turn_give_radians_or_alpha_deg() {}  ///< axial: alpha of a link is beyond one turn; give radians, or degrees with alpha_deg, or .accept(axial::as_published)
 template <class Of> void theta_is_beyond_one_turn_give_radians_or_theta_deg() {}  ///< axial: theta of a link is beyond one turn; give radians, or degrees with theta_deg, or .accept(axial::as_published)
 template <class Of> void gamma_of_branch_is_beyond_one_turn_give_radians_or_branch_deg() {}  ///< axial: gamma of a link's branch is beyond one turn; give radians, or degrees with branch_deg, or .accept(axial::as_published)
+template <class Of> void mass_is_beyond_1000_kg_give_kilograms() {}  ///< axial: mass of a link is beyond 1000 kg; give kilograms, not grams, or .accept(axial::as_published)
 template <class Of> void inertia_without_mass_give_mass() {}  ///< axial: inertia of a link without mass; give its mass in kg, or .accept(axial::as_published)
 template <class Of> void com_without_mass_give_mass() {}  ///< axial: com of a link without mass; give its mass in kg, or .accept(axial::as_published)
 template <class Of> void inertia_is_not_positive_definite_check_its_signs_and_order() {}  ///< axial: inertia of a link is not positive definite by more than 5 %; check signs and order of xx yy zz xy xz yz, or .accept(axial::as_published)

@@ -1,5 +1,6 @@
 // Could matter have this inertia? Principal moments of a tensor, and by how much they break what bodies obey.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/options/begin.hpp>
 

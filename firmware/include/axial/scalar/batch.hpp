@@ -1,5 +1,6 @@
 // Several states at once: a number that holds one of each, in the processor's vector units.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <utility>
 

@@ -1,5 +1,6 @@
 // How the kernels reach the code that hand-written scalars would give.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 /// Marks every step of a kernel. GCC keeps an aggregate in registers only if each function that touches it is inlined
 /// before its scalars are replaced, and if the aggregate is not const (GCC 12 refuses to split a "read-only" one): so

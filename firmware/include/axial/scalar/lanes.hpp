@@ -1,5 +1,6 @@
 // Lanes of vector registers, as many as are needed: what batches are made of. The vector extension of GCC and Clang.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <utility>
 

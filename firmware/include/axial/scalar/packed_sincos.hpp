@@ -2,9 +2,9 @@
 // six-joint arm's torque is its sines. The same operations in the same order as sincos.hpp, so the same bits.
 #pragma once
 
-#include <utility>
-
 #include <axial/scalar/sincos.hpp>
+
+#include <utility>
 
 #include <axial/options/begin.hpp>
 

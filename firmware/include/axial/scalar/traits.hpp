@@ -55,6 +55,9 @@ template <class Word>
 struct Substitute<Stored<Word>> {
   using type = double;
 };
+/// Whether numbers are words, whose formats something else must say.
+template <class T>
+inline constexpr bool is_word = !std::is_same_v<typename Substitute<T>::type, T>;
 }  // namespace detail
 
 }  // namespace axial

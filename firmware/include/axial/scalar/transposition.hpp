@@ -1,5 +1,6 @@
 // Squares of numbers in vector registers: rows become columns.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <utility>
 

@@ -1,5 +1,6 @@
 // Is a robot's inertia one that matter can have? A query, to the last bit; chain() refuses what is 5 % beyond it.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/robot/principal_moments.hpp>
 #include <axial/scene/scene.hpp>

@@ -21,7 +21,7 @@ template <class T>
 struct UnknownTurn {
   static constexpr T value() { return NumberTraits<T>::constant(std::numeric_limits<double>::quiet_NaN()); }
 };
-// Whose values are one per link: the robot's, or its joints' where they share drives (links/driven_scenes.hpp).
+// Whose values are one per link: the robot's, or its joints' where they share drives (transmissions/driven_scenes.hpp).
 template <class Robot>
 struct LinksOwner {
   using type = Robot;
@@ -122,7 +122,7 @@ struct VelocityThroughWater : Feature<VelocityThroughWater> {
 struct RotorInertia : Feature<RotorInertia> {};
 
 /// Rotors as spinning bodies on the links that carry them, beside RotorInertia: what couples a drive to the turning of
-/// its carrier (dynamics/rotor_dynamics.hpp, which axial.hpp includes; doc/guides/rotors.md).
+/// its carrier (transmissions/rotor_dynamics.hpp, which axial.hpp includes; doc/guides/rotors.md).
 struct RotorDynamics : Feature<RotorDynamics> {};
 
 namespace detail {
@@ -194,7 +194,7 @@ struct Looped : Feature<Looped> {};
 struct Unbranched : Feature<Unbranched> {};
 
 /// For a run-time Model: joints may share drives (add() refuses such links without it), and values are those of the
-/// drives. The chain of a robot's type says so by itself. Include <axial/links/driven_model.hpp> for it.
+/// drives. The chain of a robot's type says so by itself. Include <axial/transmissions/driven_model.hpp> for it.
 struct SharedDrives : Feature<SharedDrives> {};
 
 /// Inertial parameters regrouped at compile time (base_parameters.hpp): the default of inverse dynamics, its gravity
@@ -215,17 +215,6 @@ struct SplitArticulatedBody : Feature<SplitArticulatedBody> {};
 /// Forward dynamics by the bias torque, composite bodies and an elimination that follows the tree: the cheapest for
 /// short, well-conditioned arms.
 struct CompositeBody : Feature<CompositeBody> {};
-
-/// Fixed point: results are rounded down instead of to nearest, which saves an addition each.
-struct RoundDown : Feature<RoundDown> {};
-
-/// Fixed point: of a product only the upper word is kept, rounded down: cheaper, above all on cores without a long
-/// multiply, and less exact.
-struct HighWord : Feature<HighWord> {};
-
-/// Fixed point, for tests on a host: sums do not wrap, and results that do not fit their format are counted in
-/// `axial::range_overflows`. Same results where nothing overflows.
-struct RangeCheck : Feature<RangeCheck> {};
 
 }  // namespace axial
 

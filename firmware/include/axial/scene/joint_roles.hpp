@@ -14,21 +14,27 @@
 namespace axial {
 
 /// Positions that say what they are, rad or m: wherever axial::Joints (in fixed point the type of the role) are taken,
-/// these are too, but a call that takes the wrong ones does not compile: `inverse_dynamics<R>(qd, q, qdd)`. A plain
-/// aggregate, zero unless initialised: `axial::JointPositions<Robot> q{0.1F, 0.2F};`.
+/// these are too, but a call that takes the wrong ones does not compile: `inverse_dynamics<R>(qd, q, qdd)`. Zero
+/// unless initialised: `axial::JointPositions<Robot> q{0.1F, 0.2F};`.
 template <class S, class T = float>
 struct JointPositions : Positions<robot_of<S>, T> {
-  using Role = role::Position;  ///< rad or m
+  using Base = Positions<robot_of<S>, T>;  ///< the values
+  using Base::Base;                        ///< so many values, or none
+  using Role = role::Position;             ///< rad or m
 };
 /// Velocities that say what they are, rad/s or m/s.
 template <class S, class T = float>
 struct JointVelocities : Velocities<robot_of<S>, T> {
-  using Role = role::Velocity;  ///< rad/s or m/s
+  using Base = Velocities<robot_of<S>, T>;  ///< the values
+  using Base::Base;                         ///< so many values, or none
+  using Role = role::Velocity;              ///< rad/s or m/s
 };
 /// Accelerations that say what they are, rad/s^2 or m/s^2.
 template <class S, class T = float>
 struct JointAccelerations : Accelerations<robot_of<S>, T> {
-  using Role = role::Acceleration;  ///< rad/s^2 or m/s^2
+  using Base = Accelerations<robot_of<S>, T>;  ///< the values
+  using Base::Base;                            ///< so many values, or none
+  using Role = role::Acceleration;             ///< rad/s^2 or m/s^2
 };
 
 namespace detail {
@@ -58,13 +64,16 @@ struct RoleSaid<Joints<Scene<R, F...>, T, Said>, void> {
 };
 ///@}
 
+/// What has no role of its own, such as a third derivative: values of any role may stand there.
+struct AnyRole {};
 template <class Said, class Wanted>
-inline constexpr bool agrees = std::is_void_v<Said> || std::is_same_v<Said, Wanted>;
+inline constexpr bool agrees = std::is_void_v<Said> || std::is_same_v<Said, Wanted> || std::is_same_v<Wanted, AnyRole>;
 
-/// An order of arguments: whether some that say what they are stand where others belong. `void` stands for what says
-/// nothing, such as a state; behind the last nothing may be said.
+/// An order of arguments: whether some that say what they are stand where others belong. Behind the last nothing may
+/// be said.
 template <class... Wanted>
 struct Order {
+  static constexpr int size = 0;  ///< arguments that have a role
   template <class... A>
   static constexpr bool broken(A*...) {
     return (false || ... || !std::is_void_v<typename RoleSaid<A>::type>);
@@ -72,6 +81,7 @@ struct Order {
 };
 template <class First, class... Rest>
 struct Order<First, Rest...> {
+  static constexpr int size = 1 + sizeof...(Rest);  ///< arguments that have a role
   static constexpr bool broken() { return false; }
   template <class A, class... More>
   static constexpr bool broken(A*, More*... more) {
@@ -81,10 +91,12 @@ struct Order<First, Rest...> {
 template <class Wanted, class... A>
 inline constexpr bool is_out_of_order = Wanted::broken(static_cast<std::remove_all_extents_t<A>*>(nullptr)...);
 
-using OfPosition = Order<role::Position>;                                    ///< q
-using OfState = Order<role::Position, role::Velocity>;                       ///< q, qd
-using OfDriven = Order<role::Position, role::Velocity, role::Effort>;        ///< q, qd, tau
-using OfMotion = Order<role::Position, role::Velocity, role::Acceleration>;  ///< q, qd, qdd
+using OfPosition = Order<role::Position>;                                                       ///< q
+using OfState = Order<role::Position, role::Velocity>;                                          ///< q, qd
+using OfDriven = Order<role::Position, role::Velocity, role::Effort>;                           ///< q, qd, tau
+using OfMotion = Order<role::Position, role::Velocity, role::Acceleration>;                     ///< q, qd, qdd
+using OfHigher = Order<role::Position, role::Velocity, role::Acceleration, AnyRole>;            ///< q, qd, qdd, q3
+using OfHighest = Order<role::Position, role::Velocity, role::Acceleration, AnyRole, AnyRole>;  ///< q, qd, qdd, q3, q4
 
 }  // namespace detail
 }  // namespace axial

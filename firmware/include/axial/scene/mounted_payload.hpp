@@ -1,5 +1,6 @@
 // A payload as the tool holds it, for the last link, which carries it.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/scene/runtime_tool.hpp>
 #include <axial/scene/scene.hpp>

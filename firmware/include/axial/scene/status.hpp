@@ -23,7 +23,7 @@ struct Status {
     rescaled = 10,           ///< fixed-point forward dynamics: efforts beyond the declared ones; right, but less exact
     not_ready = 8,           ///< asked before the first good refresh(); about no joint
     input_limit = 11,        ///< a run-time input, a gain or a tool that is none, or beyond what is declared
-    angle_range = 12,        ///< sines not exact: in sum beyond 8192 rad in float, 524288 in double
+    angle_range = 12,  ///< sines not exact: in sum beyond 8192 rad in float, 524288 in double; or a pair that is none
     inaccurate = 13,   ///< forward dynamics by elimination: the matrix is too ill-conditioned for the documented error
     effort_rate = 14,  ///< the change of this joint's effort was limited to the declared step
     command_limit =

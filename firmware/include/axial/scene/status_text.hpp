@@ -1,5 +1,6 @@
 // What the codes of a status mean, as text.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/scene/status.hpp>
 

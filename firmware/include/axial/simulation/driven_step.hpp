@@ -1,5 +1,6 @@
 // The linearly implicit step of a robot whose joints share drives.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/simulation/stiff_links.hpp>
@@ -20,7 +21,7 @@ constexpr auto implicit_drives(const Links& links, T h, const Input& in, const Q
   const auto joints = links.joints();
   const auto drives = links.drives();
   const auto screws = joint_screws(joints, in, q);
-  Kernels::left_efforts(links, in, q, screws, qd, ud, tau, udd);
+  Kernels::remaining_efforts(links, in, q, screws, qd, ud, tau, udd);
   const NoStiffness none{};
   const StiffLinks<std::decay_t<decltype(joints)>, typename Links::JointValues, NoStiffness> springs(joints, h, qd,
                                                                                                      none);
@@ -28,7 +29,7 @@ constexpr auto implicit_drives(const Links& links, T h, const Input& in, const Q
   typename Links::JointValues pulled{};
   for_each_link(joints, [&](auto i) AXIAL_INLINE { pulled[i] = static_cast<T>(springs.stiffness(i) * qd[i]); });
   links.each_drive([&](auto k) AXIAL_INLINE {
-    udd[k] = static_cast<T>(udd[k] - h * (links.felt(k, pulled) + stiffness.stiffness[k] * ud[k]));
+    udd[k] = static_cast<T>(udd[k] - h * (links.actuator_effort(k, pulled) + stiffness.stiffness[k] * ud[k]));
   });
   typename Kernels::Matrix m{};
   typename Kernels::JointMatrix by_joints{};

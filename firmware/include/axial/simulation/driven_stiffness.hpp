@@ -1,5 +1,6 @@
 // How stiff springs, dampers and drives are for what they move, where joints share drives.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/simulation/eigenvalue_bound.hpp>

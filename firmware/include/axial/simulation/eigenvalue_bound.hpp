@@ -1,5 +1,6 @@
 // An upper bound of the largest eigenvalue of a symmetric matrix.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/scalar/finite.hpp>
 #include <axial/scalar/math.hpp>

@@ -1,5 +1,6 @@
 // Integrators: how a robot moves on by one step of time.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/links/soundness.hpp>
 #include <axial/simulation/system.hpp>
@@ -198,13 +199,19 @@ constexpr Status advance_in(const System& system, X& x, T h, const Drive& drive)
 template <class Method, class X, class Drive>
 [[nodiscard]] constexpr Status advance(X& x, typename X::Scalar h, const Drive& drive) {
   detail::check_fixed_base<typename X::Subject>();
-  return detail::advance_in<Method>(detail::StaticSystem<typename X::Subject>{}, x, h, drive);
+  if constexpr (detail::is_word<typename X::Scalar> || !every_joint_is_resisted<typename X::Subject>())
+    return {};  // which was refused
+  else
+    return detail::advance_in<Method>(detail::StaticSystem<typename X::Subject>{}, x, h, drive);
 }
 /// Overload for a run-time model.
 template <class Method, int N, class... F, class X, class Drive>
 [[nodiscard]] constexpr Status advance(const Model<N, F...>& model, X& x, typename X::Scalar h, const Drive& drive) {
   detail::check_fixed_base<Model<N, F...>>();
-  return detail::advance_in<Method>(detail::ModelSystem<Model<N, F...>>{model}, x, h, drive);
+  if constexpr (detail::is_word<typename X::Scalar>)
+    return {};
+  else
+    return detail::advance_in<Method>(detail::ModelSystem<Model<N, F...>>{model}, x, h, drive);
 }
 
 }  // namespace axial

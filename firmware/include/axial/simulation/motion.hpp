@@ -1,5 +1,6 @@
 // What an integrator moves on: positions, velocities, a count of steps; the rounding errors of the sums where asked.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/scalar/select.hpp>
 #include <axial/scene/joints.hpp>
@@ -8,12 +9,20 @@
 
 namespace axial {
 
+namespace detail {
+/// Says which numbers are not summed.
+template <class T>
+constexpr auto check_summed() {
+  static_assert(is_number_v<T> && std::numeric_limits<T>::is_iec559,
+                "axial: integrators move float and double; fixed point has no format for what they sum");
+}
+}  // namespace detail
+
 /// State of a robot's joints: q (rad or m), qd (rad/s or m/s), owned by the caller. Time is the number of steps made:
 /// a sum of steps in float is 2 % short after 2e6 of them, and stands still in the end.
 template <class S, class T>
 struct Motion {
-  static_assert(is_number_v<T> && std::numeric_limits<T>::is_iec559,
-                "axial: integrators move float and double; fixed point has no format for what they sum");
+  static_assert((detail::check_summed<T>(), true));
   using Subject = S;                ///< the robot or scene that moves
   using Scalar = T;                 ///< float or double
   Positions<robot_of<S>, T> q{};    ///< rad or m

@@ -1,5 +1,6 @@
 // How large a step may be for what is stiff in a robot.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/simulation/driven_stiffness.hpp>
 #include <axial/simulation/integrators.hpp>
@@ -80,8 +81,9 @@ constexpr T limit_of(LinearlyImplicitEuler, const StiffBounds<T>&) {
   return std::numeric_limits<T>::infinity();
 }
 
-template <class Links, class Q, class All>
-constexpr void sound_positions(const Links& links, const Q& q, All& all) {
+template <class Links, class Input, class Q, class All>
+constexpr void sound_positions(const Links& links, const Input& in, const Q& q, All& all) {
+  collect_inputs(all, links, in);
   for_each_link(links, [&](auto i) AXIAL_INLINE {
     links.link(i).on_joint([&](auto kind) AXIAL_INLINE { all.position(kind, q[i]); });
   });
@@ -94,10 +96,10 @@ constexpr StepLimit<T> step_limit_in(const System& system, const Q& q, const Inp
   StiffBounds<T> bounds;
   if constexpr (is_driven<std::decay_t<decltype(links)>>) {
     bounds = driven_stiff_bounds<T, S>(links, q, in, drive);
-    sound_positions(links.joints(), links.positions(q), all);
+    sound_positions(links.joints(), in, links.positions(q), all);
   } else {
     bounds = stiff_bounds<T>(system, q, in, drive);
-    sound_positions(links, q, all);
+    sound_positions(links, in, q, all);
   }
   all.number(bounds.stiffness), all.number(bounds.damping);
   for (int i = 0; i < system.size(); ++i)
@@ -119,15 +121,25 @@ constexpr StepLimit<T> step_limit_in(const System& system, const Q& q, const Inp
 /// with q, so ask again, or keep a margin; stiffness of gravity, of centrifugal efforts and of contacts is not in it.
 /// Costs n structures at rest and O(n^3): for a set-up, not for a tick.
 template <class Method, class S, class T, class Stiffness = NoStiffness>
-[[nodiscard]] constexpr StepLimit<T> step_limit(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = {},
+[[nodiscard]] constexpr StepLimit<T> step_limit(const Positions<robot_of<S>, T>& q,
+                                                const Inputs<S, T>& in = no_inputs<S, T>(),
                                                 const Stiffness& drive = {}) {
-  return detail::step_limit_in<Method, T>(detail::StaticSystem<S>{}, q, in, drive);
+  detail::check_summed<T>();
+  if constexpr (detail::is_word<T>)
+    return {};
+  else
+    return detail::step_limit_in<Method, T>(detail::StaticSystem<S>{}, q, in, drive);
 }
 /// Overload for a run-time model.
 template <class Method, int N, class... F, class T, class Stiffness = NoStiffness, class M = Model<N, F...>>
 [[nodiscard]] constexpr StepLimit<T> step_limit(const Model<N, F...>& model, const Positions<M, T>& q,
-                                                const Inputs<M, T>& in = {}, const Stiffness& drive = {}) {
-  return detail::step_limit_in<Method, T>(detail::ModelSystem<M>{model}, q, in, drive);
+                                                const Inputs<M, T>& in = no_inputs<M, T>(),
+                                                const Stiffness& drive = {}) {
+  detail::check_summed<T>();
+  if constexpr (detail::is_word<T>)
+    return {};
+  else
+    return detail::step_limit_in<Method, T>(detail::ModelSystem<M>{model}, q, in, drive);
 }
 
 }  // namespace axial

@@ -1,8 +1,9 @@
 // Links whose joints are as heavy as an implicit step makes them.
 #pragma once
+#include <axial/scalar/language.hpp>
 
-#include <axial/dynamics/friction_slope.hpp>
-#include <axial/dynamics/passes.hpp>
+#include <axial/recursion/friction_slope.hpp>
+#include <axial/recursion/passes.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -1,5 +1,6 @@
 // A robot as an integrator asks it: accelerations, explicit or of an implicit step. A scene, or a run-time model.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/simulation/driven_step.hpp>
@@ -13,12 +14,14 @@ namespace axial {
 namespace detail {
 
 template <class S>
-constexpr void check_fixed_base() {
+constexpr auto check_fixed_base() {
   static_assert(!scene_of<S>::template has<FloatingBase>,
                 "axial: integrators move joints; integrate a floating base as doc/guides/moving_base.md shows");
   static_assert(!scene_of<S>::template has<RotorDynamics>,
                 "axial: integrators have no rotors as bodies; take RotorDynamics out of the scene, or integrate "
                 "forward_dynamics");
+  if constexpr (is_described<typename scene_of<S>::Robot> && !scene_of<S>::template has<FloatingBase>)
+    check_resisted<scene_of<S>>();
 }
 
 /// A scene whose robot is a type.

@@ -35,12 +35,12 @@ RigidInertia(M, H, J) -> RigidInertia<M, H, J>;
 
 /// A body as the links inboard feel it: none of an axial mass, which acts along axes that they turn about.
 template <class Body>
-AXIAL_INLINE constexpr const Body& felt_inboard(const Body& body) {
+AXIAL_INLINE constexpr const Body& inboard_part(const Body& body) {
   return body;
 }
 /// Axial overload.
 template <class M, class H, class J>
-AXIAL_INLINE constexpr auto felt_inboard(const RigidInertia<AxialMass<M>, H, J>& body) {
+AXIAL_INLINE constexpr auto inboard_part(const RigidInertia<AxialMass<M>, H, J>& body) {
   return RigidInertia{Zero{}, body.first_moment, body.inertia};
 }
 

@@ -1,7 +1,7 @@
 // Searches for the inputs that come nearest to a bound: random ones first, then steps from the best.
 #pragma once
 
-#include <axial/fixed/bounds/vector.hpp>
+#include <axial/fixed/balls/vector.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Sizes, formats and errors of the derivatives of inverse dynamics: their own kernel, run on bounds.
 #pragma once
 
-#include <axial/dynamics/inverse_dynamics_derivatives.hpp>
+#include <axial/derivatives/inverse_dynamics_derivatives.hpp>
 #include <axial/fixed/bounds/flow.hpp>
 #include <axial/fixed/bounds/newton_euler.hpp>
 

@@ -1,7 +1,7 @@
 // What derivatives of inverse dynamics carry, in bounds: mass flows, the motion of axes, the columns of joints.
 #pragma once
 
-#include <axial/dynamics/derivative_columns.hpp>
+#include <axial/derivatives/derivative_columns.hpp>
 #include <axial/fixed/bounds/joints.hpp>
 
 #include <axial/options/begin.hpp>

@@ -2,12 +2,12 @@
 // `sum` is the only place that rounds: it notes what has to fit, or adds the rounding that its terms make.
 #pragma once
 
-#include <axial/dynamics/loads.hpp>
+#include <axial/fixed/balls/composite.hpp>
+#include <axial/fixed/balls/spin.hpp>
 #include <axial/fixed/bounds/account.hpp>
-#include <axial/fixed/bounds/composite.hpp>
 #include <axial/fixed/bounds/loads.hpp>
-#include <axial/fixed/bounds/spin.hpp>
 #include <axial/links/link_view.hpp>
+#include <axial/recursion/loads.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -1,9 +1,9 @@
 // The links of a robot in bounds, as kernels walk over them.
 #pragma once
 
-#include <axial/dynamics/passes.hpp>
+#include <axial/fixed/balls/pose.hpp>
 #include <axial/fixed/bounds/link.hpp>
-#include <axial/fixed/bounds/pose.hpp>
+#include <axial/recursion/passes.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -2,9 +2,9 @@
 // proof.
 #pragma once
 
-#include <axial/dynamics/derivative_rounding.hpp>
-#include <axial/fixed/bounds/split_ball.hpp>
-#include <axial/fixed/bounds/terms.hpp>
+#include <axial/derivatives/derivative_rounding.hpp>
+#include <axial/fixed/balls/split_ball.hpp>
+#include <axial/fixed/balls/terms.hpp>
 #include <axial/links/link_view.hpp>
 
 #include <axial/options/begin.hpp>
@@ -169,9 +169,12 @@ constexpr double norm_of(const TreeLinkConstants<double>& c) {
 }
 constexpr double length_of(double x, double y, double z) { return square_root(x * x + y * y + z * z); }
 
+/// What has no limit was refused (formats/joint_formats.hpp); something finite stands for it, so that nothing more is
+/// said.
 constexpr JointRange joint_range(const LinkParameters& p) {
-  JointRange r{p.speed_limit, p.acceleration_limit, magnitude(p.d), p.effort_limit};
-  if (p.type == JointType::prismatic) {
+  const auto finite = [](double limit) { return is_bounded(limit) ? limit : 1.0; };
+  JointRange r{finite(p.speed_limit), finite(p.acceleration_limit), magnitude(p.d), p.effort_limit};
+  if (p.type == JointType::prismatic && is_bounded(p.position_max) && is_bounded(-p.position_min)) {
     const double low = magnitude(p.d + p.position_min), high = magnitude(p.d + p.position_max);
     r.travel = low > high ? low : high;
   }
@@ -239,10 +242,54 @@ constexpr WordRounding rounding_in() {
   return r;
 }
 
+namespace detail {
+/// The robot that formats follow from; of a run-time model, which was refused, one with as many joints.
+template <class Model>
+struct ModelStandIn {
+  static constexpr auto chain = with_every_limit(Chain<Model::chain.size>{});
+};
+template <class Robot>
+using described_robot = std::conditional_t<is_described<Robot>, Robot, ModelStandIn<Robot>>;
+template <class Robot>
+inline constexpr auto& described_chain = described_robot<Robot>::chain;
+
+/// Whether links have a kind of friction, of a scene that names friction.
+template <class Scene>
+constexpr bool rubs_by(double LinkParameters::*friction) {
+  bool any = false;
+  for (const LinkParameters& link : described_chain<typename Scene::Robot>.links)
+    any = any || link.*friction != 0.0;
+  return any && Scene::template has<Friction>;
+}
+/// What of a scene fixed point has no proved range for, yet. Offered says a sentence of each.
+template <class Scene>
+struct Unranged {
+  template <class Feature>
+  static constexpr bool has = Scene::template has<Feature>;
+  static constexpr bool model = !is_described<typename Scene::Robot>;
+  static constexpr bool base_motion = has<BaseMotion> || has<FloatingBase>;
+  static constexpr bool water = has<Underwater>;
+  static constexpr bool wrenches = has<ExternalWrenches>;
+  static constexpr bool rotor_bodies = has<RotorDynamics>;
+  static constexpr bool springs = has<JointSprings>;
+  static constexpr bool composite_bodies = has<CompositeBody>;
+  static constexpr bool stribeck = rubs_by<Scene>(&LinkParameters::static_friction);
+  static constexpr bool smooth_speed = rubs_by<Scene>(&LinkParameters::smooth_speed);
+  static constexpr bool any = model || base_motion || water || wrenches || rotor_bodies || springs ||
+                              composite_bodies || stribeck || smooth_speed;
+};
+/// What is analysed and computed of a scene in fixed point: the scene, or, where it was refused, one that has nothing,
+/// so that nothing more is said.
+template <class Scene>
+using sound_scene =
+    std::conditional_t<Unranged<Scene>::any,
+                       axial::Scene<described_robot<typename Scene::Robot>, Gravity, RotorInertia>, Scene>;
+}  // namespace detail
+
 /// A robot as an analysis sees it.
 template <class Scene, class Parameters>
-inline constexpr auto mechanism_of =
-    detail::mechanism<Scene, Parameters>(std::make_integer_sequence<int, Scene::Robot::chain.size>{});
+inline constexpr auto mechanism_of = detail::mechanism<detail::sound_scene<Scene>, Parameters>(
+    std::make_integer_sequence<int, Scene::Robot::chain.size>{});
 
 }  // namespace axial
 

@@ -45,7 +45,8 @@ constexpr void run(Account<N>& account) {
   const JointBounds<N> at(account.mechanism, account.rounding);
   const auto screws = joint_screws(links, in, at.q);
   Row<ForceVector<BoundedVector, BoundedVector>, N> borne{};
-  rnea::bear(links, in, at.q, screws, at.qd, at.qdd, [&](int i, const auto& force, const auto&) { borne[i] = force; });
+  rnea::propagate_inward(links, in, at.q, screws, at.qd, at.qdd,
+                         [&](int i, const auto& force, const auto&) { borne[i] = force; });
   for (int i = 0; i < N; ++i) {
     LinkRange& range = account.ranges.range[i];
     range.moment = borne[i].moment.bound.whole, range.force = borne[i].force.bound.whole;

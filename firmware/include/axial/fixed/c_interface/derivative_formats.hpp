@@ -1,5 +1,6 @@
 // Defines the C function that AXIAL_C_DECLARE_DERIVATIVE_FORMATS (axial/axial.h) declares.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/c_interface/derivatives.hpp>
 #include <axial/fixed/c_interface/fixed_calls.hpp>

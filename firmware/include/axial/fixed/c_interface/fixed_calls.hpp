@@ -1,5 +1,6 @@
 // What the C interface has in fixed point alone: the formats, and the border to real numbers.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/c_interface/calls.hpp>
 #include <axial/fixed.hpp>
@@ -22,6 +23,11 @@ struct CallCheck<S, Stored<Word>> {
   template <class Q, class V, class A>
   static constexpr Status of(const Q& q, const V& qd, const A& qdd) {
     return check_request<S>(q, qd, qdd);
+  }
+  /// words are always finite
+  template <class... Values>
+  static constexpr Status of_answer(const Values&...) {
+    return {};
   }
 };
 

@@ -1,5 +1,6 @@
 // The SCARA's closed form in fixed point: its formats and errors by running it on bounds.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/closed_form/scara.hpp>
 #include <axial/fixed/bounds/separation.hpp>

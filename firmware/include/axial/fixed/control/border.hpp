@@ -1,5 +1,6 @@
 // Joint values at the border between real numbers and fixed point: by integers alone, nearest, never silently wrong.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/fixed/control/limits.hpp>
 #include <axial/fixed/words/real_words.hpp>

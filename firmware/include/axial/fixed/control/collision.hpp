@@ -1,5 +1,6 @@
 // Collisions in fixed point: raw thresholds, in the residuals' formats.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/control/collision.hpp>
 #include <axial/fixed/control/momentum_observer.hpp>

@@ -1,5 +1,6 @@
 // Counts of encoders and of converters (DAC, PWM) at the border of fixed point.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/fixed/limits/fixed_limits.hpp>
 #include <axial/fixed/words/integer.hpp>

@@ -1,7 +1,9 @@
 // What the drives exert when requests stop, in fixed point.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/control/fall_back.hpp>
+#include <axial/fixed/control/controlled_stop.hpp>
 #include <axial/fixed/control/limits.hpp>
 
 #include <axial/options/begin.hpp>

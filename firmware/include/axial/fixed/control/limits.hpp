@@ -5,6 +5,7 @@
 #include <axial/fixed/limits/fixed_limits.hpp>
 #include <axial/fixed/limits/inputs_check.hpp>
 #include <axial/fixed/limits/joint_limits.hpp>
+#include <axial/fixed/limits/state_check.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -39,8 +40,8 @@ struct LimitsFor<S, Stored<Word>> {
   }
   /// The nearest value that is allowed.
   static constexpr T nearest(const RawMost<Word>& most, const T& x) { return most.nearest(x); }
-  /// What is wrong with run-time inputs other than a payload.
-  static constexpr Status check_inputs(const Inputs<S, T>& in) { return check_fixed_inputs<S>(in); }
+  /// What is wrong with run-time inputs.
+  static constexpr Status check_inputs(const Inputs<S, T>& in) { return {inputs_outside<S>(in), -1}; }
   /// What is wrong with a state: beyond its limits formats wrap.
   static constexpr Status check_state(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd) {
     return check_request<S>(q, qd, Accelerations<robot_of<S>, T>{});

@@ -46,7 +46,7 @@ constexpr LaggedWords residual_words(int i) {
 }
 template <class S, class Word, class Tuning>
 constexpr auto chosen_residual_formats() {
-  static_assert(sizeof(Word) == 4, "axial: the momentum observer takes Fixed32, float or double");
+  check_observed<Stored<Word>>();
   LaggedFormats<Tuning, joint_count<S>> all;
   for (int i = 0; i < joint_count<S>; ++i)
     all.choose(i, residual_words<S, Stored<Word>>(i));

@@ -1,5 +1,6 @@
 // The certified error of residuals: the observer's step in integers, run on bounds, and what a detector makes of it.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/fixed/control/collision.hpp>
 #include <axial/fixed/error_bound.hpp>

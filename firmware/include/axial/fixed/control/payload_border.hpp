@@ -1,5 +1,6 @@
 // A payload at the border between real numbers and fixed point.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/fixed/control/limits.hpp>
 #include <axial/fixed/words/real_words.hpp>

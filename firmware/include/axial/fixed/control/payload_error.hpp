@@ -1,5 +1,6 @@
 // The certified error of the equations that a payload estimator sums: its columns and their lag, run on bounds.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/fixed/bounds/kinematics.hpp>
 #include <axial/fixed/control/observer_error.hpp>
@@ -155,8 +156,9 @@ constexpr auto payload_columns_of_drives() {
   using F = axial::detail::ColumnRounding<Joint, Stored<Word>>;
   const auto sum = [&](const auto& from, auto& to, const int(&exponent)[2]) {
     for (int k = 0; k < drives; ++k) {
-      to[k].mass = Errors::felt_by(k, exponent[0], 1.0, rounding, [&](int i) { return from[i].mass; });
-      to[k].moment = Errors::felt_by(k, exponent[1], detail::root3, rounding, [&](int i) { return from[i].moment; });
+      to[k].mass = Errors::at_actuator(k, exponent[0], 1.0, rounding, [&](int i) { return from[i].mass; });
+      to[k].moment =
+          Errors::at_actuator(k, exponent[1], detail::root3, rounding, [&](int i) { return from[i].moment; });
     }
   };
   sum(of_joints.momentum, all.momentum, F::momentum), sum(of_joints.drift, all.drift, F::drift);

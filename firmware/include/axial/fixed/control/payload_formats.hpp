@@ -17,7 +17,7 @@ namespace axial::detail {
 // bounds or better, and less than 2^10 of them add up. Sums on the way are exact modulo 2^64, results fit.
 template <class S, class Word>
 struct JointColumnRounding {
-  static_assert(sizeof(Word) == 4, "axial: the payload estimator takes Fixed32, float or double");
+  static_assert((check_weighing<Stored<Word>>(), true));
   using A = ArithmeticOf<scene_of<S>, Word>;
   using Speeds = Velocities<robot_of<S>, Stored<Word>>;
   static constexpr WordRounding rounding{32, true, false, 0.0};

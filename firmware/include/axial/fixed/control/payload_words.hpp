@@ -1,5 +1,6 @@
 // A payload's estimate as words, and as the scene's Payload takes it in fixed point.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/fixed/control/payload_estimator.hpp>
 

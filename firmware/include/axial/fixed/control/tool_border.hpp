@@ -1,5 +1,6 @@
 // A tool that changes at the border between real numbers and fixed point, and a payload in its frame.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/fixed/control/payload_border.hpp>
 #include <axial/fixed/links/fixed_links.hpp>

@@ -1,5 +1,6 @@
 // The safe call of a control loop in fixed point: gains as words, feedback and steps by integers alone.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/control/tracking.hpp>
 #include <axial/fixed/control/border.hpp>

@@ -1,9 +1,9 @@
 // What a certified answer of forward dynamics in fixed point is, and what there is to say about one.
 #pragma once
 
-#include <axial/dynamics/forward_result.hpp>
 #include <axial/fixed/dynamics/enclosure.hpp>
 #include <axial/fixed/formats/joint_formats.hpp>
+#include <axial/recursion/forward_result.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -1,13 +1,14 @@
 // Forward dynamics in fixed point with a certificate of each answer: its residual by inverse dynamics, and the
 // structure's answers to one drive per joint as an approximate inverse of the mass matrix.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/fixed/dynamics/driven_certificate.hpp>
 #include <axial/fixed/dynamics/enclosure.hpp>
 #include <axial/fixed/dynamics/forward_dynamics.hpp>
 #include <axial/fixed/dynamics/inverse_dynamics.hpp>
-#include <axial/fixed/dynamics/stages.hpp>
 #include <axial/fixed/error_bound.hpp>
+#include <axial/fixed/recursion/stages.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -197,9 +198,11 @@ template <class S, class T>
 [[nodiscard]] constexpr CertifiedDynamics<S, T> certified_forward_dynamics(const Positions<robot_of<S>, T>& q,
                                                                            const Velocities<robot_of<S>, T>& qd,
                                                                            const EffortsOf<S, T>& tau,
-                                                                           const Inputs<S, T>& in = {}) {
+                                                                           const Inputs<S, T>& in = no_inputs<S, T>()) {
   static_assert(std::is_same_v<T, Fixed32>, "axial: answers are certified in Fixed32");
-  if constexpr (detail::has_shared_drives<S>) {
+  if constexpr (!std::is_same_v<T, Fixed32>) {
+    return {};
+  } else if constexpr (detail::has_shared_drives<S>) {
     return detail::DrivenCertificate<S, T>::answer(q, qd, tau, in);
   } else {
     using C = detail::Certificate<S, T>;

@@ -2,8 +2,8 @@
 // it takes them in halves, quarters, ... and doubles the answer; and of efforts that leave bits unused, in multiples.
 #pragma once
 
-#include <axial/dynamics/passes.hpp>
 #include <axial/fixed/links/shared_view.hpp>
+#include <axial/recursion/passes.hpp>
 #include <axial/spatial/spatial_vector.hpp>
 
 #include <axial/options/begin.hpp>

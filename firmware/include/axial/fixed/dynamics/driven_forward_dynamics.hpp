@@ -2,10 +2,10 @@
 // certified error, and what the words of M make of the rest.
 #pragma once
 
-#include <axial/dynamics/shared_drives.hpp>
 #include <axial/fixed/dynamics/drive_solve.hpp>
-#include <axial/fixed/dynamics/drives.hpp>
 #include <axial/fixed/dynamics/inverse_dynamics.hpp>
+#include <axial/fixed/recursion/drives.hpp>
+#include <axial/transmissions/shared_drives.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -81,7 +81,7 @@ AXIAL_INLINE constexpr Status driven_status(const std::int32_t* x, int lost, int
 namespace driven {
 /// Forward dynamics of drives in words.
 template <class Scene, class S, class Parameters, class Recursion>
-struct Composites<FixedDrivenLinks<Scene, S, Parameters, Recursion>> {
+struct CompositeRigidBodies<FixedDrivenLinks<Scene, S, Parameters, Recursion>> {
   /// Accelerations of the drives.
   template <class Links, class Input, class Q, class V, class Tau, class A>
   AXIAL_INLINE static constexpr Status accelerations(const Links&, const Input& in, const Q& u, const V& ud,

@@ -1,11 +1,12 @@
 // Forward dynamics in fixed point: which route it takes, how it looks at states.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/fixed/dynamics/driven_forward_dynamics.hpp>
-#include <axial/fixed/dynamics/resistance.hpp>
 #include <axial/fixed/dynamics/split_answer.hpp>
 #include <axial/fixed/limits/state_check.hpp>
+#include <axial/fixed/recursion/resistance.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -1,7 +1,8 @@
 // Inverse dynamics in fixed point.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/inverse_dynamics.hpp>
-#include <axial/fixed/dynamics/drives.hpp>
-#include <axial/fixed/dynamics/joint_screws.hpp>
 #include <axial/fixed/links/fixed_links.hpp>
+#include <axial/fixed/recursion/drives.hpp>
+#include <axial/fixed/recursion/joint_screws.hpp>

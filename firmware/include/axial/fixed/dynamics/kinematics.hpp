@@ -1,5 +1,6 @@
 // The exponents of poses and Jacobians.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/fixed/links/fixed_links.hpp>
 

@@ -1,5 +1,6 @@
 // The mass matrix in fixed point: an exponent per entry.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/fixed/links/fixed_links.hpp>

@@ -1,5 +1,6 @@
 // Momenta in fixed point.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/momentum.hpp>
 #include <axial/fixed/dynamics/inverse_dynamics.hpp>

@@ -4,7 +4,7 @@
 
 #include <axial/dynamics/split_form.hpp>
 #include <axial/fixed/dynamics/drive_scale.hpp>
-#include <axial/fixed/dynamics/stages.hpp>
+#include <axial/fixed/recursion/stages.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -102,7 +102,8 @@ struct AnswerInRanges {
       lost = first_found(lost, spilt, static_cast<int>(i));
       beyond = first_found(beyond, is_beyond_trust<Links, i, A::exponent(i)>(qdd.values[i].raw), static_cast<int>(i));
     });
-    return answered_status<Links>(lost, halvings > 0, beyond);
+    constexpr int usual = Links::usual_halvings();
+    return answered_status<Links>(lost, halvings > usual, beyond);
   }
 };
 
@@ -164,7 +165,8 @@ struct AnswerMagnified {
       lost = first_found(lost, spilt, static_cast<int>(i));
       beyond = first_found(beyond, is_beyond_trust<Links, i, A::exponent(i)>(qdd.values[i].raw), static_cast<int>(i));
     });
-    return answered_status<Links>(lost, halvings > 0, beyond);
+    constexpr int usual = Links::usual_halvings();
+    return answered_status<Links>(lost, halvings > usual, beyond);
   }
 };
 

@@ -86,7 +86,7 @@ struct DriveSizes {
   static constexpr const LinkParameters& drive(int k) { return Scene::Robot::chain.links[k]; }
   /// The sum of |G| times what each joint has.
   template <class Get>
-  static constexpr double felt(int k, const Get& get) {
+  static constexpr double actuator_effort(int k, const Get& get) {
     double sum = 0.0;
     for (int i = 0; i < joints; ++i)
       if (g.is_moved(i, k)) sum += magnitude(g.ratio[i][k]) * get(i);
@@ -112,16 +112,18 @@ struct DriveSizes {
   /// Effort, momentum and its rate at drive k, at most: N m or N per unit of the drive, and so on.
   ///@{
   static constexpr double effort(int k) {
-    return felt(k, joint_effort) + rotor(k) * drive(k).acceleration_limit + friction(k);
+    return actuator_effort(k, joint_effort) + rotor(k) * drive(k).acceleration_limit + friction(k);
   }
-  static constexpr double momentum(int k) { return felt(k, joint_momentum) + rotor(k) * drive(k).speed_limit; }
-  static constexpr double momentum_rate(int k) { return felt(k, joint_rate) + friction(k); }
+  static constexpr double momentum(int k) {
+    return actuator_effort(k, joint_momentum) + rotor(k) * drive(k).speed_limit;
+  }
+  static constexpr double momentum_rate(int k) { return actuator_effort(k, joint_rate) + friction(k); }
   ///@}
   /// Size of M(k, k): |M_ij| <= sqrt(M_ii M_jj).
   static constexpr double inertia(int k) {
     const auto ranges =
         composite_body_ranges(mechanism_of<Joint, FullParameters>, joint_rounding<Word>, Wanted::formats);
-    const double root = felt(k, [&](int i) { return square_root(ranges.range[i].joint_inertia.size); });
+    const double root = actuator_effort(k, [&](int i) { return square_root(ranges.range[i].joint_inertia.size); });
     return root * root + rotor(k);
   }
   /// Square root of the largest (M^-1)(k, k).
@@ -162,7 +164,7 @@ inline constexpr int column_headroom = [] {
     using Sizes = detail::DriveSizes<S, std::int32_t>;
     double most = 1.0;
     for (int k = 0; k < joint_count<S>; ++k) {
-      const double sum = Sizes::felt(k, [](int) { return 1.0; });
+      const double sum = Sizes::actuator_effort(k, [](int) { return 1.0; });
       most = sum > most ? sum : most;
     }
     int bits = 0;

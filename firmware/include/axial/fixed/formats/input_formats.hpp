@@ -1,10 +1,10 @@
 // Run-time inputs of a scene in fixed point: their formats, from what the robot declares, and how kernels read them.
 #pragma once
 
-#include <axial/dynamics/tool_pose.hpp>
 #include <axial/fixed/formats/joint_formats.hpp>
 #include <axial/fixed/words/round.hpp>
 #include <axial/links/inputs.hpp>
+#include <axial/recursion/tool_pose.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -132,80 +132,55 @@ struct UnknownTurn<Stored<Word>> {
   static constexpr Stored<Word> value() { return {}; }
 };
 
-/// Whether a robot's type says all about it; a run-time model's does not.
-template <class Robot, class = void>
-inline constexpr bool is_described = false;
-template <class Robot>
-inline constexpr bool is_described<Robot, std::void_t<decltype(Robot::chain.links)>> = true;
-
-/// Friction that fixed point has no proved range for.
-template <class Scene>
-constexpr void check_fixed_friction() {
-  constexpr auto none = [](double LinkParameters::*member) {
-    bool all = true;
-    for (const LinkParameters& link : Scene::Robot::chain.links)
-      all = all && link.*member == 0.0;
-    return all || !Scene::template has<Friction>;
-  };
-  static_assert(none(&LinkParameters::static_friction),
-                "axial: fixed point has viscous and Coulomb friction, not stribeck(); compute this scene in float");
-  static_assert(none(&LinkParameters::smooth_speed),
-                "axial: fixed point has no smooth_speed(); compute this scene in float");
+/// Whether the declared tool is within its declared reach.
+constexpr bool is_within(const Tool& tool, const ToolLimit& limit) {
+  const auto& origin = tool.pose.position;
+  return !limit.declared || length_of(origin[0], origin[1], origin[2]) <= limit.reach * (1.0 + 1e-9);
 }
 
-/// What a robot has to declare for the run-time inputs of a scene.
-template <class Scene>
-constexpr void check_fixed_loads() {
-  static_assert(!Scene::template has<Payload> || Scene::Robot::chain.payload_limit.declared,
-                "axial: fixed point leaves room for the declared payload; add axial::payload_limit(mass, com_reach, "
-                "inertia) to the robot's chain");
-  static_assert(
-      !Scene::template has<TipWrench> || Scene::Robot::chain.tip_wrench_limit.declared,
-      "axial: fixed point leaves room for the declared tip wrench; add axial::tip_wrench_limit(force, moment) "
-      "to the robot's chain");
-  if constexpr (Scene::template has<RuntimeTool>) {
-    constexpr auto& chain = Scene::Robot::chain;
-    constexpr const double* origin = chain.tool.pose.position;
-    static_assert(chain.tool_limit.declared,
-                  "axial: fixed point leaves room for the declared tool; add axial::tool_limit(reach) to the robot's "
-                  "chain");
-    static_assert(
-        !chain.tool_limit.declared ||
-            length_of(origin[0], origin[1], origin[2]) <= chain.tool_limit.reach * (1.0 + 1e-9),
-        "axial: the robot's axial::tool() is beyond its axial::tool_limit(reach); give a reach that holds it");
-  }
-}
-
-/// What fixed point has no proved range for, yet; with what to do about it.
-template <class Scene>
-constexpr void check_fixed_scene() {
-  static_assert(
-      is_described<typename Scene::Robot>,
-      "axial: a run-time Model has no formats for fixed point, which follow from a robot's type; describe the "
-      "robot as a type, or compute in float");
-  static_assert(!Scene::template has<BaseMotion> && !Scene::template has<FloatingBase>,
-                "axial: fixed point needs a base at rest, for nothing declares how it moves; compute this scene in "
-                "float");
-  static_assert(!Scene::template has<Underwater>, "axial: fixed point has no water; compute this scene in float");
-  static_assert(!Scene::template has<ExternalWrenches>,
-                "axial: fixed point has no ExternalWrenches; name TipWrench, or compute this scene in float");
-  static_assert(!Scene::template has<RotorDynamics>,
-                "axial: fixed point has no rotors as bodies; take RotorDynamics out of the scene, or compute in float");
-  static_assert(!Scene::template has<JointSprings>, "axial: fixed point has no JointSprings; compute them in float");
-  static_assert(!Scene::template has<CompositeBody>,
-                "axial: forward dynamics in fixed point is that of articulated bodies; take CompositeBody out");
-  if constexpr (is_described<typename Scene::Robot>) {
-    check_limits<typename Scene::Robot>();
-    check_fixed_friction<Scene>();
-    check_fixed_loads<Scene>();
-  }
-}
-
-/// Said first, where a program names the scene's inputs; every algorithm has them as an argument.
+/// What fixed point has no proved range for, yet (Unranged); with what to do about it. Said first, where a program
+/// names the scene's inputs; every algorithm has them as an argument. All in one place, with no call between: each call
+/// on the way is three lines of a compiler's.
 template <class Scene, class Word>
 struct Offered<Scene, Stored<Word>> {
-  static_assert((check_fixed_scene<Scene>(), true));
+  using No = Unranged<Scene>;
+  static_assert(
+      !No::model,
+      "axial: a run-time Model has no formats for fixed point, which follow from a robot's type; describe the "
+      "robot as a type, or compute in float");
+  static_assert(!No::base_motion,
+                "axial: fixed point needs a base at rest, for nothing declares how it moves; compute this scene in "
+                "float");
+  static_assert(!No::water, "axial: fixed point has no water; compute this scene in float");
+  static_assert(!No::wrenches,
+                "axial: fixed point has no ExternalWrenches; name TipWrench, or compute this scene in float");
+  static_assert(!No::rotor_bodies,
+                "axial: fixed point has no rotors as bodies; take RotorDynamics out of the scene, or compute in float");
+  static_assert(!No::springs, "axial: fixed point has no JointSprings; compute them in float");
+  static_assert(!No::composite_bodies,
+                "axial: forward dynamics in fixed point is that of articulated bodies; take CompositeBody out");
+  static_assert(!No::stribeck,
+                "axial: fixed point has viscous and Coulomb friction, not stribeck(); compute this scene in float");
+  static_assert(!No::smooth_speed, "axial: fixed point has no smooth_speed(); compute this scene in float");
+  static constexpr bool leaves_room =
+      !Scene::template has<Payload> || described_chain<typename Scene::Robot>.payload_limit.declared;
+  static_assert(!Scene::template has<TipWrench> || described_chain<typename Scene::Robot>.tip_wrench_limit.declared,
+                "axial: fixed point leaves room for the declared tip wrench; add axial::tip_wrench_limit(force, "
+                "moment) to the robot's chain");
+  static_assert(!Scene::template has<RuntimeTool> || described_chain<typename Scene::Robot>.tool_limit.declared,
+                "axial: fixed point leaves room for the declared tool; add axial::tool_limit(reach) to the robot's "
+                "chain");
+  static_assert(!Scene::template has<RuntimeTool> || is_within(described_chain<typename Scene::Robot>.tool,
+                                                               described_chain<typename Scene::Robot>.tool_limit),
+                "axial: the robot's axial::tool() is beyond its axial::tool_limit(reach); give a reach that holds it");
 };
+
+/// Says it where no inputs are named.
+template <class Scene, class Word>
+constexpr void check_fixed_scene() {
+  static_cast<void>(sizeof(Offered<Scene, Stored<Word>>));
+  check_limits<Scene, Word>();
+}
 
 }  // namespace detail
 }  // namespace axial

@@ -3,8 +3,8 @@
 
 #include <axial/fixed/bounds/momentum.hpp>
 #include <axial/fixed/ranges/forward_error.hpp>
-#include <axial/links/driven_links.hpp>
 #include <axial/scene/joints.hpp>
+#include <axial/transmissions/driven_links.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -21,28 +21,36 @@ struct SubjectOf<S, Stored<Word>> {
   using type = S;
 };
 
+/// The first joint whose limit is not there, -1 for none.
 template <class Robot>
+constexpr int first_joint_without(bool (*limit)(const LinkParameters&)) {
+  if constexpr (is_described<Robot>)
+    for (int i = 0; i < Robot::chain.size; ++i)
+      if (!limit(Robot::chain.links[i])) return i;
+  return -1;
+}
+constexpr bool is_slow(const LinkParameters& p) { return is_bounded(p.speed_limit); }
+constexpr bool is_gentle(const LinkParameters& p) { return is_bounded(p.acceleration_limit); }
+constexpr bool ends(const LinkParameters& p) {
+  return p.type == JointType::revolute || (is_bounded(p.position_max) && is_bounded(-p.position_min));
+}
+/// Names the joint in what a compiler says, counted from 0.
+template <int Joint>
+inline constexpr bool joint_is_limited = Joint < 0;
+
+/// What formats follow from, said where positions are declared, once: of other roles nothing.
+template <class S, class Role>
+struct LimitedJoints {
+  template <class Robot = typename scene_of<S>::Robot>
+  static constexpr int without(bool (*limit)(const LinkParameters&)) {
+    return std::is_same_v<Role, role::Position> ? first_joint_without<Robot>(limit) : -1;
+  }
+  static constexpr int speed = without(is_slow), acceleration = speed < 0 ? without(is_gentle) : -1;
+  static constexpr int position = speed < 0 && acceleration < 0 ? without(ends) : -1;
+};
+template <class S, class Word>
 constexpr void check_limits() {
-  constexpr auto all = [](bool (*good)(const LinkParameters&)) {
-    for (const LinkParameters& link : Robot::chain.links)
-      if (!good(link)) return false;
-    return true;
-  };
-  // Named, because clang repeats a condition before the sentence, a lambda over several lines.
-  constexpr bool speeds = all([](const LinkParameters& p) { return is_bounded(p.speed_limit); });
-  constexpr bool accelerations = all([](const LinkParameters& p) { return is_bounded(p.acceleration_limit); });
-  constexpr bool positions = all([](const LinkParameters& p) {
-    return p.type == JointType::revolute || (is_bounded(p.position_max) && is_bounded(-p.position_min));
-  });
-  static_assert(speeds,
-                "axial: fixed point takes its formats from the declared limits; give every link a "
-                "speed_limit(), of a drive that joints share drive_limits()");
-  static_assert(accelerations,
-                "axial: fixed point takes its formats from the declared limits; give every link an "
-                "acceleration_limit(), of a drive that joints share drive_limits()");
-  static_assert(positions,
-                "axial: fixed point takes its formats from the declared limits; give every prismatic link "
-                "position_limits(), of a drive that joints share drive_limits()");
+  static_cast<void>(sizeof(Positions<robot_of<S>, Stored<Word>>));
 }
 
 /// What joint values are rounded to, whatever the scene's arithmetic.
@@ -79,8 +87,11 @@ struct DriveSizes;
 template <class S, class Word>
 struct RoleExponent {
   static constexpr bool shared = shares_drives_in<typename scene_of<S>::Robot>;
-  static constexpr const LinkParameters& link(int i) { return scene_of<S>::Robot::chain.links[i]; }
-  static constexpr int fitting(double size) { return fitting_exponent(size, joint_rounding<Word>.capacity()); }
+  static constexpr const LinkParameters& link(int i) { return described_chain<typename scene_of<S>::Robot>.links[i]; }
+  // What has no limit was refused.
+  static constexpr int fitting(double size) {
+    return fitting_exponent(is_bounded(size) ? size : 1.0, joint_rounding<Word>.capacity());
+  }
   static constexpr double motion_effort(int i) {
     if constexpr (shared)
       return DriveSizes<S, Word>::effort(i);
@@ -139,7 +150,7 @@ struct RoleExponent {
 
 template <class S, class Word, class Role>
 constexpr auto role_exponents() {
-  check_limits<typename scene_of<S>::Robot>();
+  check_limits<S, Word>();
   constexpr int size = joint_count<S>;
   struct Table {
     int of[size] = {};
@@ -156,19 +167,33 @@ inline constexpr auto exponents_of = role_exponents<S, Word, Role>();
 /// Joint values of one role in fixed point: value = raw * 2^-exponent(i) in SI units; revolute positions are BAM32,
 /// angle = raw * 2 pi / 2^32, in 32 bits whatever the word.
 template <class S, class Word, class Role>
-struct Joints<S, Stored<Word>, Role> {
+struct Joints<S, Stored<Word>, Role>
+    : detail::ValuesOf<S, std::conditional_t<std::is_same_v<Role, role::Position>, Fixed32, Stored<Word>>> {
+  static_assert(detail::joint_is_limited<detail::LimitedJoints<S, Role>::speed>,
+                "axial: fixed point takes its formats from the declared limits; give every link a "
+                "speed_limit(), of a drive that joints share drive_limits()");
+  static_assert(detail::joint_is_limited<detail::LimitedJoints<S, Role>::acceleration>,
+                "axial: fixed point takes its formats from the declared limits; give every link an "
+                "acceleration_limit(), of a drive that joints share drive_limits()");
+  static_assert(detail::joint_is_limited<detail::LimitedJoints<S, Role>::position>,
+                "axial: fixed point takes its formats from the declared limits; give every prismatic link "
+                "position_limits(), of a drive that joints share drive_limits()");
   /// a stored word; positions have 32 bits
   using Value = std::conditional_t<std::is_same_v<Role, role::Position>, Fixed32, Stored<Word>>;
   static constexpr int size = joint_count<S>;  ///< number of joints
-  Value values[size] = {};                     ///< from the base outwards; zero unless initialised
+  using Base = detail::ValuesOf<S, Value>;     ///< the values
+  using Base::Base;                            ///< so many values
+  AXIAL_INLINE constexpr Joints() : Base() {}  ///< or none
 
   /// Exponent of joint i's value; 0 for revolute positions.
   AXIAL_INLINE static constexpr int exponent(int i) {
     return detail::exponents_of<S, typename Value::Word, Role>.of[i];
   }
-  AXIAL_INLINE constexpr Value& operator[](int i) { return values[i]; }  ///< value of joint i; the index is not checked
+  AXIAL_INLINE constexpr Value& operator[](int i) {
+    return this->values[i];
+  }  ///< value of joint i; the index is not checked
   AXIAL_INLINE constexpr const Value& operator[](int i) const {
-    return values[i];
+    return this->values[i];
   }  ///< value of joint i; the index is not checked
 };
 

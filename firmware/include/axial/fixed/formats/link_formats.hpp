@@ -7,6 +7,7 @@
 #include <axial/fixed/formats/joint_formats.hpp>
 #include <axial/fixed/words/divide.hpp>
 #include <axial/links/links.hpp>
+#include <axial/scene/fixed_features.hpp>
 #include <axial/spatial/inertia.hpp>
 
 #include <axial/options/begin.hpp>
@@ -223,6 +224,14 @@ struct Formats {
   }
   /// Halvings of a drive that forward dynamics solves for first, before any that the drive itself needs.
   static constexpr int halvings() { return Table::value.halvings; }
+  /// Halvings besides those that declared efforts need, with the bias of a declared motion: errors are proved with them
+  /// (certify_forward).
+  static constexpr int usual_halvings() {
+    int all = 0;
+    for (double reach = 1.0; reach < excess_of<Scene, typename S::Word>; reach *= 2.0)
+      ++all;
+    return all;
+  }
   /// What drives joint i at most without halvings, as a raw value.
   static constexpr std::int64_t drive_limit(int i, int exponent) {
     return static_cast<std::int64_t>(Table::value.range[i].drive * power_of_two(exponent));

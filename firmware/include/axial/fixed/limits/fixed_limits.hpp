@@ -80,7 +80,7 @@ struct Turns {
   bool of[Robot::chain.size] = {};
   constexpr Turns() {
     for (int i = 0; i < Robot::chain.size; ++i)
-      of[i] = Robot::chain.links[i].type == JointType::revolute;
+      of[i] = described_chain<Robot>.links[i].type == JointType::revolute;
   }
 };
 template <class Robot>

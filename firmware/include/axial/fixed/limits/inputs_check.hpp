@@ -130,9 +130,11 @@ constexpr Status check_fixed_inputs(const Inputs<S, Stored<Word>>& in) {
   using Scene = scene_of<S>;
   using F = InputFormats<detail::described_by<S>, Stored<Word>>;
   bool within = true;
-  if constexpr (Scene::template has<TipWrench>)
-    within = within_length(in.tip_wrench.force, F::wrench.force, F::tip_force) &
-             within_length(in.tip_wrench.moment, F::wrench.moment, F::tip_moment);
+  if constexpr (Scene::template has<TipWrench>) {
+    const bool force = within_length(in.tip_wrench.force, F::wrench.force, F::tip_force);
+    const bool moment = within_length(in.tip_wrench.moment, F::wrench.moment, F::tip_moment);
+    within = force & moment;
+  }
   if constexpr (Scene::template has<RuntimeGravity>) {
     constexpr auto g = detail::described_by<S>::chain.gravity;
     within = within & within_length(in.gravity, length_of(g.x, g.y, g.z), F::gravity);

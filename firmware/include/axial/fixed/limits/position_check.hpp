@@ -1,9 +1,10 @@
 // The positions that kinematics and separation start from against the declared limits: beyond them slides wrap.
 #pragma once
+#include <axial/scalar/language.hpp>
 
-#include <axial/dynamics/position_soundness.hpp>
 #include <axial/fixed/limits/joint_limits.hpp>
 #include <axial/fixed/limits/state_check.hpp>
+#include <axial/recursion/position_soundness.hpp>
 
 #include <axial/options/begin.hpp>
 

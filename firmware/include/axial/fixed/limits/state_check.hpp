@@ -1,9 +1,9 @@
 // The state that forward dynamics starts from against the declared limits, in fixed point: beyond them formats wrap.
 #pragma once
 
-#include <axial/dynamics/forward_soundness.hpp>
 #include <axial/fixed/limits/inputs_check.hpp>
 #include <axial/fixed/limits/joint_limits.hpp>
+#include <axial/recursion/forward_soundness.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <axial/fixed/formats/drive_formats.hpp>
 #include <axial/fixed/links/fixed_values.hpp>
-#include <axial/links/driven_links.hpp>
+#include <axial/transmissions/driven_links.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -86,7 +86,7 @@ struct FixedDrivenLinks {
   }
   /// What drives feel of values of the joints is summed where they answer.
   template <class Values>
-  AXIAL_INLINE static constexpr const Values& felt_by_drives(const Values& values) {
+  AXIAL_INLINE static constexpr const Values& actuator_efforts(const Values& values) {
     return values;
   }
   /// Values of drives, or of joints, with their formats.
@@ -98,15 +98,15 @@ struct FixedDrivenLinks {
   template <class Values, class K, class AtJoints, class... Own>
   AXIAL_INLINE static constexpr void answer(Values& values, K k, const AtJoints& at_joints, const Own&... own) {
     const auto at = FixedValues<JointScene, S>::read(at_joints);
-    FixedValues<Scene, S>::write(values, k, detail::lazy_sum(felt<K::value>(at), own...));
+    FixedValues<Scene, S>::write(values, k, detail::lazy_sum(actuator_effort<K::value>(at), own...));
   }
   /// What drive K feels of values of the joints with their formats: a lazy sum.
   template <int K, int I = 0, class Values>
-  AXIAL_INLINE static constexpr auto felt(const Values& values) {
+  AXIAL_INLINE static constexpr auto actuator_effort(const Values& values) {
     if constexpr (I == size)
       return Zero{};
     else
-      return add(literal<S>([] { return matrix.ratio[I][K]; }) * values[Index<I>{}], felt<K, I + 1>(values));
+      return add(literal<S>([] { return matrix.ratio[I][K]; }) * values[Index<I>{}], actuator_effort<K, I + 1>(values));
   }
   /// A sum that waits for its rounding.
   template <class X, class Y>

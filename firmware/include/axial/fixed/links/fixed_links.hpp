@@ -29,34 +29,59 @@ constexpr bool has_own_parameters() {
                                                    std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>);
 }
 
+/// What formats of articulated bodies refuse (macros: static_assert takes a literal only).
+///@{
+#define AXIAL_OWN_PARAMETERS                                                                                        \
+  "axial: forward dynamics in fixed point takes its formats from each link's own parameters, which BaseParameters " \
+  "regroups; take BaseParameters out of the scene"
+#define AXIAL_EVERY_LINK_RESISTS                                                                                    \
+  "axial: forward dynamics in fixed point takes its formats from what each link resists by itself; give every "     \
+  "link an inertia about its joint's axis (a slide: a mass), or rotor_inertia() and name RotorInertia; or compute " \
+  "this scene in float"
+///@}
 /// Formats that follow from what each link resists.
 template <class Scene, class Recursion>
 constexpr void check_resistance() {
-  static_assert(has_own_parameters<Scene, Recursion>(),
-                "axial: forward dynamics in fixed point takes its formats from each link's own parameters, which "
-                "BaseParameters regroups; take BaseParameters out of the scene");
-  static_assert(resisted_by_themselves<Scene, Recursion>(),
-                "axial: forward dynamics in fixed point takes its formats from what each link resists by itself; give "
-                "every link an inertia about its joint's axis (a slide: a mass), or rotor_inertia() and name "
-                "RotorInertia; or compute this scene in float");
+  static_assert(has_own_parameters<Scene, Recursion>(), AXIAL_OWN_PARAMETERS);
+  static_assert(resisted_by_themselves<Scene, Recursion>(), AXIAL_EVERY_LINK_RESISTS);
 }
 
 /// The recursions whose quantities have room for one format all along an arm.
+template <class Recursion>
+inline constexpr bool has_looped_form =
+    std::is_same_v<Recursion, recursion::NewtonEuler> || std::is_same_v<Recursion, recursion::CompositeBodies> ||
+    std::is_same_v<Recursion, recursion::Kinematics> || std::is_same_v<Recursion, recursion::Momenta> ||
+    std::is_same_v<Recursion, recursion::BaseForce> || std::is_same_v<Recursion, recursion::Derivatives>;
+/// The recursion by which a refusal is said, so that each is said once: one for all of articulated bodies, and one for
+/// all that have every form.
+template <class Recursion>
+using said_as = std::conditional_t<
+    std::is_same_v<Recursion, recursion::BaseForce> || std::is_same_v<Recursion, recursion::Separation>, Recursion,
+    std::conditional_t<has_looped_form<Recursion>, recursion::NewtonEuler, recursion::ArticulatedBodiesAtRest>>;
+/// Whether a scene has a wrench that separated terms have no format for.
 template <class Scene, class Recursion>
-constexpr void check_fixed_form() {
-  static_assert(
-      !Scene::template has<Looped> || std::is_same_v<Recursion, recursion::NewtonEuler> ||
-          std::is_same_v<Recursion, recursion::CompositeBodies> || std::is_same_v<Recursion, recursion::Kinematics> ||
-          std::is_same_v<Recursion, recursion::Momenta> || std::is_same_v<Recursion, recursion::BaseForce> ||
-          std::is_same_v<Recursion, recursion::Derivatives>,
-      "axial: forward dynamics and separation in fixed point need a format per link, which the looped form has not; "
-      "take Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)");
-  static_assert(!std::is_same_v<Recursion, recursion::Separation> || !Scene::template has<TipWrench>,
-                "axial: separate() in fixed point has no wrenches; take TipWrench out of the scene");
-  static_assert(!std::is_same_v<Recursion, recursion::BaseForce>,
-                "axial: base_wrench() has no formats in fixed point; compute it in float");
-  check_resistance<Scene, Recursion>();
-}
+inline constexpr bool separates_wrenches =
+    std::is_same_v<Recursion, recursion::Separation>&& Scene::template has<TipWrench>;
+
+template <class Named, class Word>
+struct Forms<Named, Stored<Word>> {
+  template <class Recursion>
+  static constexpr auto check() {
+    using Scene = sound_scene<Named>;
+    if constexpr (!shares_drives_in<typename Scene::Robot>) {
+      static_assert(
+          !Scene::template has<Looped> || has_looped_form<Recursion>,
+          "axial: forward dynamics and separation in fixed point need a format per link, which the looped form has "
+          "not; take Looped out (AXIAL_MULTIPLY_BY_CALL makes them smaller on a Cortex-M0)");
+      static_assert(!separates_wrenches<Scene, Recursion>,
+                    "axial: separate() in fixed point has no wrenches; take TipWrench out of the scene");
+      static_assert(!std::is_same_v<Recursion, recursion::BaseForce> || Unranged<Named>::any,
+                    "axial: base_wrench() has no formats in fixed point; compute it in float");
+      static_assert(has_own_parameters<Scene, Recursion>(), AXIAL_OWN_PARAMETERS);
+      static_assert(resisted_by_themselves<Scene, Recursion>(), AXIAL_EVERY_LINK_RESISTS);
+    }
+  }
+};
 
 /// The formats of links that have a type each, and how kernels read and write joint values there.
 template <class Scene, class Parameters, class S, class Recursion>
@@ -67,6 +92,8 @@ struct LinkFormats : Formats<Scene, Parameters, S, Recursion> {
     static constexpr bool second_solve() { return Base::second_solve(); }
     /// Halvings of a drive that forward dynamics solves for first, see fixed/dynamics/split_answer.hpp.
     static constexpr int halvings() { return Base::halvings(); }
+    /// Halvings that declared efforts in a declared motion need.
+    static constexpr int usual_halvings() { return Base::usual_halvings(); }
     /// Efforts to fill: what a motion needs has words of its own.
     AXIAL_INLINE static constexpr auto no_efforts() {
       if constexpr (std::is_same_v<Recursion, recursion::MotionEfforts>)
@@ -107,7 +134,7 @@ constexpr void check_shared_drives() {
 template <class R, class... Features, class Word, class Parameters, class Recursion>
 struct LinksOf<Scene<DriveCoordinates<R>, Features...>, Stored<Word>, Parameters, Recursion> {
   using Drives = Scene<DriveCoordinates<R>, Features...>;  ///< the scene
-  static_assert((detail::check_fixed_scene<Drives>(), detail::check_shared_drives<Drives, Recursion>(), true));
+  static_assert((detail::check_fixed_scene<Drives, Word>(), detail::check_shared_drives<Drives, Recursion>(), true));
   using S = detail::ArithmeticOf<Drives, Word>;  ///< arithmetic
 
   /// joints and drives
@@ -118,14 +145,25 @@ struct LinksOf<Scene<DriveCoordinates<R>, Features...>, Stored<Word>, Parameters
 };
 
 /// In fixed point: formats of the recursion, a table of integers where the scene is looped.
-template <class Scene, class Word, class Parameters, class Recursion>
-struct LinksOf<Scene, Stored<Word>, Parameters, Recursion> {
-  static_assert((detail::check_fixed_scene<Scene>(), detail::check_fixed_form<Scene, Recursion>(), true));
+template <class Named, class Word, class Parameters, class Recursion>
+struct LinksOf<Named, Stored<Word>, Parameters, Recursion> {
+  static_assert((detail::check_fixed_scene<Named, Word>(),
+                 detail::Forms<Named, Stored<Word>>::template check<detail::said_as<Recursion>>(), true));
+  static constexpr bool offered = !Named::template has<Looped> || detail::has_looped_form<Recursion>;  ///< in this form
+  /// whether kernels are to do nothing
+  static constexpr bool refused = std::is_same_v<Recursion, recursion::BaseForce> ||
+                                  detail::separates_wrenches<Named, Recursion> ||
+                                  (std::is_same_v<Recursion, recursion::Separation> && !offered);
+  /// the scene, or what stands for one that was refused
+  using Scene = std::conditional_t<offered, detail::sound_scene<Named>,
+                                   axial::Scene<typename Named::Robot, Gravity, RotorInertia>>;
   using S = detail::ArithmeticOf<Scene, Word>;  ///< arithmetic
 
   /// the links, in the form that the scene asks for
   AXIAL_INLINE static constexpr auto links() {
-    if constexpr (Scene::template has<Looped>)
+    if constexpr (refused)
+      return RefusedLinks<Named>{};
+    else if constexpr (Scene::template has<Looped>)
       return FixedTableLinks<Scene, S, Parameters, detail::SharedFormats<Scene, Parameters, S, Recursion>>{};
     else
       return StaticLinks<Scene, S, Parameters, detail::LinkFormats<Scene, Parameters, S, Recursion>>{};

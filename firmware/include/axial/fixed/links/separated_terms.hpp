@@ -1,10 +1,10 @@
 // Separated dynamics in fixed point: the formats of the coefficients, and how kernels write them.
 #pragma once
 
-#include <axial/dynamics/driven_separation.hpp>
 #include <axial/fixed/formats/drive_formats.hpp>
 #include <axial/fixed/links/fixed_values.hpp>
 #include <axial/links/separated_terms.hpp>
+#include <axial/transmissions/driven_separation.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -2,9 +2,9 @@
 // doc/guides/ranges.md.
 #pragma once
 
+#include <axial/fixed/balls/split_ball.hpp>
 #include <axial/fixed/bounds/newton_euler.hpp>
 #include <axial/fixed/bounds/shared_formats.hpp>
-#include <axial/fixed/bounds/split_ball.hpp>
 #include <axial/fixed/ranges/composite_bodies.hpp>
 #include <axial/fixed/ranges/usual_inertia.hpp>
 
@@ -32,12 +32,12 @@ constexpr double least_inertia(const TreeLinkConstants<double>& c) {
   return det > 0.0 && trace > 0.0 ? 4.0 * det / (trace * trace) : 0.0;
 }
 
-/// What each joint feels whatever the position.
+/// What each joint feels whatever the position. What feels nothing was refused (links/fixed_links.hpp).
 template <int N>
 constexpr PerJoint<N> least_inertias(const Mechanism<N>& m) {
   PerJoint<N> least;
   for (int i = 0; i < N; ++i)
-    least.of[i] = least_joint_inertia(m, i);
+    least.of[i] = least_joint_inertia(m, i) > 0.0 ? least_joint_inertia(m, i) : 1.0;
   return least;
 }
 
@@ -59,7 +59,7 @@ class ArticulatedAnalysis {
     set_inertia_formats(m_, bodies_, r_, all_);
     drive(given);
     for (int i = N; i-- > 0;)
-      bear(i, given[i]);
+      bound_force(i, given[i]);
     for (int i = 0; i < N; ++i)
       move(i);
     for (int i = 0; moving != nullptr && i < N; ++i)
@@ -92,13 +92,13 @@ class ArticulatedAnalysis {
       if (p < 0) continue;
       outboard_[p] += outboard_[i];
       const bool same = m_.links[p].prismatic == m_.links[i].prismatic;
-      const double felt = same ? drive_[i] : m_.links[i].prismatic ? drive_[i] * m_.origin_distance(i) : 0.0;
-      reaction[p] = felt > reaction[p] ? felt : reaction[p];
+      const double reacted = same ? drive_[i] : m_.links[i].prismatic ? drive_[i] * m_.origin_distance(i) : 0.0;
+      reaction[p] = reacted > reaction[p] ? reacted : reaction[p];
     }
     whole_ = square_root(sum);
   }
   // Force that a link bears, by Cauchy and Schwarz: |p| <= sqrt(|I^c|) sqrt(G), and the joint's own effort.
-  constexpr void bear(int i, double given) {
+  constexpr void bound_force(int i, double given) {
     const auto& c = m_.links[i];
     LinkRange& own = all_.range[i];
     const CompositeRange& b = bodies_.behind[i];

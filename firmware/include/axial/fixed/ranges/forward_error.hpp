@@ -93,21 +93,21 @@ class ForwardErrorAnalysis {
     const int p = m_.parent(i);
     if (p < 0) return;
     const CompositeRange& b = bodies_.behind[i];
-    const double felt = own.joint_inertia.size;
+    const double effective = own.joint_inertia.size;
     const double ka = own.angular_gain.size * reciprocal_error + 1.5 * store(&LinkFormat::angular_gain, i);
     const double kl = own.linear_gain.size * reciprocal_error + 1.5 * store(&LinkFormat::linear_gain, i);
-    const double ua = square_root(b.inertia * felt), ul = square_root(b.mass * felt);
-    Change sent{3.0 * (2.0 * ua * ka), 3.0 * (ua * kl + ul * ka), 3.0 * (2.0 * ul * kl), 0.0, 0.0};
+    const double ua = square_root(b.inertia * effective), ul = square_root(b.mass * effective);
+    Change on_parent{3.0 * (2.0 * ua * ka), 3.0 * (ua * kl + ul * ka), 3.0 * (2.0 * ul * kl), 0.0, 0.0};
     const double u = own.joint_effort.size;
-    sent.moment = root3 * (ka * u + 2.0 * own.angular_gain.size * store(&LinkFormat::joint_effort, i));
-    sent.force = root3 * (kl * u + 2.0 * own.linear_gain.size * store(&LinkFormat::joint_effort, i));
-    screw(sent, i, i, m_.links[i].prismatic ? 0.0 : r_.turn_error, m_.joints[i].travel);
-    screw(sent, i, p, 0.0, magnitude(m_.links[i].a));
+    on_parent.moment = root3 * (ka * u + 2.0 * own.angular_gain.size * store(&LinkFormat::joint_effort, i));
+    on_parent.force = root3 * (kl * u + 2.0 * own.linear_gain.size * store(&LinkFormat::joint_effort, i));
+    screw(on_parent, i, i, m_.links[i].prismatic ? 0.0 : r_.turn_error, m_.joints[i].travel);
+    screw(on_parent, i, p, 0.0, magnitude(m_.links[i].a));
     if (magnitude(m_.links[i].branch.b) > 0.0 || magnitude(m_.links[i].branch.sin_gamma) > 0.0)
-      screw(sent, i, p, 0.0, magnitude(m_.links[i].branch.b));
+      screw(on_parent, i, p, 0.0, magnitude(m_.links[i].branch.b));
     Change& up = change_[p];
-    up.inertia += sent.inertia, up.first += sent.first, up.mass += sent.mass;
-    up.moment += sent.moment, up.force += sent.force;
+    up.inertia += on_parent.inertia, up.first += on_parent.first, up.mass += on_parent.mass;
+    up.moment += on_parent.moment, up.force += on_parent.force;
   }
   // One screw of link i in the formats of link f: turn by the double angle, shift, and their roundings.
   constexpr void screw(Change& c, int i, int f, double tilt, double shift) const {

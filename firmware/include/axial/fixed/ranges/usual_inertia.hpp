@@ -4,6 +4,7 @@
 
 #include <axial/fixed/bounds/mechanism.hpp>
 #include <axial/scalar/sincos.hpp>
+#include <axial/spatial/articulated_congruence.hpp>
 #include <axial/spatial/branch_screw.hpp>
 
 #include <axial/options/begin.hpp>

@@ -1,6 +1,7 @@
 // Products on a Cortex-M0 by a call each, for parts with little flash: 4 bytes per product instead of 34 to 38, and 4
 // instructions more. AXIAL_MULTIPLY_BY_CALL chooses them.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <cstdint>
 

@@ -1,5 +1,6 @@
 // Products where the processor multiplies 32 by 32 bits into 32 only: four products of halves.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <cstdint>
 

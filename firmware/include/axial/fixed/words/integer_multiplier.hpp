@@ -1,5 +1,6 @@
 // One number times many.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <cstdint>
 

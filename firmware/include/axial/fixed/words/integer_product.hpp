@@ -1,5 +1,6 @@
 // Products of 32-bit integers: exact, summed, or their high words; the same bits on every processor.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <cstdint>
 

@@ -1,5 +1,6 @@
 // Reciprocals of positive integers.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <cstdint>
 

@@ -1,5 +1,6 @@
 // Sine-cosine pairs of binary angles.
 #pragma once
+#include <axial/scalar/language.hpp>
 
 #include <cstdint>
 

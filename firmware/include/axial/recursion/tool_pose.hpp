@@ -1,0 +1,31 @@
+// The tool as kinematics sees it: declared by the robot, or given at run time.
+#pragma once
+
+#include <axial/links/links.hpp>
+#include <axial/scene/runtime_tool.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+
+/// A tool's pose as a kernel over a scene and its Scalar computes with it.
+template <class Scene, class Scalar, class T>
+AXIAL_INLINE constexpr const Pose<Mat3<Vec3<T>>, Vec3<T>>& read_tool(const Pose<Mat3<Vec3<T>>, Vec3<T>>& tool) {
+  return tool;
+}
+
+namespace kinematics {
+
+/// Pose of the tool in the last link's frame.
+template <class Links, class Input>
+AXIAL_INLINE constexpr auto tool_of(const Links& links, const Input& in) {
+  if constexpr (Links::Scene::template has<RuntimeTool>)
+    return read_tool<typename Links::Scene, typename Links::Scalar>(in.tool);
+  else
+    return links.tool_pose();
+}
+
+}  // namespace kinematics
+}  // namespace axial
+
+#include <axial/options/end.hpp>

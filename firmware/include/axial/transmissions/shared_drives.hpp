@@ -1,0 +1,251 @@
+// Robots whose joints share drives: inverse dynamics, mass matrix, forward dynamics and kinematics in values of drives.
+#pragma once
+#include <axial/scalar/language.hpp>
+
+#include <axial/dynamics/forward_dynamics.hpp>
+#include <axial/dynamics/kinematics.hpp>
+#include <axial/transmissions/clustered_dynamics.hpp>
+#include <axial/transmissions/coupling_terms.hpp>
+#include <axial/transmissions/driven_floating_base.hpp>
+#include <axial/transmissions/driven_links.hpp>
+#include <axial/transmissions/driven_model.hpp>
+#include <axial/transmissions/driven_rotors.hpp>
+#include <axial/transmissions/driven_separation.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+
+namespace driven {
+/// Forward dynamics by composite bodies; a number system with formats has its own.
+template <class Links>
+struct CompositeRigidBodies {
+  /// Accelerations of the drives.
+  template <class Input, class Q, class V, class Tau, class A>
+  AXIAL_INLINE static constexpr auto accelerations(const Links& links, const Input& in, const Q& u, const V& ud,
+                                                   const Tau& tau, A& udd) {
+    if constexpr (!Links::Scene::template has<FloatingBase>) {
+      using Kernels = DrivenKernels<Links>;
+      const auto q = links.positions(u);
+      auto screws = joint_screws(links.joints(), in, q);
+      Kernels::remaining_efforts(links, in, q, screws, links.rates(ud), ud, tau, udd);
+      typename Kernels::Matrix m{};
+      Kernels::matrix(links, in, screws, m);
+      return crba::solve(links.drives(), m, udd);
+    } else if constexpr (Links::unrolled) {
+      const auto own = links_of<typename Links::Scene, typename Links::Scalar, FullParameters>();
+      return driven::FloatingBaseCoupled<std::decay_t<decltype(own)>>::accelerations(own, in, u, ud, tau, udd);
+    } else {
+      return driven::FloatingBaseCoupled<Links>::accelerations(links, in, u, ud, tau, udd);
+    }
+  }
+};
+}  // namespace driven
+
+/// Kernels in values of drives: joints by q = G u + q0, efforts of the drives by tau_u = G^T tau_q, rotors and friction
+/// of the drives themselves.
+template <class Links>
+struct DrivenKernels {
+  using T = typename Links::Scalar;                                                     ///< the number
+  using JointMatrix = MassMatrixOf<typename Links::JointScene, typename Links::Value>;  ///< M of the joints
+  using Matrix = MassMatrix<typename Links::Scene::Robot, T>;                           ///< M of the drives
+
+  /// Efforts of the drives; rates may be NoMotion.
+  template <class Input, class Q, class V, class A, class Tau>
+  AXIAL_INLINE static constexpr void efforts(const Links& links, const Input& in, const Q& u, const V& ud, const A& udd,
+                                             Tau& tau) {
+    if constexpr (Links::Scene::template has<RotorDynamics>) {
+      driven::efforts_with_rotors(links, in, u, ud, udd, tau);
+    } else {
+      typename Links::JointValues at_joints{};
+      rnea::run(links.joints(), in, links.positions(u), links.kernel_rates(ud), links.kernel_rates(udd), at_joints);
+      const auto actuator_effort = links.actuator_efforts(at_joints);
+      const auto speeds = links.read_drives(ud);
+      const auto accelerations = links.read_drives(udd);
+      links.each_drive([&](auto k) AXIAL_INLINE {
+        const auto drive = links.drives().link(k);
+        links.answer(tau, k, actuator_effort, friction_effort(drive, speeds[k]), drive.rotor() * accelerations[k]);
+      });
+    }
+  }
+
+  /// Newton and Euler's recursion over the joints with rotors on them (driven_rotors.hpp): calls each(i, effort),
+  /// answers what effort_on_rotor() takes.
+  template <class... Parts>
+  AXIAL_INLINE static constexpr auto propagate_inward(const Parts&... parts) {
+    return driven::propagate_inward(parts...);
+  }
+  /// What the turning of its carrier asks of drive k: gear J z . dw_c.
+  template <class Joints, class Input, class K, class Motions>
+  AXIAL_INLINE static constexpr auto effort_on_rotor(const Links& links, const Joints& joints, const Input& in, K k,
+                                                     const Motions& motions) {
+    return driven::effort_on_drive(links, joints, in, k, motions);
+  }
+
+  /// M of the drives.
+  template <class Input, class Screws, class M>
+  AXIAL_INLINE static constexpr void matrix(const Links& links, const Input& in, const Screws& screws, M& m) {
+    JointMatrix joints{};
+    crba::entries(links.joints(), in, screws, joints);
+    reduce(links, joints, m);
+    if constexpr (Links::Scene::template has<RotorDynamics>) driven::couple_rotors(links, screws, m);
+  }
+  /// G^T M G and the rotors.
+  template <class M, class Drives>
+  AXIAL_INLINE static constexpr void reduce(const Links& links, const M& joints, Drives& m) {
+    if constexpr (Links::unrolled)
+      driven::reduce(links, joints, m, std::make_integer_sequence<int, driven::share_count<Links>>{});
+    else
+      links.reduce(joints, m);
+  }
+  /// G^T M G and the rotors from values of drives.
+  template <class Input, class Q, class M>
+  AXIAL_INLINE static constexpr void matrix_at(const Links& links, const Input& in, const Q& u, M& m) {
+    const auto q = links.positions(u);
+    const auto& at = links.joints();
+    matrix(links, in, joint_screws(at, in, at.read(q)), m);
+  }
+
+  /// Accelerations of the drives, by composite bodies.
+  template <class Input, class Q, class V, class Tau, class A>
+  AXIAL_INLINE static constexpr auto accelerations(const Links& links, const Input& in, const Q& u, const V& ud,
+                                                   const Tau& tau, A& udd) {
+    return driven::CompositeRigidBodies<Links>::accelerations(links, in, u, ud, tau, udd);
+  }
+
+  /// Accelerations of the drives by articulated bodies over clusters; `bias_links` are those of the bias effort.
+  template <class BiasLinks, class Input, class Q, class V, class Tau, class A>
+  AXIAL_INLINE static constexpr auto by_clusters(const Links& links, const BiasLinks& bias_links, const Input& in,
+                                                 const Q& u, const V& ud, const Tau& tau, A& udd) {
+    const auto q = links.positions(u);
+    const auto screws = joint_screws(bias_links.joints(), in, q);
+    remaining_efforts(bias_links, in, q, screws, links.rates(ud), ud, tau, udd);
+    using Clusters = detail::SceneOfClusters<typename Links::Scene>;
+    const auto bodies = links_of<typename Clusters::type, T, FullParameters, recursion::ArticulatedBodiesAtRest>();
+    return clusters::Passes<typename Clusters::Robot, Links, decltype(bodies)>::run(bodies, in, screws, udd);
+  }
+
+  /// Separated terms of the drives.
+  template <class Out, class S, class Number, class Input, class Q>
+  AXIAL_INLINE static constexpr Out separated(const Links& links, const Input& in, const Q& u) {
+    return driven::separated<Out, S, Number>(links, in, u);
+  }
+
+  /// Columns of a Jacobian by drives, from those by joints.
+  template <class J, class Result>
+  AXIAL_INLINE static constexpr void columns(const Links& links, const J& joints, Result& result) {
+    links.each_drive([&](auto k) AXIAL_INLINE { result[k] = column(links, k, joints); });
+    result.status = joints.status;
+  }
+
+  /// What the drives' efforts leave to accelerate.
+  template <class Of, class Input, class Q, class Screws, class W, class V, class Tau, class A>
+  AXIAL_INLINE static constexpr void remaining_efforts(const Of& links, const Input& in, const Q& q,
+                                                       const Screws& screws, const W& qd, const V& ud, const Tau& tau,
+                                                       A& left) {
+    typename Links::JointValues bias{};
+    if constexpr (Links::Scene::template has<RotorDynamics>) {
+      const auto& joints = links.joints();
+      const auto motions =
+          driven::propagate_inward(links, joints, in, q, screws, qd, NoMotion{}, ud, NoMotion{},
+                                   [&](auto i, const auto& effort) AXIAL_INLINE { joints.write(bias, i, effort); });
+      remaining_efforts(links, bias, ud, tau, left);
+      links.each_drive([&](auto k) AXIAL_INLINE {
+        left[k] = static_cast<T>(left[k] - driven::effort_on_drive(links, joints, in, k, motions));
+      });
+    } else {
+      rnea::efforts(links.joints(), in, q, screws, qd, NoMotion{}, bias);
+      remaining_efforts(links, bias, ud, tau, left);
+    }
+  }
+  /// What the drives' efforts leave besides efforts of the joints and the drives' friction.
+  template <class Of, class Values, class V, class Tau, class A>
+  AXIAL_INLINE static constexpr void remaining_efforts(const Of& links, const Values& bias, const V& ud, const Tau& tau,
+                                                       A& left) {
+    links.each_drive([&](auto k) AXIAL_INLINE {
+      left[k] =
+          static_cast<T>(tau[k] - (links.actuator_effort(k, bias) + friction_effort(links.drives().link(k), ud[k])));
+    });
+  }
+
+ private:
+  template <class K, class J>
+  AXIAL_INLINE static constexpr auto column(const Links& links, K k, const J& joints) {
+    using Vector = Vec3<typename Links::Value>;
+    MotionVector<Vector, Vector> sum{};
+    const auto part = [&](const auto& get) {
+      if constexpr (Links::unrolled)
+        return Links::template column_part<K::value>(get);
+      else
+        return links.column_part(k, get);
+    };
+    sum.angular = {part([&](int i) { return joints[i].angular.x; }), part([&](int i) { return joints[i].angular.y; }),
+                   part([&](int i) { return joints[i].angular.z; })};
+    sum.linear = {part([&](int i) { return joints[i].linear.x; }), part([&](int i) { return joints[i].linear.y; }),
+                  part([&](int i) { return joints[i].linear.z; })};
+    return sum;
+  }
+};
+
+namespace crba {
+/// Structure of M of drives: those pairs that some pair of moved joints makes, and what the elimination fills in.
+template <class R, class... Features, class T, class Parameters>
+inline constexpr auto structure<StaticLinks<Scene<DriveCoordinates<R>, Features...>, T, Parameters>> = [] {
+  using Links = DrivenLinks<Scene<DriveCoordinates<R>, Features...>, T, BaseParameters>;
+  Structure<Links::capacity> met;
+  driven::each_share_of<Links>([&](const driven::Share& share) { met.present[share.k][share.l] = true; });
+  for (int k = 0; k < Links::capacity; ++k) {
+    met.present[k][k] = true;
+    if constexpr (Links::Scene::template has<FloatingBase>)
+      for (int l = 0; l < k; ++l)
+        met.present[k][l] = true;
+    if constexpr (Links::Scene::template has<RotorDynamics>)
+      for (int l = 0; l < k; ++l)
+        met.present[k][l] =
+            met.present[k][l] || driven::turns_carrier<Links>(l, k) || driven::turns_carrier<Links>(k, l);
+  }
+  met.fill();
+  return met;
+}();
+}  // namespace crba
+
+namespace detail {
+/// Every drive has a rotor, or every joint something that resists it: then M of the joints is positive definite.
+template <class Scene>
+constexpr bool every_drive_is_resisted() {
+  bool rotors = Scene::template has<RotorInertia>;
+  for (const LinkParameters& drive : Scene::Robot::chain.links)
+    rotors = rotors && drive.rotor_inertia > 0.0;
+  return rotors || every_joint_is_resisted<typename SceneOfJoints<Scene>::type>();
+}
+// What links do not say of a drive is told at run time.
+template <class R, class... Features>
+inline constexpr bool elimination_loses_little<Scene<DriveCoordinates<R>, Features...>> = false;
+template <class R, class... Features, int I, class T, class Parameters>
+struct AlwaysResists<StaticLink<Scene<DriveCoordinates<R>, Features...>, I, T, Parameters, Plain>> : std::false_type {};
+}  // namespace detail
+
+/// Joint positions at positions of the drives, G u + q0: rad or m, of all joints of a robot whose joints share drives.
+template <class S, class T>
+[[nodiscard]] constexpr Joints<JointCoordinates<robot_of<S>>, T> joint_positions(const Positions<robot_of<S>, T>& u) {
+  return decltype(links_of<S, T>())::positions(u);
+}
+/// Joint speeds or accelerations: G times those of the drives.
+template <class S, class T>
+[[nodiscard]] constexpr Joints<JointCoordinates<robot_of<S>>, T> joint_rates(const Velocities<robot_of<S>, T>& ud) {
+  return decltype(links_of<S, T>())::rates(ud);
+}
+/// Efforts of the drives that do what efforts at the joints would, G^T tau: N m or N per unit of the drive. The power
+/// is the same.
+template <class S, class T>
+[[nodiscard]] constexpr Efforts<robot_of<S>, T> drive_efforts(const Joints<JointCoordinates<robot_of<S>>, T>& tau) {
+  using Links = decltype(links_of<S, T>());
+  Efforts<robot_of<S>, T> actuator_effort{};
+  Links::each_drive(
+      [&](auto k) { actuator_effort[k] = static_cast<T>(Links::template actuator_effort<decltype(k)::value>(tau)); });
+  return actuator_effort;
+}
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>

@@ -1,0 +1,87 @@
+"""Identification accuses on evidence: logs without a mistake and with one, of noise that hides what light joints do.
+
+usage: verdicts_test.py --host BUILD_FOLDER [unittest arguments]
+"""
+
+import argparse
+import pathlib
+import sys
+import tempfile
+import unittest
+import unittest.mock
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "host_sim" / each) for each in ("identification", "commissioning")]
+import drawn_logs  # noqa: E402
+import smoothing  # noqa: E402
+import verdicts  # noqa: E402
+
+HOST = None
+SEED = 5
+
+
+def logs(name, folder):
+    return verdicts.Logs(HOST / "host_sim/identification/robot_regressor", folder, drawn_logs.ARMS.index(name))
+
+
+class Noise(unittest.TestCase):
+    """What is taken for noise of smoothed torques."""
+
+    RATE, ROWS, SIZE = 500.0, 4000, 0.2
+
+    def setUp(self):
+        self.smoother = smoothing.Smoother(self.RATE)
+        time = np.arange(self.ROWS) / self.RATE
+        self.motion = np.column_stack([20.0 * np.sin(2.0 * time), np.sign(np.sin(3.0 * time))])  # gravity, and friction that jumps
+        self.white = self.SIZE * np.random.default_rng(SEED).normal(size=self.motion.shape)
+
+    def test_is_what_the_filter_leaves_of_white_noise(self):
+        left = np.std(self.smoother.low_pass(self.white)[100:-100], axis=0)
+        np.testing.assert_allclose(self.smoother.noise(self.motion + self.white), left, rtol=0.25)  # some 150 independent values
+
+    def test_is_none_of_motion(self):
+        self.assertLess(self.smoother.noise(self.motion).max(), 1e-3 * self.SIZE)
+
+    def test_is_never_most_of_the_torques(self):
+        self.assertLess(self.smoother.noise(100.0 * self.white).max(), smoothing.NOISY * 100.0 * self.SIZE)
+
+
+class Logs(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def check(self, names, logs_of_each):
+        for name in names:
+            with logs(name, self.folder) as made:
+                for row in made.rows(logs_of_each):
+                    with self.subTest(arm=row["arm"], log=row["log"], planted=row["planted"], said=row["said"]):
+                        self.assertFalse(verdicts.wrong(row))
+
+
+class Sample(Logs):
+    def test_is_judged_rightly(self):
+        self.check(("z1", "ur3"), 1)
+
+    def test_is_refused_where_noise_counts_as_left(self):
+        """The first log of a Z1 has a wrist a quarter of whose torque is noise."""
+        with logs("z1", self.folder) as made, unittest.mock.patch.object(smoothing, "NOISY", 0.0):
+            self.assertIn("is left unexplained", made.row(0, guilty=False)["said"])
+
+
+class Every(Logs):
+    """All of ./axial identify --documents."""
+
+    def test_is_judged_rightly(self):
+        self.check(verdicts.ARMS, verdicts.LOGS)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--host", type=pathlib.Path, required=True)
+    own, rest = parser.parse_known_args()
+    HOST = own.host
+    unittest.main(argv=[sys.argv[0], *rest])

@@ -1,0 +1,330 @@
+// Derivatives of forward dynamics in fixed point: statuses, what is not asked for, loads, trees and arithmetics.
+#include <gtest/gtest.h>
+#include <axial/fixed.hpp>
+#include <cmath>
+#include <host_sim/exhaustive/fixed_states.hpp>
+#include <robots/robots.hpp>
+#include <unit/fixed/dynamics/light_tip.hpp>
+
+using namespace axial;
+
+namespace {
+
+using T = Fixed32;
+using R = robots::Scara;
+
+template <class M>
+double real(const M& words, int i, int j) {
+  return std::ldexp(words(i, j).raw, -words.exponent(i, j));
+}
+
+/// A state whose efforts give the accelerations that it asks for.
+template <class S, class Exact>
+exhaustive::FixedState<S, T> state_of(exhaustive::Random& random, std::uint64_t k) {
+  using Robot = robot_of<S>;
+  auto state = exhaustive::next_state<exhaustive::FixedState<S, T>>(random, k % 4);
+  for (int i = 0; i < joint_count<S>; ++i)
+    if (state.turns(i)) state.q[i].raw /= 4;
+  const auto tau =
+      inverse_dynamics<Exact>(exhaustive::in_double<Robot, T>(state.q), exhaustive::in_double<Robot>(state.qd),
+                              exhaustive::in_double<Robot>(state.qdd));
+  for (int i = 0; i < joint_count<S>; ++i)
+    state.tau[i].raw = static_cast<std::int32_t>(std::lrint(std::ldexp(0.9 * tau[i], state.tau.exponent(i))));
+  return state;
+}
+
+/// The largest share of a bound that the errors of a matrix are.
+template <class Words, class Numbers>
+double share(const Words& words, const Words& bounds, const Numbers& exact) {
+  double most = 0.0;
+  for (int i = 0; i < Words::size; ++i)
+    for (int j = 0; j < Words::size; ++j) {
+      const double off = std::fabs(real(words, i, j) - exact(i, j)), bound = real(bounds, i, j);
+      EXPECT_LE(off, bound + 1e-12) << i << ' ' << j;
+      if (bound > 0.0) most = std::fmax(most, off / bound);
+    }
+  return most;
+}
+template <class S, class Exact>
+void expect_bounded(int at_least, double least_share = 0.01) {
+  using Robot = robot_of<S>;
+  exhaustive::Random random(29);
+  range_overflows = 0;
+  double nearest = 0.0;
+  int answered = 0;
+  for (std::uint64_t k = 0; k < 400; ++k) {
+    const auto state = state_of<S, Exact>(random, k);
+    const auto got = certified_forward_dynamics_derivatives<S>(state.q, state.qd, state.tau);
+    if (!got.qdd.status.ok()) continue;
+    ++answered;
+    const auto exact = forward_dynamics_derivatives<Exact>(exhaustive::in_double<Robot, T>(state.q),
+                                                           exhaustive::in_double<Robot>(state.qd),
+                                                           exhaustive::in_double<Robot>(state.tau));
+    nearest = std::fmax(nearest, share(got.M_inverse, got.bound.M_inverse, exact.M_inverse));
+    share(got.dqdd_dq, got.bound.dqdd_dq, exact.dqdd_dq);
+    share(got.dqdd_dqd, got.bound.dqdd_dqd, exact.dqdd_dqd);
+    for (int i = 0; i < joint_count<S>; ++i) {
+      const double unit = std::ldexp(1.0, -got.qdd.exponent(i));
+      EXPECT_LE(std::fabs(got.qdd[i].raw * unit - exact.qdd[i]), got.bound.qdd[i].raw * unit) << i;
+    }
+  }
+  EXPECT_EQ(range_overflows, 0U);
+  EXPECT_GT(answered, at_least);
+  EXPECT_GT(nearest, least_share) << "bounds as loose as this say little";
+}
+
+// Two arms on one column.
+struct Fork {
+  static constexpr auto chain =
+      axial::chain(gravity(0.0, 0.0, -9.81), joint(4.0, 0.4), joint(2.0, 0.3).a(0.2).alpha_deg(90).parent(0),
+                   joint(1.0, 0.3).a(-0.2).alpha_deg(90).parent(0));
+};
+
+exhaustive::FixedState<R, T> at_rest() {
+  exhaustive::FixedState<R, T> state{};
+  state.q[1].raw = 1 << 28;
+  return state;
+}
+
+}  // namespace
+
+TEST(ForwardDerivativesInWords, AreInsideTheirBounds) {
+  expect_bounded<Scene<R, Gravity, RotorInertia, RangeCheck>, R>(200);
+  expect_bounded<Scene<R, Gravity, RotorInertia, Friction, RangeCheck, HighWord>,
+                 Scene<R, Gravity, RotorInertia, Friction>>(100);
+  expect_bounded<Scene<Fork, Gravity, RotorInertia, RangeCheck, RoundDown>, Fork>(100);
+}
+
+// By one step for all links M is eliminated in words. A wrist of an arm of kilograms has 6e-4 kg m^2 there.
+TEST(ForwardDerivativesInWords, AreInsideTheirBoundsInLoops) {
+  expect_bounded<Scene<R, Gravity, RotorInertia, Looped, RangeCheck>, R>(200, 0.005);
+  expect_bounded<Scene<R, Gravity, RotorInertia, Friction, Looped, RangeCheck, HighWord>,
+                 Scene<R, Gravity, RotorInertia, Friction>>(100, 0.005);
+  expect_bounded<Scene<Fork, Gravity, RotorInertia, Looped, RangeCheck, RoundDown>, Fork>(100, 0.005);
+  expect_bounded<Scene<robots::Indy7, Gravity, RotorInertia, Looped, RangeCheck>, robots::Indy7>(10, 0.005);
+}
+
+namespace {
+
+template <class S>
+void expect_those_without_bounds() {
+  exhaustive::Random random(31);
+  const auto state = state_of<S, R>(random, 0);
+  const auto proved = certified_forward_dynamics_derivatives<S>(state.q, state.qd, state.tau);
+  const auto all = forward_dynamics_derivatives<S>(state.q, state.qd, state.tau);
+  const auto alone = forward_dynamics_derivatives<S, with_acceleration_by_velocity>(state.q, state.qd, state.tau);
+  const auto by_position = forward_dynamics_derivatives<S, with_acceleration_by_position>(state.q, state.qd, state.tau);
+  const auto inverse = forward_dynamics_derivatives<S, with_inverse_mass_matrix>(state.q, state.qd, state.tau);
+  static_assert(sizeof alone.dqdd_dqd == 9 * sizeof(T) && sizeof alone < sizeof all);
+  for (int k = 0; k < 9; ++k) {
+    EXPECT_EQ(all.dqdd_dqd.values[k].raw, alone.dqdd_dqd.values[k].raw);
+    EXPECT_EQ(all.dqdd_dq.values[k].raw, by_position.dqdd_dq.values[k].raw);
+    EXPECT_EQ(all.M_inverse.values[k].raw, inverse.M_inverse.values[k].raw);
+    EXPECT_EQ(all.dqdd_dq.values[k].raw, proved.dqdd_dq.values[k].raw);
+  }
+}
+
+}  // namespace
+
+TEST(ForwardDerivativesInWords, AreThoseWithoutBounds) {
+  expect_those_without_bounds<R>();
+  expect_those_without_bounds<Scene<R, Gravity, RotorInertia, Looped>>();
+}
+
+TEST(ForwardDerivativesInWords, AreZeroBeyondTheLimits) {
+  auto state = at_rest();
+  state.qd[1].raw = INT32_MAX;
+  const auto fast = certified_forward_dynamics_derivatives<R>(state.q, state.qd, state.tau);
+  EXPECT_EQ(fast.qdd.status.code, Status::Code::speed_limit);
+  EXPECT_EQ(fast.qdd.status.joint, 1);
+  for (int k = 0; k < 9; ++k) {
+    EXPECT_EQ(fast.M_inverse.values[k].raw | fast.dqdd_dq.values[k].raw | fast.dqdd_dqd.values[k].raw, 0);
+    EXPECT_EQ(fast.bound.M_inverse.values[k].raw, INT32_MAX);
+    EXPECT_EQ(fast.bound.dqdd_dq.values[k].raw, INT32_MAX);
+    EXPECT_EQ(fast.bound.dqdd_dqd.values[k].raw, INT32_MAX);
+  }
+  EXPECT_EQ(fast.bound.qdd[0].raw, INT32_MAX);
+}
+
+// Slopes by position have formats for the declared accelerations; the others do not depend on them.
+TEST(ForwardDerivativesInWords, NameAJointThatAcceleratesAtMoreThanItDeclares) {
+  auto state = at_rest();
+  const auto q = exhaustive::in_double<R, T>(state.q);
+  const auto tau = inverse_dynamics<R>(q, Joints<R, double>{}, Joints<R, double>{0.0, 1.1 * 30.0, 0.0});
+  for (int i = 0; i < 3; ++i)
+    state.tau[i].raw = static_cast<std::int32_t>(std::lrint(std::ldexp(tau[i], state.tau.exponent(i))));
+  const auto beyond = certified_forward_dynamics_derivatives<R>(state.q, state.qd, state.tau);
+  EXPECT_EQ(beyond.qdd.status.code, Status::Code::acceleration_limit);
+  EXPECT_EQ(beyond.qdd.status.joint, 1);
+  const auto exact = forward_dynamics_derivatives<R>(q, Joints<R, double>{}, exhaustive::in_double<R>(state.tau));
+  share(beyond.M_inverse, beyond.bound.M_inverse, exact.M_inverse);
+  share(beyond.dqdd_dqd, beyond.bound.dqdd_dqd, exact.dqdd_dqd);
+  for (int k = 0; k < 9; ++k) {
+    EXPECT_EQ(beyond.dqdd_dq.values[k].raw, 0);
+    EXPECT_EQ(beyond.bound.dqdd_dq.values[k].raw, INT32_MAX);
+  }
+}
+
+namespace {
+
+template <class S>
+void expect_known_errors(double at_least) {
+  using Units = detail::DerivativeUnits<S, T>;
+  constexpr const auto& units = detail::derivative_units<S, T>;
+  exhaustive::Random random(41);
+  double mass = 0.0, effort = 0.0, position = 0.0, velocity = 0.0;
+  for (std::uint64_t k = 0; k < 2000; ++k) {
+    const auto state = state_of<S, R>(random, k);
+    const auto got = inverse_dynamics_derivatives<S>(state.q, state.qd, state.qdd);
+    const auto exact = inverse_dynamics_derivatives<R>(
+        exhaustive::in_double<R, T>(state.q), exhaustive::in_double<R>(state.qd), exhaustive::in_double<R>(state.qdd));
+    const auto see = [](double& most, double word, double wanted, int exponent, std::int32_t error) {
+      const double off = std::fabs(word - std::ldexp(wanted, exponent));
+      EXPECT_LE(off, error);
+      if (error > 0) most = std::fmax(most, off / error);
+    };
+    for (int i = 0; i < 3; ++i) {
+      const int own = Units::Equations::exponent(i);
+      see(effort, std::ldexp(got.tau[i].raw, own - got.tau.exponent(i)), exact.tau[i], own, units.effort_error[i]);
+      for (int j = 0; j < 3; ++j) {
+        see(mass, got.M(i, j).raw >> units.mass.down[i][j], exact.M(i, j),
+            units.mass.scale[i] + own - Units::C::Requests::exponent(j), units.mass.error[i][j]);
+        const auto& by_q = Units::sides(by::Position{});
+        see(position, got.dtau_dq(i, j).raw >> by_q.down[i][j], exact.dtau_dq(i, j), own + by_q.scale[j],
+            units.errors(by::Position{}, j)[i]);
+        const auto& by_qd = Units::sides(by::Velocity{});
+        see(velocity, got.dtau_dqd(i, j).raw >> by_qd.down[i][j], exact.dtau_dqd(i, j), own + by_qd.scale[j],
+            units.errors(by::Velocity{}, j)[i]);
+      }
+    }
+  }
+  for (const double nearest : {mass, effort, position, velocity})
+    EXPECT_GT(nearest, at_least);
+}
+
+}  // namespace
+
+// What words have of M, of the efforts and of the right-hand sides is off by what their bounds are made of.
+TEST(ForwardDerivativesInWords, KnowWhatInverseDynamicsIsOff) {
+  expect_known_errors<R>(0.1);
+  expect_known_errors<Scene<R, Gravity, RotorInertia, Looped>>(0.02);
+}
+
+// Jacobians are taken at accelerations that are off: their bounds know by how much.
+TEST(ForwardDerivativesInWords, KnowHowFarTheirAccelerationsAreOff) {
+  exhaustive::Random random(43);
+  double nearest = 0.0;
+  for (std::uint64_t k = 0; k < 200; ++k) {
+    auto state = state_of<R, R>(random, 0);
+    const auto exact = forward_dynamics_derivatives<R>(
+        exhaustive::in_double<R, T>(state.q), exhaustive::in_double<R>(state.qd), exhaustive::in_double<R>(state.tau));
+    for (int i = 0; i < 3; ++i)
+      state.qdd[i].raw = static_cast<std::int32_t>(std::lrint(std::ldexp(exact.qdd[i] * 0.999, state.qdd.exponent(i))));
+    const auto needs = inverse_dynamics_derivatives<R>(state.q, state.qd, state.qdd);
+    detail::DerivativeSolve<R, T> solve;
+    solve.set_inverse(state.q, {});
+    solve.hold_against(needs.M);
+    solve.correct(state.tau, needs.tau);
+    ASSERT_TRUE(solve.known && solve.system.proved);
+    AccelerationMatrices<R, T>::ByPosition values{}, bounds{};
+    solve.write_slopes(by::Position{}, needs.dtau_dq, solve.drift, values, bounds, true);
+    nearest = std::fmax(nearest, share(values, bounds, exact.dqdd_dq));
+    for (int i = 0; i < 3; ++i) {
+      const double unit = std::ldexp(1.0, -state.qdd.exponent(i));
+      const double corrected =
+          (static_cast<double>(state.qdd[i].raw) + static_cast<double>(solve.correction[i])) * unit;
+      EXPECT_LE(std::fabs(corrected - exact.qdd[i]), static_cast<double>(solve.bound[i]) * unit);
+    }
+  }
+  EXPECT_GT(nearest, 0.005);
+}
+
+// What is left of the inverse or of the accelerations decides, each by itself.
+TEST(ForwardDerivativesInWords, AreAccurateWhereLittleIsLeft) {
+  using Solve = detail::DerivativeSolve<R, T>;
+  Solve solve;
+  solve.drift = Solve::slight_drift, solve.system.spread[2] = Solve::slight_spread;
+  EXPECT_TRUE(solve.is_accurate());
+  ++solve.system.spread[2];
+  EXPECT_FALSE(solve.is_accurate());
+  solve.system.spread[2] = 0, ++solve.drift;
+  EXPECT_FALSE(solve.is_accurate());
+}
+
+// An angle beyond its limits has a word all the same, as in forward dynamics.
+TEST(ForwardDerivativesInWords, AreRightAtAnyAngle) {
+  auto state = at_rest();
+  state.q[1].raw = INT32_MIN + 77;
+  const auto got = forward_dynamics_derivatives<R>(state.q, state.qd, state.tau);
+  EXPECT_EQ(got.qdd.status.code, Status::Code::position_limit);
+  const auto exact = forward_dynamics_derivatives<R>(exhaustive::in_double<R, T>(state.q), {}, {});
+  EXPECT_NEAR(real(got.M_inverse, 1, 1), exact.M_inverse(1, 1), 1e-4);
+}
+
+// An entry that does not fit its format is 0, and its joint is named.
+TEST(ForwardDerivativesInWords, NameAJointWithAnEntryBeyondItsFormat) {
+  detail::DerivativeSolve<R, T> solve;
+  for (int i = 0; i < 3; ++i)
+    solve.system.inverse[i][i] = 1 << 29, solve.system.shift[i] = 29;
+  solve.system.shift[1] = 0;
+  AccelerationMatrices<R, T>::ByEffort values{}, bounds{};
+  solve.write_inverse(values, bounds, true);
+  EXPECT_EQ(solve.spilt, 1);
+  EXPECT_EQ(values(1, 1).raw, 0);
+  EXPECT_EQ(bounds(1, 1).raw, INT32_MAX);
+  EXPECT_NE(values(0, 0).raw, 0);
+  EXPECT_NE(bounds(0, 0).raw, INT32_MAX);
+  const Status named = detail::derivatives_status({}, -1, true, 1);
+  EXPECT_EQ(named.code, Status::Code::saturated);
+  EXPECT_EQ(named.joint, 1);
+  EXPECT_EQ(detail::derivatives_status({}, -1, false, 1).code, Status::Code::inaccurate);
+  EXPECT_EQ(detail::derivatives_status({Status::Code::saturated, 2}, 0, true, 1).joint, 2);
+}
+
+TEST(ForwardDerivativesInWords, SayWhereWordsOfMAreTooCoarse) {
+  exhaustive::Random random(37);
+  const auto state = state_of<LightTip, LightTip>(random, 0);
+  const auto got = certified_forward_dynamics_derivatives<LightTip>(state.q, state.qd, state.tau);
+  const auto exact = forward_dynamics_derivatives<LightTip>(exhaustive::in_double<LightTip, T>(state.q),
+                                                            exhaustive::in_double<LightTip>(state.qd),
+                                                            exhaustive::in_double<LightTip>(state.tau));
+  EXPECT_EQ(got.qdd.status.code, Status::Code::inaccurate);
+  share(got.M_inverse, got.bound.M_inverse, exact.M_inverse);
+}
+
+namespace {
+
+constexpr auto loaded_chain() {
+  auto chain = R::chain;
+  chain.payload_limit = payload_limit(2.0, 0.1, 0.02);
+  return chain;
+}
+struct LoadedArm : R {
+  static constexpr auto chain = loaded_chain();
+};
+
+}  // namespace
+
+TEST(ForwardDerivativesInWords, CarryAPayload) {
+  using S = Scene<LoadedArm, Gravity, RotorInertia, Payload>;
+  exhaustive::FixedState<S, T> state{};
+  state.q[1].raw = 1 << 28;
+  Inputs<S, T> in{};
+  in.payload.mass.raw = static_cast<std::int32_t>(std::ldexp(1.5, InputFormats<LoadedArm, T>::payload_mass));
+  Inputs<S, double> real_in{};
+  real_in.payload.mass = 1.5;
+  const auto q = exhaustive::in_double<LoadedArm, T>(state.q);
+  const auto tau =
+      inverse_dynamics<S>(q, Joints<LoadedArm, double>{}, Joints<LoadedArm, double>{0.5, 0.5, 0.1}, real_in);
+  for (int i = 0; i < 3; ++i)
+    state.tau[i].raw = static_cast<std::int32_t>(std::lrint(std::ldexp(tau[i], state.tau.exponent(i))));
+  const auto got = certified_forward_dynamics_derivatives<S>(state.q, state.qd, state.tau, in);
+  const auto exact = forward_dynamics_derivatives<S>(q, {}, exhaustive::in_double<LoadedArm>(state.tau), real_in);
+  EXPECT_TRUE(got.qdd.status.ok()) << status_text(got.qdd.status);
+  share(got.M_inverse, got.bound.M_inverse, exact.M_inverse);
+  share(got.dqdd_dq, got.bound.dqdd_dq, exact.dqdd_dq);
+  in.payload.mass.raw = INT32_MAX;
+  const auto heavy = forward_dynamics_derivatives<S>(state.q, state.qd, state.tau, in);
+  EXPECT_EQ(heavy.qdd.status.code, Status::Code::payload_limit);
+  EXPECT_EQ(heavy.M_inverse(0, 0).raw, 0);
+}
