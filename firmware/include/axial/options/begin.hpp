@@ -20,8 +20,10 @@
 #ifndef __ARM_ARCH_6M__
 #pragma GCC optimize("live-range-shrinkage")  // on a Cortex-M0 it makes fixed point spill
 #endif
+#if __FINITE_MATH_ONLY__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined __NO_SIGNED_ZEROS__
 #pragma GCC optimize("no-unsafe-math-optimizations", "no-finite-math-only", "signed-zeros")
 #pragma GCC optimize("no-associative-math", "no-reciprocal-math")
+#endif  // else not even named: GCC inlines no function whose options are not the caller's to the letter
 #elif __FINITE_MATH_ONLY__
 #define AXIAL_OPTIONS_SET_BACK
 #pragma GCC push_options
