@@ -176,23 +176,39 @@ TYPED_TEST(FixedPoint, ForwardDynamicsStaysInsideItsBoundAndUndoesTheTorque) {
   }
 }
 
+namespace {
+
+constexpr auto strong_chain() {
+  auto chain = robots::Scara::chain;
+  for (auto& link : chain.links)
+    link.effort_limit = 129.0;  // just beyond a power of two: words have room for nearly twice as much
+  return chain;
+}
+/// A SCARA whose drives are stronger than what its motions need.
+struct StrongScara : robots::Scara {
+  static constexpr auto chain = strong_chain();
+};
+
+}  // namespace
+
 TEST(FixedPointForwardDynamics, HalvesEffortsBeyondTheDeclaredOnesAndSaysSo) {
-  using R = robots::Panda;
-  using S = Scene<R, Gravity>;
-  constexpr int size = R::chain.size;
-  Positions<R, Fixed32> q{};
-  Velocities<R, Fixed32> qd{};
+  using S = Scene<StrongScara, Gravity, RotorInertia>;
+  Positions<StrongScara, Fixed32> q{};
+  Velocities<StrongScara, Fixed32> qd{};
+  Joints<StrongScara, double> q_real{}, qd_real{}, tau_real{};
+  q[1].raw = 0x40000000;
+  q_real[1] = 0.25 * property::two_pi;
+  for (int i = 0; i < 2; ++i)
+    put(qd[i], qd_real[i], StrongScara::chain.links[i].speed_limit, qd.exponent(i));
   EffortsOf<S, Fixed32> tau{};
-  tau[0] = word(R::chain.links[0].effort_limit, tau.exponent(0));
+  tau[0] = word(129.0, tau.exponent(0));
   EXPECT_EQ(forward_dynamics<S>(q, qd, tau).status.code, Status::Code::ok);
-  // Twelve times the declared effort; the bias of a declared motion is a quarter of that.
   tau[0].raw = std::numeric_limits<std::int32_t>::max();
   const auto beyond = forward_dynamics<S>(q, qd, tau);
   EXPECT_EQ(beyond.status.code, Status::Code::rescaled);
-  Joints<R, double> q_real{}, qd_real{}, tau_real{};
   tau_real[0] = real(tau[0], tau.exponent(0));
   const auto exact = forward_dynamics<S>(q_real, qd_real, tau_real);
-  for (int i = 0; i < size; ++i)
+  for (int i = 0; i < 3; ++i)
     EXPECT_NEAR(real(beyond[i], beyond.exponent(i)), exact[i], 1e-3) << i;
 }
 
