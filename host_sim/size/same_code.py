@@ -71,8 +71,8 @@ SCENES = {
     "panda-looped": Scene("Panda", "Gravity Looped", kernels=("inverse_dynamics", "gravity_torque", "mass_matrix", "forward_kinematics")),
     "two_arm": Scene("TwoArm", "Gravity", numbers=("float",)),
     "puma560-loaded": Scene("Puma560", "RuntimeGravity RotorInertia Friction Payload"),
-    "puma560-rotors": Scene("Puma560", "Gravity RotorDynamics", numbers=("float",), kernels=EVERY[:4]),
-    "scara-floating": Scene("Scara", "Gravity RotorInertia FloatingBase", numbers=("float",), kernels=("inverse_dynamics", "forward_dynamics")),
+    "puma560-rotors": Scene("Puma560", "Gravity RotorInertia RotorDynamics", numbers=("float",), kernels=EVERY[:4]),
+    "scara-floating": Scene("Scara", "RuntimeGravity RotorInertia FloatingBase", numbers=("float",), kernels=("inverse_dynamics",)),
     "puma560-water": Scene("Puma560", "Gravity RotorInertia Underwater", numbers=("float",), kernels=("inverse_dynamics",)),
     "wrist_arm": Scene("WristArm", "Gravity RotorInertia", kernels=EVERY[:4], shares_drives=True),
     "gripper": Scene("Gripper", "Gravity RotorInertia", kernels=EVERY[:4], shares_drives=True),
@@ -225,15 +225,15 @@ def compare_all(cases, before, after):
 
 
 def print_rows(rows):
-    """What differs, and one line that counts."""
-    cells = [["scene", "number", "build", "kernel", "before", "after", ""]]
+    """What differs, what does not compile, and one line that counts."""
+    differ = [row for row in rows if not row["same"] and not row["problem"]]
+    if differ:
+        cells = [[*(row[name] for name in Case._fields), "fails" if fails(row) else "no more", str(row["before"]), str(row["after"])]
+                 for row in differ]
+        size.print_columns([["scene", "number", "build", "kernel", "", "before", "after"], *cells], 5)
     for row in rows:
         if row["problem"]:
-            cells.append([*(row[name] for name in Case._fields), "", "", row["problem"]])
-        elif not row["same"]:
-            cells.append([*(row[name] for name in Case._fields), str(row["before"]), str(row["after"]), "fails" if fails(row) else ""])
-    if len(cells) > 1:
-        size.print_columns(cells, 4)
+            print(f"{' '.join(row[name] for name in Case._fields)}: {row['problem']}")
     same = sum(row["same"] for row in rows)
     print(f"{same} of {len(rows)} kernels have the same machine code; instructions as they stand in the object")
 

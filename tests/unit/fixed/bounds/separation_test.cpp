@@ -163,6 +163,7 @@ TEST(SeparatedForces, AgainstGravity) {
 TEST(SeparatedForces, ComeOfAUnitOfTheRate) {
   const Vector along{0.0, 0.0, 1.0};
   const Nearness seen = nearness(bounds::detail::unit_along(exact_rounding).bound, along, along);
+  EXPECT_TRUE(bounds::detail::unit_along(exact_rounding).is_literal) << "a product with it rounds as the other factor";
   EXPECT_EQ(seen.of[1], 1.0);
   EXPECT_EQ(seen.of[2], 1.0);
 }
