@@ -93,8 +93,7 @@ struct Given {{
 }};
 """
 KERNEL = """
-using Result = decltype(axial::{kernel}<S>({declared}));
-extern "C" void {kernel}(const Given& g, Result& result) {{ result = axial::{kernel}<S>({given}); }}
+extern "C" auto {kernel}(const Given& g) {{ return axial::{kernel}<S>({given}); }}
 """
 
 
@@ -108,8 +107,7 @@ class Case(NamedTuple):
     def source(self):
         words = ARGUMENTS.get(self.kernel, "q, in").split(", ")
         return HEADERS.format(scene=SCENES[self.scene].definition(), number=NUMBERS[self.number]) + KERNEL.format(
-            kernel=self.kernel, declared=", ".join(f"std::declval<const Given&>().{word}" for word in words),
-            given=", ".join(f"g.{word}" for word in words))
+            kernel=self.kernel, given=", ".join(f"g.{word}" for word in words))
 
 
 class Missing(Exception):
