@@ -182,7 +182,7 @@ def code(case, tree, folder):
     done = subprocess.run([*build.command(), f"-I{tree}/firmware/include", f"-I{tree}", "-c", source, "-o", made], capture_output=True, text=True)
     if done.returncode:
         said = next((line for line in done.stderr.splitlines() if "error" in line), done.stderr[:200])
-        raise Missing(re.sub(r"^\S+?(firmware|robots)/", r"\1/", said))
+        raise Missing(re.sub(r"^\S*?(firmware/|robots/|kernels\.cpp)", r"\1", said))
     objdump = "objdump" if build.compiler in ("g++", "clang++") else build.objdump()
     dump = subprocess.run([objdump, "-dr", "-w", made], check=True, capture_output=True, text=True).stdout
     return Code(split_relocations(dump), contents_of(objdump, made))
