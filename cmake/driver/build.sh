@@ -30,6 +30,9 @@ configure() {
   if [[ ! -f $directory/build.ninja || $AXIAL_ROOT/CMakePresets.json -nt $directory/build.ninja ]]; then
     with_progress "configuring $preset" "$AXIAL_ROOT/build/$preset.log" \
       cmake -S "$AXIAL_ROOT" --preset "$preset" || return
+  else
+    # Anew where a list of sources has changed: a test that was just added has to be known.
+    ninja -C "$directory" build.ninja >>"$AXIAL_ROOT/build/$preset.log" 2>&1 || fail "configuring $preset: failed; see build/$preset.log"
   fi
 }
 

@@ -62,11 +62,12 @@ def around(text, number, old, new):
 
 
 def tests_for(file, mutants):
-    """Sources that kill mutants of that file, then of its folder, the commonest first."""
+    """The unit test of that file's name; sources that kill mutants of that file, then of its folder, the commonest first."""
     folder = str(pathlib.PurePath(file).parent)
+    mirror = "unit/" + file.removeprefix("firmware/include/axial/").removesuffix(".hpp") + "_test.cpp"
     own = collections.Counter(m.test for m in mutants if m.file == file)
     near = collections.Counter(m.test for m in mutants if str(pathlib.PurePath(m.file).parent) == folder)
-    ranked = [test for count in (own, near) for test, _ in count.most_common() if not test.startswith("compile_fail/")]
+    ranked = [mirror] * (table.ROOT / "tests" / mirror).is_file() + [test for count in (own, near) for test, _ in count.most_common() if not test.startswith("compile_fail/")]
     return list(dict.fromkeys(ranked))[:TESTS_OF_ONE]
 
 

@@ -54,6 +54,8 @@ Values<double> pushed_into_a_stop(Method method, double h) {
   return x.q;
 }
 
+void plant_of_nobody(const Instant<double>&, Values<double>&, Stiffness<double>&) {}
+
 }  // namespace
 
 TEST(Plant, HasTheNominalArmOfTheScenarios) {
@@ -96,6 +98,8 @@ TEST(Plant, StandsOnTheGroundWithItsWeight) {
   x.q = {0.45, 2.2, -1.2};
   run(Method::rk4, plant.model(), x, 2e-5, 50'000, std::cref(plant), [](const auto&) {});
   EXPECT_NEAR(plant.ground_force(x.q, x.qd).z, 2.75 * 9.8125, 0.05);
+  const auto nothing = Plant(leg(), Surroundings{}, plant_of_nobody).ground_force(x.q, x.qd);
+  EXPECT_EQ(std::fabs(nothing.x) + std::fabs(nothing.y) + std::fabs(nothing.z), 0.0) << "there is no ground";
 }
 
 TEST(References, AgreeWithEachOtherAndTheLibrary) {
