@@ -122,7 +122,9 @@ TEST(CDerivatives, RefuseWhatIsNotFiniteAndLeaveTheResult) {
   arm_forward_derivatives forward{};
   forward.qdd.of[0] = 8.0F;
   EXPECT_EQ(arm_forward_dynamics_derivatives(&q, &bad, &x, &forward).joint, 1);
-  EXPECT_EQ(arm_forward_dynamics_derivatives(&q, &qd, &bad, &forward).code, AXIAL_NOT_FINITE);
+  const axial_status refused = arm_forward_dynamics_derivatives(&q, &qd, &bad, &forward);
+  EXPECT_EQ(refused.code, AXIAL_NOT_FINITE);
+  EXPECT_EQ(refused.joint, 1) << "the effort that is no number, not the first answer";
   EXPECT_EQ(forward.qdd.of[0], 8.0F);
 }
 
