@@ -30,6 +30,7 @@ struct HostBoardState {
   CounterKind counter = CounterKind::none;
   std::string printed;
   bool exited = false;
+  bool asleep = false;  ///< a board would sleep until more comes
   int exit_code = 0;
   ClockReport clock{ClockSource::internal, 0, 0};
 
@@ -86,7 +87,9 @@ struct HostBoard {
 
   /// A host test never sleeps: its step returns and the test decides what comes next.
   template <class Predicate>
-  static void sleep_unless(Predicate) {}
+  static void sleep_unless(Predicate busy) {
+    state.asleep = !busy();
+  }
 
   struct Counter {
     static constexpr std::uint32_t per_second = 1'000'000'000u / 64;

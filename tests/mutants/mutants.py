@@ -125,24 +125,39 @@ class Run:
             build.compile_source(copy, source, list(flags), self.objects.path(source, flags), self.objects.precompiled)
 
     def unchanged_failures(self, mutants):
-        """What is wrong with the tests before anything is changed, by the test."""
-        filters = collections.defaultdict(set)
+        """What is wrong with the tests before anything is changed, by the test. A killer on record that is no test any
+        more, or none that can be compiled alone, is forgotten: what the table names is tried."""
+        filters, failures, stale = collections.defaultdict(set), {}, []
         for mutant in mutants:
             filters[mutant.test].add((self.tests_of(mutant)[0] or "*", mutant.by_compiler))
-        return {test: failure for (test, _), failure in self.each(self.unchanged_failure, sorted(filters.items())) if failure}
+        for (test, _), (failure, missing) in self.each(self.unchanged_failure, sorted(filters.items())):
+            lost = [mutant for mutant in mutants if mutant.test == test and self.tests_of(mutant)[0] in missing]
+            stale += [mutant for mutant in lost if mutant.filter != self.tests_of(mutant)[0]]
+            named = sorted(mutant.filter for mutant in lost if mutant.filter == self.tests_of(mutant)[0])
+            failure = failure or (f"no test is called {named[0]}" if named else "")
+            failures.update({test: failure} if failure else {})
+        if not stale:
+            return failures
+        for mutant in stale:
+            del self.killers[mutant.name]
+        self.compile_unchanged(stale)
+        return {**self.unchanged_failures(stale), **failures}
 
     def unchanged_failure(self, copy, item):
+        """What fails, and the filters that select no test."""
         test, filters = item
         if is_compile_fail(test):
-            return compile_fail_failure(copy, test)
+            return compile_fail_failure(copy, test), set()
         sources, libraries = self.programs.of(test)
-        program = self.folder / re.sub(r"\W", "_", test)
+        program, missing = self.folder / re.sub(r"\W", "_", test), set()
         build.link([self.objects.path(source, flags) for source, flags in sources], libraries, program)
         for tests, by_compiler in sorted(filters):
             passed, ran, failed = build.run(program, tests)
-            if not passed or (ran == 0 and not by_compiler):
-                return f"fails unchanged: {failed}" if ran else f"no test is called {tests}"
-        return ""
+            if ran == 0 and not by_compiler:
+                missing.add(tests)
+            elif not passed:
+                return f"fails unchanged: {failed}", missing
+        return "", missing
 
     def killed_by(self, copy, mutant):
         """The test that fails, empty where none does; and what is wrong with the mutant itself."""

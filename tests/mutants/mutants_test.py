@@ -7,6 +7,7 @@ import pathlib
 import re
 import tempfile
 import unittest
+import unittest.mock
 
 import drawn
 import mutants
@@ -126,6 +127,11 @@ class Runner(unittest.TestCase):
 
     def test_a_test_that_its_filter_selects_kills(self):
         killed = killers(entry(old=">= capacity", new="> capacity", filter="Ring.*"))
+        self.assertTrue(killed["table.name"].startswith("Ring."), killed)
+
+    def test_a_killer_on_record_that_cannot_be_found_is_forgotten(self):
+        with unittest.mock.patch.object(mutants, "known_killers", lambda: {"table.name": "Round.HoldsItsCapacityAndRefusesMore"}):
+            killed = killers(entry(old=">= capacity", new="> capacity"))
         self.assertTrue(killed["table.name"].startswith("Ring."), killed)
 
     def test_a_change_that_does_not_compile_is_no_kill(self):

@@ -1,4 +1,4 @@
-"""An image in its board's emulator, QEMU or a runner of ours, with its serial port on a UNIX socket."""
+"""An image in its board's emulator, QEMU or a runner of ours, with its serial port on a socket."""
 
 import json
 import os
@@ -6,6 +6,7 @@ import pathlib
 import random
 import select
 import socket
+import struct
 import subprocess
 import tempfile
 import time
@@ -67,16 +68,17 @@ class Emulator:
         """`mode`: of the session that is opened; None for none."""
         self.session = link.NO_SESSION
         self.folder = tempfile.TemporaryDirectory(prefix="axial-")
-        path = os.path.join(self.folder.name, "serial")
-        with socket.socket(socket.AF_INET if fast else socket.AF_UNIX, socket.SOCK_STREAM) as listener:
-            listener.bind(("127.0.0.1", 0) if fast else path)
+        # A UNIX socket takes some 270 single bytes and no more until somebody reads; then the board drops what it says.
+        with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as listener:
+            listener.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 22)
+            listener.bind(("127.0.0.1", 0))
             listener.listen(1)
             listener.settimeout(20)
-            # A UNIX socket takes some 270 single bytes and no more until somebody reads; a board whose time flies says more.
-            address = f"tcp:127.0.0.1:{listener.getsockname()[1]}" if fast else f"unix:{path}"
-            self.printed = open(os.path.join(self.folder.name, "console"), "w+", encoding="utf-8")
-            self.process = subprocess.Popen(command(board_name, image(board_name, name), address, semihosting, fast),
-                                            stdin=subprocess.DEVNULL, stdout=self.printed, stderr=subprocess.STDOUT)
+            address = f"tcp:127.0.0.1:{listener.getsockname()[1]}"
+            self.printed = pathlib.Path(self.folder.name, "console")  # read apart: one file position for both would move where it writes
+            with self.printed.open("w") as printed:
+                self.process = subprocess.Popen(command(board_name, image(board_name, name), address, semihosting, fast),
+                                                stdin=subprocess.DEVNULL, stdout=printed, stderr=subprocess.STDOUT)
             self.line, _ = listener.accept()
         self.line.setblocking(False)
         self.pending = bytearray()
@@ -93,7 +95,6 @@ class Emulator:
         self.line.close()
         self.process.kill()
         self.process.wait()
-        self.printed.close()
         self.folder.cleanup()
 
     def open(self, mode, number=0):
@@ -114,8 +115,7 @@ class Emulator:
 
     def console(self):
         """What image and emulator have printed so far."""
-        self.printed.seek(0)
-        return self.printed.read()
+        return self.printed.read_text(encoding="utf-8")
 
     def send(self, data):
         self.unsent += data
@@ -123,15 +123,27 @@ class Emulator:
 
     def receive(self, timeout=20.0):
         """The next frame as (type, sequence, payload); None when none comes in time."""
-        end = time.monotonic() + timeout
-        while True:
-            piece = self._piece()
-            if piece:
-                return link.parse(piece, self.session)
+        piece = self._next_piece(timeout)
+        return link.parse(piece, self.session) if piece else None
+
+    def until_restart(self):
+        """Frames until the board starts again, its hello the last one. A restart cuts short what was being sent: that
+        frame, the last before the hello, is left out."""
+        frames, cut = [], None
+        while not frames or frames[-1][0] != link.HELLO:
+            piece = self._next_piece(20.0)
             if piece is None:
-                left = end - time.monotonic()
-                if left <= 0 or not self._pump(left):
-                    return None
+                raise TimeoutError(f"no restart; the console says: {self.console()}")
+            try:
+                frames.append(link.parse(piece, self.session))
+            except (ValueError, struct.error) as why:
+                if cut:
+                    raise cut
+                cut = why
+                continue
+            if cut and frames[-1][0] != link.HELLO:
+                raise cut
+        return frames
 
     def expect(self, kind, timeout=20.0):
         """(sequence, payload) of the next frame of a type; others are passed over."""
@@ -151,7 +163,7 @@ class Emulator:
                 return link.torque(answer)
 
     def listen(self, seconds):
-        """Waits, and reads meanwhile: a socket that nobody reads takes some 270 single bytes, then the port is stuck."""
+        """Waits, and reads meanwhile."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             self._pump(max(end - time.monotonic(), 0))
@@ -159,6 +171,18 @@ class Emulator:
     def stats(self, sequence=0):
         self.send(link.frame(link.STATS_REQUEST, sequence))
         return link.stats(self.expect(link.STATS)[1])
+
+    def _next_piece(self, timeout):
+        """What comes next between two delimiters; None when nothing does in time."""
+        end = time.monotonic() + timeout
+        while True:
+            piece = self._piece()
+            if piece:
+                return piece
+            if piece is None:
+                left = end - time.monotonic()
+                if left <= 0 or not self._pump(left):
+                    return None
 
     def _piece(self):
         end = self.pending.find(0)

@@ -282,13 +282,10 @@ class Safety(harness.BoardTest):
         with self.run_job("feedforward-panda", link.FREE_RUNNING, fast=False) as firmware:
             q = link.set_point([-0.8, -0.8, 2.4, -0.8, -2.4, 1.2, -1.4], [0] * 7, [0] * 7)
             firmware.send(b"".join(firmware.frame(link.SET_POINT, number, q) for number in range(1, 1001)))  # for every tick
-            got = firmware.receive()
-            while got is not None and got[0] != link.HELLO:
-                if got[0] == link.TORQUE:
-                    overruns = link.torque(got[2])["overruns"]
-                got = firmware.receive()
-            self.assertEqual(link.hello(got[2])["reset_cause"], link.BY_WATCHDOG)
-            self.assertGreater(overruns, 10)
+            told = firmware.until_restart()
+            torques = [link.torque(payload) for kind, _, payload in told if kind == link.TORQUE]
+            self.assertEqual(link.hello(told[-1][2])["reset_cause"], link.BY_WATCHDOG)
+            self.assertGreater(torques[-1]["overruns"], 10)
             self.assertFalse(self.drives(firmware)[-1][0])
 
 

@@ -52,7 +52,7 @@ class Feedforward {
     Board::enable_drives(false);
     Board::guard_stack();
     Board::start_tick(Board::tick_Hz);
-    last_tick_ = woke_ = Board::ticks();
+    last_tick_ = aged_ = woke_ = Board::ticks();
     session_.boot(Board::entropy());
     decoder_.set_session(session_.id());
     choose(link::Mode::lock_step);
@@ -65,13 +65,13 @@ class Feedforward {
     receive();
     run_ticks();
     answer_requests();
-    Board::sleep_unless([this] { return !Board::serial_idle() || Board::ticks() != last_tick_; });
+    Board::sleep_unless([this] { return !Board::serial_idle() || owes_answers() || Board::ticks() != last_tick_; });
     woke_ = Board::ticks();
   }
 
  private:
   /// So many bytes and no more: whoever floods the line does not keep the tick waiting.
-  static constexpr int bytes_a_step = 64;
+  static constexpr int bytes_a_step = 32;
 
   void receive() {
     std::uint8_t byte = 0;
@@ -164,12 +164,19 @@ class Feedforward {
     tally_.ticks += passed;
     if (!Board::stack_intact()) return Board::fail(hal::ResetCause::stack_overflow);
     const DrivePhase before = controller_.phase();
-    controller_.advance(passed);
+    age();
     set_drives();
     bool punctual = now - woke_ <= deadline_ticks();  // an emulator that paused while the board slept is not late
     if (fresh_) punctual = answer() && punctual;
     report(before, passed);
     feed_watchdog(punctual);
+  }
+
+  /// The fall-back's clock up to this moment: ticks that passed before a set-point was answered are none of its own.
+  void age() {
+    const std::uint32_t now = Board::ticks();
+    controller_.advance(now - aged_);
+    aged_ = now;
   }
 
   void feed_watchdog(bool punctual) {
@@ -192,6 +199,7 @@ class Feedforward {
     link::Torque torque{};
     controller_.load(set_point_);
     const std::uint32_t count = Board::count(compute);
+    age();
     controller_.settle(set_point_);
     set_drives();
     controller_.store(torque);
@@ -287,14 +295,21 @@ class Feedforward {
     send(stats, stats_number_, session_.id());
   }
 
+  bool owes_answers() const { return hello_wanted_ || stats_wanted_ || tally_.has_news(); }
+
   /// Once the line is quiet: a burst of garbage or of requests gets one answer of each kind, so that answers cannot
-  /// crowd out what comes in.
+  /// crowd out what comes in. One a step, so that the tick does not wait for all of them.
   void answer_requests() {
     if (!Board::serial_idle()) return;
-    if (hello_wanted_) greet();
-    if (stats_wanted_) send_stats();
-    if (tally_.has_news()) send(tally_.error_reply(), sequence_.last(), session_.id());
-    hello_wanted_ = stats_wanted_ = false;
+    if (hello_wanted_) {
+      hello_wanted_ = false;
+      greet();
+    } else if (stats_wanted_) {
+      stats_wanted_ = false;
+      send_stats();
+    } else if (tally_.has_news()) {
+      send(tally_.error_reply(), sequence_.last(), session_.id());
+    }
   }
 
   /// Not inlined: one wire buffer on the stack, not one for every caller.
@@ -311,7 +326,7 @@ class Feedforward {
   Sequence sequence_{};
   Session session_{};
   link::Mode mode_ = link::Mode::lock_step;
-  std::uint32_t last_tick_ = 0, woke_ = 0, since_report_ = 0, stats_number_ = 0, nonce_ = 0, recovering_ = 0;
+  std::uint32_t last_tick_ = 0, aged_ = 0, woke_ = 0, since_report_ = 0, stats_number_ = 0, nonce_ = 0, recovering_ = 0;
   bool fresh_ = false, drives_ = false, hello_wanted_ = false, stats_wanted_ = false;
 };
 

@@ -38,12 +38,12 @@ class App : public testing::Test {
 
   static hal::HostBoardState& board() { return hal::HostBoard::state; }
 
-  /// Steps until everything that came is taken; a step takes a part.
+  /// Steps until everything that came is taken and answered; a step takes a part and gives an answer.
   void send(const Bytes& bytes) {
     board().to_board.insert(board().to_board.end(), bytes.begin(), bytes.end());
     do
       app_.step();
-    while (!board().to_board.empty());
+    while (!board().asleep);
   }
   /// A frame of the session.
   template <class Message>

@@ -115,6 +115,37 @@ TEST_F(SafetyApp, ASilentLineFadesHoldsAndDisablesInLockStep) {
   EXPECT_EQ(board().drive_changes[1].tick, lock_step_patience + ramp + hold);
 }
 
+TEST_F(SafetyApp, TicksBeforeASetPointAreNoneOfItsOwn) {
+  open(link::Mode::lock_step);
+  const Bytes frame = framed(set_point(4.0f), 1);
+  send({frame.begin(), frame.end() - 1});
+  board().ticks += 3;  // the loop has not come round since
+  send({frame.end() - 1, frame.end()});
+  tick(lock_step_patience + ramp + hold - 1);
+  expect_drives(true);
+  tick();
+  ASSERT_EQ(board().drive_changes.size(), 2u);
+  EXPECT_EQ(board().drive_changes[1].tick - board().drive_changes[0].tick, lock_step_patience + ramp + hold);
+}
+
+TEST_F(SafetyApp, AStepGivesOneAnswerSoThatTheTickIsNotKeptWaiting) {
+  Bytes burst = wire(link::StatsRequest{}, 0);
+  for (const std::uint8_t byte : start_frame(link::Mode::lock_step, hello_.session + 1, 7))
+    burst.push_back(byte);
+  for (const std::uint8_t byte : wire(set_point(1.0f), 1))
+    burst.push_back(byte);
+  board().to_board.insert(board().to_board.end(), burst.begin(), burst.end());
+  std::vector<std::size_t> told;
+  for (bool busy = true; busy; busy = !board().asleep) {
+    app_.step();
+    if (!board().from_board.empty()) told.push_back(board().from_board.size());
+    board().from_board.clear();
+  }
+  EXPECT_EQ(told.size(), 3u) << "hello, statistics, error";
+  for (const std::size_t bytes : told)
+    EXPECT_LE(bytes, link::max_wire_size);
+}
+
 TEST_F(SafetyApp, AGoodSetPointEndsTheFallBackUntilTheDrivesAreDisabled) {
   open(link::Mode::free_running);
   move(1);
