@@ -12,6 +12,7 @@ ROWS = 300  # instants that a suspect is judged on
 FINALISTS = 4  # suspects that get a whole fit, beside negated torques, and other signs of the same score: negative masses fit those as well
 SIGNS = ("axis turned", "position negated")
 MENDS = 0.4  # of the residual as recorded: what a remedy must at least come to
+NOTHING = 0.01  # of a torque, left beyond noise: no more than noise's own doubt; of two such fits the residual tells the better
 ALIKE, EXACT = 1.05, 1e-4  # residuals by which this log does not tell two suspects apart: times the smaller, and beyond it
 SCALES_ALIKE = 0.02  # a torque scaled by this much of -1 is negated
 OTHER_UNITS, UNLIKELY = 30.0, 5.0  # times the torques of the description: no bodies are that far off; few are
@@ -120,8 +121,8 @@ def best_remedy(doubts, log, residual_of):
     least = doubts.score(ranked[0])
     finalists = ranked[:FINALISTS] + [each for each in ranked[FINALISTS:] if each.kind == "torque negated" or
                                       each.kind in SIGNS and doubts.score(each) <= ALIKE * least + EXACT]
-    best, *others = sorted((Remedy(each, *residual_of(mended(log, each))) for each in finalists), key=lambda remedy: (remedy.left, remedy.residual))
-    best, *others = _plain([best] + [each for each in others if each.left <= ALIKE * best.left + EXACT and each.residual <= ALIKE * best.residual + EXACT])
+    best, *others = sorted((Remedy(each, *residual_of(mended(log, each))) for each in finalists), key=lambda remedy: (max(remedy.left, NOTHING), remedy.residual))
+    best, *others = _plain([best] + [each for each in others if each.left <= max(ALIKE * best.left + EXACT, NOTHING) and each.residual <= ALIKE * best.residual + EXACT])
     return dataclasses.replace(best, others=tuple(each.suspect for each in others))
 
 

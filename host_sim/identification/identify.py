@@ -24,6 +24,7 @@ PLOT = pathlib.Path(__file__).resolve().parents[1] / "plot/identification.py"
 RESIDUAL_LIMIT = 5.0  # %
 SURE = 4.0  # standard deviations of a noise's own variance
 SUSPICIOUS = 0.2  # of the limit: above, what would mend the log is told although it is taken
+HOPELESS = 1.0  # of the torque: what is left above is not asked about noise of positions and speeds
 FIXED = {"rotors": ("rotor",), "friction": ("viscous", "forward", "backward")}
 
 
@@ -112,7 +113,9 @@ class Identification(Fit):
         equations = self.equations if equations is None else equations
         size, errors = self.errors(equations)
         sure = 1.0 + SURE * np.sqrt(2.0 / equations.valid.sum(axis=0))
-        return np.sqrt(np.maximum(0.0, errors["identified"] ** 2 - sure * (equations.noise / size) ** 2))
+        beyond = lambda noise: np.sqrt(np.maximum(0.0, errors["identified"] ** 2 - sure * (noise / size) ** 2))
+        left = beyond(equations.noise)
+        return beyond(equations.noise_of_all(self.consistent.base)) if doubts.NOTHING < left.max() < HOPELESS else left
 
     def on(self, log):
         """The equations of another log in the same base parameters."""

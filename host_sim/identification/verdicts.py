@@ -2,7 +2,7 @@
 
 usage: verdicts.py --program robot_regressor --output FOLDER [--documents DOC] [--arms NAME,...] [--seed N]
 
-Thirteen arms of commissioning's study: of robots/, imported ones (tests/data/descriptions), drawn ones of shapes that mislead. Of each three logs without a mistake and three
+The twenty arms of commissioning's study: of robots/, imported ones (tests/data/descriptions), drawn ones of shapes that mislead. Of each three logs without a mistake and three
 with one. Bodies are up to 30 % off, friction is not the header's, drives differ in noise. Torques are those of the model that identification has: what
 is judged here is the verdict, by study.py the equations.
 """
@@ -29,7 +29,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "host_sim/commissioning"))
 import drawn_logs  # noqa: E402
 
-ARMS = (*drawn_logs.ROBOTS, "z1", "ur3", "iiwa", "idle_joints", "slides", "planar")
+ARMS = drawn_logs.ARMS
 LOGS = 3  # of each arm, without a mistake and with one
 KINDS = ("torques exchanged", "positions exchanged", "drives exchanged", "torque negated", "position negated", "axis turned", "degrees", "torque scaled",
          "zero off", "every torque negated", "other units")

@@ -15,6 +15,7 @@ import numpy as np
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "host_sim" / each) for each in ("identification", "commissioning")]
 import drawn_logs  # noqa: E402
+import recording  # noqa: E402
 import smoothing  # noqa: E402
 import verdicts  # noqa: E402
 
@@ -44,6 +45,13 @@ class Noise(unittest.TestCase):
     def test_is_none_of_motion(self):
         self.assertLess(self.smoother.noise(self.motion).max(), 1e-3 * self.SIZE)
 
+    def test_of_an_encoder_is_at_least_its_rounding(self):
+        count = 2.0 * np.pi / 2 ** 13
+        slow = np.round(np.column_stack([0.3 * np.sin(0.1 * np.arange(self.ROWS) / self.RATE)] * 2) / count) * count  # few counts a second
+        log = smoothing.Smoother.shaken(self.smoother, recording.Recording(np.arange(self.ROWS) / self.RATE, slow, None, self.white, []))
+        np.testing.assert_allclose(np.std(log.q - slow, axis=0), count / np.sqrt(12.0), rtol=0.1)
+        self.assertIs(log.tau, self.white)
+
     def test_is_never_most_of_the_torques(self):
         self.assertLess(self.smoother.noise(100.0 * self.white).max(), smoothing.NOISY * 100.0 * self.SIZE)
 
@@ -70,6 +78,14 @@ class Sample(Logs):
         """The first log of a Z1 has a wrist a quarter of whose torque is noise."""
         with logs("z1", self.folder) as made, unittest.mock.patch.object(smoothing, "NOISY", 0.0):
             self.assertIn("is left unexplained", made.row(0, guilty=False)["said"])
+
+
+    def test_an_encoder_that_counts_coarsely_is_no_mistake(self):
+        """The third log of this arm has 13 bits and a joint without gravity: what they make of its torque is above the limit."""
+        with logs("one_heavy", self.folder) as made:
+            self.assertEqual(made.row(2, guilty=True)["outcome"], "named")
+            with unittest.mock.patch.object(smoothing.Equations, "noise_of_all", lambda equations, _: equations.noise):
+                self.assertEqual(made.row(2, guilty=True)["outcome"], "unnamed")
 
 
 class Every(Logs):
