@@ -6,11 +6,7 @@ Twenty arms (drawn_logs.py), of each three logs without a fault and three with o
 here is the verdict, by study.py the equations.
 """
 
-import argparse
 import dataclasses
-import json
-import pathlib
-import shutil
 import sys
 
 import numpy as np
@@ -19,6 +15,8 @@ import scipy.optimize
 import commission
 import drawn_logs
 from engine import Arm, suspects
+from judged_logs import LOGS
+import judged_logs
 import poses as files
 from report import Report
 from statics import Rows, Statics
@@ -26,7 +24,6 @@ import study
 from verdict import Verdict
 import wiring
 
-LOGS = 3  # of each arm, without a fault and with one
 SEEN = 60.0  # of chi squared: what a fault changes beyond all else that may be unknown, from which the poses can tell it
 
 
@@ -120,30 +117,19 @@ def outcome(row):
     return "cannot tell" if not row["claims"] else "false"
 
 
-class Logs:
-    """The logs of one arm, made when asked for."""
+class Logs(judged_logs.Logs):
+    """The logs of one arm."""
 
     def __init__(self, program, folder, number, seed=1):
-        self.seed, self.folder, self.number, self.name = seed, pathlib.Path(folder), number, drawn_logs.ARMS[number]
-        self.arm = Arm(program, drawn_logs.robot_of(self.name, folder))
+        super().__init__(folder, number, seed)
+        self.arm = self.engine = Arm(program, drawn_logs.robot_of(self.name, folder))
         self.statics = Statics(self.arm)
 
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.arm.__exit__()
-
-    def rows(self, logs=LOGS):
-        return [self.row(k, guilty) for guilty in (False, True) for k in range(logs)]
-
     def fault(self, random, k):
-        """Every kind as often, of other arms each time."""
-        kind = (LOGS * self.number + k + LOGS * self.number // len(drawn_logs.FAULTS)) % len(drawn_logs.FAULTS)
-        return drawn_logs.drawn_fault(self.statics, random, drawn_logs.FAULTS[kind])
+        return drawn_logs.drawn_fault(self.statics, random, self.kind(k + LOGS * self.number // len(drawn_logs.FAULTS), drawn_logs.FAULTS))
 
     def row(self, k, guilty):
-        random = np.random.default_rng([self.seed, self.number, k, int(guilty)])
+        random = self.random(k, guilty)
         base = drawn_logs.honest(self.statics, random)
         fault = self.fault(random, k) if guilty else drawn_logs.Fault("none")
         path = self.folder / f"{self.name}-{'guilty' if guilty else 'innocent'}-{k + 1}.csv"
@@ -160,29 +146,8 @@ def text(row):
     return f"{row['arm']:<16} {row['log']} {fault:<60} {row['outcome']}{told}"
 
 
-def wrong(row):
-    """An accusation that is false, or a fault that poses can tell and that is not named."""
-    return row["outcome"] == "false" or row["tellable"] and row["outcome"] != "named"
-
-
 def main(arguments):
-    parser = argparse.ArgumentParser(prog="accusations", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    for name in ("--program", "--output"):
-        parser.add_argument(name, required=True)
-    parser.add_argument("--documents")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--arms", default=",".join(drawn_logs.ARMS))
-    options = parser.parse_args(arguments)
-    folder, rows = pathlib.Path(options.output), []
-    folder.mkdir(parents=True, exist_ok=True)
-    for name in options.arms.split(","):
-        with Logs(options.program, folder, drawn_logs.ARMS.index(name), options.seed) as logs:
-            rows += logs.rows()
-        print(*map(text, rows[-2 * LOGS:]), sep="\n", flush=True)
-        (folder / "accusations.json").write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
-    print(f"{sum(map(wrong, rows))} of {len(rows)} verdicts are wrong")
-    if options.documents:
-        shutil.copy(folder / "accusations.json", pathlib.Path(options.documents) / "data")
+    judged_logs.run("accusations", __doc__, Logs, text, "accusations.json", arguments)
 
 
 if __name__ == "__main__":

@@ -11,9 +11,7 @@ import argparse
 import contextlib
 import dataclasses
 import io
-import json
 import pathlib
-import shutil
 import sys
 
 import numpy as np
@@ -28,9 +26,8 @@ from suspects import Suspect
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "host_sim/commissioning"))
 import drawn_logs  # noqa: E402
+import judged_logs  # noqa: E402
 
-ARMS = drawn_logs.ARMS
-LOGS = 3  # of each arm, without a mistake and with one
 KINDS = ("torques exchanged", "positions exchanged", "drives exchanged", "torque negated", "position negated", "axis turned", "degrees", "torque scaled",
          "zero off", "every torque negated", "other units")
 DURATION, HARMONICS, RATE = 8.0, 5, 250.0  # s, of the base frequency, Hz
@@ -146,31 +143,17 @@ def outcome(robot, mistake, text):
     return "nothing wrong" if not text else "unnamed" if "no single exchange" in text else "false"
 
 
-def wrong(row):
-    """An accusation that is false, or a mistake that the log can tell and that is not named."""
-    return row["outcome"] == "false" or row["tellable"] and row["outcome"] != "named"
-
-
-class Logs:
+class Logs(judged_logs.Logs):
     """The logs of one arm."""
 
     def __init__(self, program, folder, number, seed=1):
-        self.seed, self.number, self.name = seed, number, drawn_logs.ARMS[number]
-        self.robot = robots.Robot(program, drawn_logs.robot_of(self.name, folder))
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.robot.__exit__()
-
-    def rows(self, logs=LOGS):
-        return [self.row(k, guilty) for guilty in (False, True) for k in range(logs)]
+        super().__init__(folder, number, seed)
+        self.robot = self.engine = robots.Robot(program, drawn_logs.robot_of(self.name, folder))
 
     def row(self, k, guilty):
-        robot, random = self.robot, np.random.default_rng([self.seed, self.number, k, int(guilty)])
+        robot, random = self.robot, self.random(k, guilty)
         exact, noise = honest(robot, random)
-        kind = KINDS[(LOGS * self.number + k) % len(KINDS)]
+        kind = self.kind(k, KINDS)
         mistake = drawn_mistake(robot, kind, random) if guilty else None
         count = np.where([joint["prismatic"] for joint in robot.joints], 0.1, 2.0 * np.pi) / 2 ** random.integers(13, 18)
         log = dataclasses.replace(exact, q=np.round(exact.q / count) * count, tau=exact.tau + noise * random.normal(0.0, 1.0, exact.tau.shape))
@@ -181,25 +164,12 @@ class Logs:
                 "said": text, "outcome": outcome(robot, mistake, text), "tellable": bool(can and guilty), "like": like}
 
 
+def text(row):
+    return f"{row['arm']:<16} {row['log']} {row['planted'] or 'no mistake':<60} {'told' if row['tellable'] else row['like']:<30} {row['outcome']}"
+
+
 def main(arguments):
-    parser = argparse.ArgumentParser(prog="verdicts", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    for name in ("--program", "--output"):
-        parser.add_argument(name, required=True)
-    parser.add_argument("--documents")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--arms", default=",".join(ARMS))
-    options = parser.parse_args(arguments)
-    folder, rows = pathlib.Path(options.output), []
-    folder.mkdir(parents=True, exist_ok=True)
-    for name in options.arms.split(","):
-        with Logs(options.program, folder, drawn_logs.ARMS.index(name), options.seed) as logs:
-            rows += logs.rows()
-        for row in rows[-2 * LOGS:]:
-            print(f"{row['arm']:<16} {row['log']} {row['planted'] or 'no mistake':<60} {'told' if row['tellable'] else row['like']:<30} {row['outcome']}", flush=True)
-        (folder / "verdicts.json").write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
-    print(f"{sum(map(wrong, rows))} of {len(rows)} verdicts are wrong")
-    if options.documents:
-        shutil.copy(folder / "verdicts.json", pathlib.Path(options.documents) / "data/identification_verdicts.json")
+    judged_logs.run("verdicts", __doc__, Logs, text, "identification_verdicts.json", arguments)
 
 
 if __name__ == "__main__":

@@ -21,6 +21,7 @@ import accusations  # noqa: E402
 import commission  # noqa: E402
 import drawn_logs  # noqa: E402
 from engine import Arm, suspects  # noqa: E402
+import judged_logs  # noqa: E402
 import poses as files  # noqa: E402
 from statics import Statics  # noqa: E402
 import wiring  # noqa: E402
@@ -153,7 +154,7 @@ class Sample(InFolder):
             with logs(name, self.folder) as made:
                 for row in made.rows(logs_of_each):
                     with self.subTest(accusations.text(row)):
-                        self.assertFalse(accusations.wrong(row))
+                        self.assertFalse(judged_logs.wrong(row))
 
     def test_is_judged_rightly(self):
         self.check(SAMPLE, 1)
@@ -163,7 +164,7 @@ class Every(Sample):
     """The sixty and sixty of ./axial commission --documents."""
 
     def test_is_judged_rightly(self):
-        self.check(drawn_logs.ARMS, accusations.LOGS)
+        self.check(drawn_logs.ARMS, judged_logs.LOGS)
 
 
 if __name__ == "__main__":

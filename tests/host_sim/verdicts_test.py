@@ -15,6 +15,7 @@ import numpy as np
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "host_sim" / each) for each in ("identification", "commissioning")]
 import drawn_logs  # noqa: E402
+import judged_logs  # noqa: E402
 import recording  # noqa: E402
 import smoothing  # noqa: E402
 import verdicts  # noqa: E402
@@ -67,7 +68,7 @@ class Logs(unittest.TestCase):
             with logs(name, self.folder) as made:
                 for row in made.rows(logs_of_each):
                     with self.subTest(arm=row["arm"], log=row["log"], planted=row["planted"], said=row["said"]):
-                        self.assertFalse(verdicts.wrong(row))
+                        self.assertFalse(judged_logs.wrong(row))
 
 
 class Sample(Logs):
@@ -92,7 +93,7 @@ class Every(Logs):
     """All of ./axial identify --documents."""
 
     def test_is_judged_rightly(self):
-        self.check(verdicts.ARMS, verdicts.LOGS)
+        self.check(drawn_logs.ARMS, judged_logs.LOGS)
 
 
 if __name__ == "__main__":
