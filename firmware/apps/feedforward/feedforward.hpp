@@ -172,7 +172,7 @@ class Feedforward {
     feed_watchdog(punctual);
   }
 
-  /// The fall-back's clock up to this moment: ticks that passed before a set-point was answered are none of its own.
+  /// The fall-back's clock up to this moment: ticks that passed before a set-point was taken are none of its own.
   void age() {
     const std::uint32_t now = Board::ticks();
     controller_.advance(now - aged_);
@@ -197,9 +197,9 @@ class Feedforward {
   bool answer() {
     auto compute = [this] { controller_.compute(); };
     link::Torque torque{};
+    age();
     controller_.load(set_point_);
     const std::uint32_t count = Board::count(compute);
-    age();
     controller_.settle(set_point_);
     set_drives();
     controller_.store(torque);
