@@ -1,7 +1,7 @@
 // The host's side of ./axial demo and ./axial report --on-board.
-#include <host_sim/demo/demo.hpp>
-#include <host_sim/on_board/on_board.hpp>
-#include <host_sim/output/command_line.hpp>
+#include <host_sim/boards/demo/demo.hpp>
+#include <host_sim/boards/on_board/on_board.hpp>
+#include <host_sim/tools/output/command_line.hpp>
 
 namespace {
 

@@ -88,7 +88,7 @@ def within_options(lines):
 
 def commit():
     try:
-        done = subprocess.run([ROOT / "host_sim" / "system" / "commit.sh"], capture_output=True, text=True, check=True)
+        done = subprocess.run([ROOT / "host_sim/tools/system/commit.sh"], capture_output=True, text=True, check=True)
         return done.stdout.strip()
     except (OSError, subprocess.CalledProcessError):
         return "unknown: made outside of a git repository"

@@ -105,12 +105,12 @@ take_sizes() {
   drop_options --sizes "$@"
 }
 
-# measure_errors FOLDER [ROBOT]: the errors of every kernel (host_sim/errors), of all robots or one, a file per robot.
+# measure_errors FOLDER [ROBOT]: the errors of every kernel (host_sim/figures/errors), of all robots or one, a file per robot.
 measure_errors() {
   local program=errors${2:+-$2}
   build "$HOST_PRESET" "$program"
   mkdir -p "$1"
   say "errors of ${2:-every robot}'s kernels against 113-bit arithmetic"
   { if [[ -n ${2:-} ]]; then echo "$2"; else robots_with_trajectories; fi; } |
-    AXIAL_ERRORS_PROGRAM=$AXIAL_ROOT/build/$HOST_PRESET/host_sim/errors/$program xargs -P "$(nproc)" -I ROBOT "$DRIVER/errors_of.sh" ROBOT "$1/errors-ROBOT.json"
+    AXIAL_ERRORS_PROGRAM=$AXIAL_ROOT/build/$HOST_PRESET/host_sim/figures/errors/$program xargs -P "$(nproc)" -I ROBOT "$DRIVER/errors_of.sh" ROBOT "$1/errors-ROBOT.json"
 }

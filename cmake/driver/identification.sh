@@ -14,11 +14,11 @@ of_own_or_named_robot() {
   choose_program robot_regressor "$robot" "$@"
   drop_options "--robot --type" "$@"
   build "$HOST_PRESET" "${CHOSEN[0]}"
-  identification "$script" "${CHOSEN[0]}" --robot "${CHOSEN[1]}" "${ARGUMENTS[@]}"
+  identification "identification/$script" "${CHOSEN[0]}" --robot "${CHOSEN[1]}" "${ARGUMENTS[@]}"
 }
 
 # identification SCRIPT PROGRAM ARGUMENT...: matrices here are small: threads of the linear algebra would only wait for each other.
 identification() {
-  OPENBLAS_NUM_THREADS=1 /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/identification/$1" \
-    --program "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/identification/$2" "${@:3}"
+  OPENBLAS_NUM_THREADS=1 /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/robots/$1" \
+    --program "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/robots/identification/$2" "${@:3}"
 }

@@ -146,7 +146,7 @@ words_of() {
 # robots_with_trajectories [FOLDER/]
 robots_with_trajectories() {
   local file
-  for file in "$AXIAL_ROOT/host_sim/trajectories/${1:-}"*.json; do basename "$file" .json; done
+  for file in "$AXIAL_ROOT/host_sim/robots/trajectories/${1:-}"*.json; do basename "$file" .json; done
 }
 
 # refuse_value OPTION NAME VALUE WORD...

@@ -94,7 +94,7 @@ build_own_images() {
   rm -f "$log"
   with_progress "building $# images of $OWN_NAME for $board" "$log" keep_building "$board" "$@"
   grep -q '^not all was built$' "$log" || return 0
-  said=$(/usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/size/refused.py" "$log") || status=1
+  said=$(/usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/boards/size/refused.py" "$log") || status=1
   {
     echo "axial: not every kernel of $OWN_NAME could be built; $log has all that the compiler said:"
     echo "$said"

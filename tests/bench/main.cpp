@@ -4,7 +4,7 @@
 #include <bench/catalogue.hpp>
 #include <cstdio>
 #include <fstream>
-#include <host_sim/output/command_line.hpp>
+#include <host_sim/tools/output/command_line.hpp>
 #include <nlohmann/json.hpp>
 #include <regex>
 

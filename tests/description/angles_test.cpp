@@ -1,5 +1,5 @@
 // Angles: what is taken for a multiple of 90 degrees, and how others are written.
-#include <host_sim/description/angles.hpp>
+#include <host_sim/robots/description/angles.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include <host_sim/description/angles.hpp>
-#include <host_sim/description/coordinates.hpp>
+#include <host_sim/robots/description/angles.hpp>
+#include <host_sim/robots/description/coordinates.hpp>
 
 #include <gtest/gtest.h>
 

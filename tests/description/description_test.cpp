@@ -1,10 +1,10 @@
 // Tables, findings, headers and the run-time model of a description.
 #include <axial/axial.hpp>
-#include <host_sim/description/angles.hpp>
-#include <host_sim/description/findings.hpp>
-#include <host_sim/description/header.hpp>
-#include <host_sim/description/known_robots.hpp>
-#include <host_sim/description/table.hpp>
+#include <host_sim/robots/description/angles.hpp>
+#include <host_sim/robots/description/findings.hpp>
+#include <host_sim/robots/description/header.hpp>
+#include <host_sim/robots/description/known_robots.hpp>
+#include <host_sim/robots/description/table.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Every finding: the last value that is none, and the first that is.
-#include <host_sim/description/findings.hpp>
+#include <host_sim/robots/description/findings.hpp>
 
 #include <gtest/gtest.h>
 

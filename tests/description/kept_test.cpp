@@ -1,6 +1,6 @@
 // Lines that somebody wrote into a header by hand.
-#include <host_sim/description/header.hpp>
-#include <host_sim/system/temporary_folder.hpp>
+#include <host_sim/robots/description/header.hpp>
+#include <host_sim/tools/system/temporary_folder.hpp>
 
 #include <gtest/gtest.h>
 

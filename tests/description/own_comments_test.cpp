@@ -1,7 +1,7 @@
 // What a header's robot is called, and what it took for granted, by the comments of the header.
 #include <gtest/gtest.h>
 
-#include <host_sim/description/own_comments.hpp>
+#include <host_sim/robots/description/own_comments.hpp>
 
 #include <cstdlib>
 #include <filesystem>

@@ -183,10 +183,10 @@ MissingPackagesAreNamedOnce() {
 XacroIsExpanded() {
   local folder said
   folder=$(mktemp -d)
-  mkdir -p "$folder/build/here/host_sim/import"
+  mkdir -p "$folder/build/here/host_sim/robots/import"
   printf '#!/bin/bash\nsed "s/\${mass}/2.5/" "$1"\n' >"$folder/xacro"
-  printf '#!/bin/bash\necho "$1 as $(basename "$2"): $(<"$2")"\n' >"$folder/build/here/host_sim/import/import"
-  chmod +x "$folder/xacro" "$folder/build/here/host_sim/import/import"
+  printf '#!/bin/bash\necho "$1 as $(basename "$2"): $(<"$2")"\n' >"$folder/build/here/host_sim/robots/import/import"
+  chmod +x "$folder/xacro" "$folder/build/here/host_sim/robots/import/import"
   # shellcheck disable=SC2016
   echo '<mass value="${mass}"/>' >"$folder/arm.urdf.xacro"
   # shellcheck disable=SC2016

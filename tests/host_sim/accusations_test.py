@@ -16,7 +16,7 @@ import unittest.mock
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "host_sim/commissioning"))
+sys.path[:0] = [str(ROOT / "host_sim/robots" / each) for each in ("verdicts", "commissioning")]
 import accusations  # noqa: E402
 import commission  # noqa: E402
 import drawn_logs  # noqa: E402
@@ -33,7 +33,7 @@ SAMPLE = ("wall", "idle_joints")
 
 
 def program():
-    return HOST / "host_sim/commissioning/gravity_parts"
+    return HOST / "host_sim/robots/commissioning/gravity_parts"
 
 
 def logs(name, folder, seed=1):

@@ -1,7 +1,7 @@
 // The boards and robots that the host knows.
-#include <host_sim/emulator/board.hpp>
-#include <host_sim/robots/robot.hpp>
-#include <host_sim/trajectory/files.hpp>
+#include <host_sim/boards/emulator/board.hpp>
+#include <host_sim/robots/robots/robot.hpp>
+#include <host_sim/robots/trajectory/files.hpp>
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ TEST(Catalogue, AnUnknownRobotIsAnsweredWithTheKnownOnes) {
 TEST(Catalogue, EveryRobotHasACycleInsideItsLimits) {
   for (const std::string& name : host_sim::robot_names()) {
     const host_sim::Robot robot = host_sim::find_robot(name);
-    const std::string file = std::string(AXIAL_ROOT) + "/host_sim/trajectories/" + name + ".json";
+    const std::string file = std::string(AXIAL_ROOT) + "/host_sim/robots/trajectories/" + name + ".json";
     EXPECT_GT(host_sim::load_trajectory(file, name, robot.limits).size(), 1000u) << name;
   }
 }
@@ -56,7 +56,7 @@ TEST(Catalogue, EveryRobotOfSharedDrivesHasACycleInsideTheLimitsOfBoth) {
   for (const std::string& name : host_sim::driven_robot_names()) {
     SCOPED_TRACE(name);
     const host_sim::Robot robot = host_sim::find_robot(name);
-    const std::string file = std::string(AXIAL_ROOT) + "/host_sim/trajectories/shared_drives/" + name + ".json";
+    const std::string file = std::string(AXIAL_ROOT) + "/host_sim/robots/trajectories/shared_drives/" + name + ".json";
     const auto trajectory = host_sim::load_trajectory(file, name, robot.limits, [&](const host_sim::Cycle& cycle) {
       return host_sim::plan_of_drives(cycle, robot.limits, robot.moved,
                                       [&](const auto& u) { return host_sim::joint_positions(robot, u); });

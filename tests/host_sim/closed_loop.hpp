@@ -3,7 +3,7 @@
 
 #include <axial/axial.hpp>
 #include <axial/fixed.hpp>
-#include <host_sim/trajectory/set_point.hpp>
+#include <host_sim/robots/trajectory/set_point.hpp>
 #include <robots/scara.hpp>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "closed_loop.hpp"
 
 #include <gtest/gtest.h>
-#include <host_sim/trajectory/files.hpp>
+#include <host_sim/robots/trajectory/files.hpp>
 
 #include <cstdio>
 
@@ -16,7 +16,7 @@ host_sim::Trajectory pick_and_place() {
   std::vector<host_sim::JointLimits> limits;
   for (const axial::LinkParameters& p : Arm::chain.links)
     limits.push_back({p.position_min, p.position_max, p.speed_limit, p.acceleration_limit});
-  return host_sim::load_trajectory(AXIAL_ROOT "/host_sim/trajectories/scara.json", "scara", limits);
+  return host_sim::load_trajectory(AXIAL_ROOT "/host_sim/robots/trajectories/scara.json", "scara", limits);
 }
 
 void print(const char* plant, const char* controller, const PerJoint<Tracking>& t) {

@@ -1,8 +1,8 @@
 // Contacts of 5 % of a joint's effort limit are found within 10 ms and nothing else is; `./axial collide` runs 10
 // minutes.
 #include <gtest/gtest.h>
-#include <host_sim/collide/collide.hpp>
-#include <host_sim/collide/payload.hpp>
+#include <host_sim/plants/collide/collide.hpp>
+#include <host_sim/plants/collide/payload.hpp>
 
 #include <cmath>
 

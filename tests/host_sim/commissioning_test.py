@@ -17,7 +17,7 @@ import unittest.mock
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "host_sim/commissioning"))
+sys.path.insert(0, str(ROOT / "host_sim/robots/commissioning"))
 import commission  # noqa: E402
 import design  # noqa: E402
 from engine import Arm  # noqa: E402
@@ -32,7 +32,7 @@ SCALE, ZERO, TILT = 0.02, np.radians(0.2), np.radians(0.1)  # what is asked
 
 
 def program():
-    return HOST / "host_sim/commissioning/gravity_parts"
+    return HOST / "host_sim/robots/commissioning/gravity_parts"
 
 
 def run(*arguments):

@@ -12,8 +12,8 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PROGRAM = ROOT / "host_sim/compile_cost/compile_cost.py"
-LARGE = ROOT / "host_sim/compile_cost/large_robots.py"
+PROGRAM = ROOT / "host_sim/figures/compile_cost/compile_cost.py"
+LARGE = ROOT / "host_sim/figures/compile_cost/large_robots.py"
 
 
 def run(*arguments):
@@ -60,7 +60,7 @@ class CompileCost(unittest.TestCase):
         for name in ("compile_cost", "compile_time"):
             page, shown = self.folder / "page.md", ROOT / f"doc/measurements/{name}.md"
             shutil.copy(shown, page)
-            subprocess.run([sys.executable, "-E", "-B", ROOT / f"host_sim/plot/{name}_tables.py", ROOT / "doc/data", page], check=True)
+            subprocess.run([sys.executable, "-E", "-B", ROOT / f"host_sim/figures/pages/{name}_tables.py", ROOT / "doc/data", page], check=True)
             self.assertEqual(page.read_text(encoding="utf-8"), shown.read_text(encoding="utf-8"))
 
     def test_large_robots_have_their_own_rows(self):

@@ -5,8 +5,8 @@
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <cases/scenarios.hpp>
 #include <cases/to_axial.hpp>
-#include <host_sim/counts/congruence_rows.hpp>
-#include <host_sim/counts/congruences.hpp>
+#include <host_sim/figures/counts/congruence_rows.hpp>
+#include <host_sim/figures/counts/congruences.hpp>
 
 #include <cmath>
 #include <memory>

@@ -2,7 +2,7 @@
 // trace reached except where this file says so.
 #include <gtest/gtest.h>
 #include <axial/links/link_view.hpp>
-#include <host_sim/counts/rows.hpp>
+#include <host_sim/figures/counts/rows.hpp>
 #include <nlohmann/json.hpp>
 #include <robots/models/models.hpp>
 

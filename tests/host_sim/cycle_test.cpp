@@ -1,6 +1,6 @@
 // Cycles of robots whose joints share drives: of the drives, within the limits of both. G is written by hand.
-#include <host_sim/loop/cycle.hpp>
-#include <host_sim/simulation/models.hpp>
+#include <host_sim/plants/loop/cycle.hpp>
+#include <host_sim/plants/simulation/models.hpp>
 
 #include <gtest/gtest.h>
 

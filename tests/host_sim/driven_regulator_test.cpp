@@ -1,7 +1,7 @@
 // The regulator and the filter of an arm whose joints share drives, in the loop on the host.
-#include <host_sim/loop/observers.hpp>
-#include <host_sim/loop/pushes.hpp>
-#include <host_sim/loop/regulators.hpp>
+#include <host_sim/plants/loop/observers.hpp>
+#include <host_sim/plants/loop/pushes.hpp>
+#include <host_sim/plants/loop/regulators.hpp>
 
 #include <gtest/gtest.h>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include <host_sim/analysis/error_statistics.hpp>
-#include <host_sim/analysis/joint_scales.hpp>
+#include <host_sim/tools/analysis/error_statistics.hpp>
+#include <host_sim/tools/analysis/joint_scales.hpp>
 
 #include <gtest/gtest.h>
 

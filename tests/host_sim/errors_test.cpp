@@ -1,7 +1,7 @@
 // Errors of the kernels in every number system, on the same states.
 #include <gtest/gtest.h>
 
-#include <host_sim/errors/errors.hpp>
+#include <host_sim/figures/errors/errors.hpp>
 
 #include <map>
 #include <set>

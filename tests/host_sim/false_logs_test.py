@@ -18,7 +18,7 @@ import unittest.mock
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "host_sim/identification"))
+sys.path.insert(0, str(ROOT / "host_sim/robots/identification"))
 import doubts  # noqa: E402
 import identify  # noqa: E402
 import recording  # noqa: E402
@@ -117,7 +117,7 @@ class Arms:
             if name.startswith("random"):
                 described = pathlib.Path(cls.folder.name, f"{name}.json")
                 described.write_text(json.dumps(random_table(int(name[-1]))), encoding="utf-8")
-            robot = robots.Robot(HOST / "host_sim/identification/robot_regressor", described)
+            robot = robots.Robot(HOST / "host_sim/robots/identification/robot_regressor", described)
             arm = Simulated(robot, described, cls.folder.name)
             cls.made[name] = robot, described, arm.log("excitation", study.RATE, study.COUNTS, study.NOISE)[0], arm
         return cls.made[name]
@@ -148,7 +148,7 @@ def run(*arguments):
     """Status, what was printed, what was said on standard error."""
     out, err = io.StringIO(), io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        status = identify.main([*map(str, arguments), "--program", str(HOST / "host_sim/identification/robot_regressor")])
+        status = identify.main([*map(str, arguments), "--program", str(HOST / "host_sim/robots/identification/robot_regressor")])
     return status, out.getvalue(), err.getvalue()
 
 
@@ -306,7 +306,7 @@ class Verb(unittest.TestCase):
 
     def test_forgets_that_rotors_were_missing(self):
         urdf = ROOT / "tests/data/descriptions/ur10_robot.urdf"
-        with robots.Robot(HOST / "host_sim/identification/robot_regressor", urdf) as robot:
+        with robots.Robot(HOST / "host_sim/robots/identification/robot_regressor", urdf) as robot:
             content = {"name": "arm", "source": "", "parameters": robot.prior.tolist(), "notes": [], "fitted": ["rotors"], "figures": []}
             for fitted in (True, False):
                 values = self.folder / "values.json"
@@ -333,7 +333,7 @@ class Units(unittest.TestCase):
     """What a log's own columns tell."""
 
     def refuse(self, text, *words):
-        with tempfile.TemporaryDirectory() as folder, robots.Robot(HOST / "host_sim/identification/robot_regressor", "planar2r") as robot:
+        with tempfile.TemporaryDirectory() as folder, robots.Robot(HOST / "host_sim/robots/identification/robot_regressor", "planar2r") as robot:
             path = pathlib.Path(folder, "log.csv")
             path.write_text(text, encoding="utf-8")
             with self.assertRaises(recording.RecordingError) as caught:
@@ -371,7 +371,7 @@ class Units(unittest.TestCase):
         self.refuse(self.table(q=10.0), "degrees")
 
     def test_right_speeds_are_taken(self):
-        with tempfile.TemporaryDirectory() as folder, robots.Robot(HOST / "host_sim/identification/robot_regressor", "planar2r") as robot:
+        with tempfile.TemporaryDirectory() as folder, robots.Robot(HOST / "host_sim/robots/identification/robot_regressor", "planar2r") as robot:
             path = pathlib.Path(folder, "log.csv")
             path.write_text(self.table(qd=1.0), encoding="utf-8")
             self.assertEqual(recording.read(path, robot).qd.shape, (300, 2))

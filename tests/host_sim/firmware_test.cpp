@@ -1,5 +1,5 @@
 // The conversation with the firmware, against a firmware that the test plays at the other end of a socket pair.
-#include <host_sim/link/firmware.hpp>
+#include <host_sim/boards/link/firmware.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Hand guiding in the loop with a plant, a hand and the image's own source on the host: what the hand feels. In QEMU:
 // host_sim.Guiding.*; faults: guiding_faults_test.cpp.
-#include <host_sim/guiding/guiding.hpp>
+#include <host_sim/plants/guiding/guiding.hpp>
 
 #include <gtest/gtest.h>
 

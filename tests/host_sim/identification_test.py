@@ -17,7 +17,7 @@ import unittest
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "host_sim/identification"))
+sys.path.insert(0, str(ROOT / "host_sim/robots/identification"))
 import base_parameters  # noqa: E402
 import consistency  # noqa: E402
 import excite  # noqa: E402
@@ -31,7 +31,7 @@ HOST = None
 
 
 def program():
-    return HOST / "host_sim/identification/robot_regressor"
+    return HOST / "host_sim/robots/identification/robot_regressor"
 
 
 def simulator():

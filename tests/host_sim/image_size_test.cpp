@@ -1,5 +1,5 @@
 // A hand-made ELF file with one section of each kind that a firmware image has.
-#include <host_sim/analysis/image_size.hpp>
+#include <host_sim/tools/analysis/image_size.hpp>
 
 #include "temporary_file.hpp"
 

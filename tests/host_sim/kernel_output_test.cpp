@@ -1,6 +1,6 @@
 // Console output of a kernels image, made up for the two-link arm, through to the rows of on_board.
-#include <host_sim/on_board/kernel_output.hpp>
-#include <host_sim/on_board/rows.hpp>
+#include <host_sim/boards/on_board/kernel_output.hpp>
+#include <host_sim/boards/on_board/rows.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What ./axial loop --export writes: read back from the header, held to the oracle's nonlinear arm, and regulated.
-#include <host_sim/loop/linear_arm.hpp>
-#include <host_sim/robots/driven_robot.hpp>
+#include <host_sim/plants/loop/linear_arm.hpp>
+#include <host_sim/robots/robots/driven_robot.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The closed loop on the host: what feeding forward is worth, and what takes it away. The image is held to the same
 // source, bit by bit, by `loop --check` (host_sim.Loop.*).
-#include <host_sim/loop/elastic.hpp>
-#include <host_sim/loop/loop.hpp>
+#include <host_sim/plants/loop/elastic.hpp>
+#include <host_sim/plants/loop/loop.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The loop around an extended Kalman filter, on the host: what it knows of velocities, and what that is worth. The
 // image is held to the same source, bit by bit, by `observers --check` (host_sim.Observers.*).
-#include <host_sim/loop/observers.hpp>
+#include <host_sim/plants/loop/observers.hpp>
 
 #include <gtest/gtest.h>
 

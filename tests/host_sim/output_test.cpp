@@ -1,4 +1,4 @@
-#include <host_sim/output/table.hpp>
+#include <host_sim/tools/output/table.hpp>
 
 #include <gtest/gtest.h>
 

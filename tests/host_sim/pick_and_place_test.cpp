@@ -1,4 +1,4 @@
-#include <host_sim/trajectory/pick_and_place.hpp>
+#include <host_sim/robots/trajectory/pick_and_place.hpp>
 
 #include <gtest/gtest.h>
 

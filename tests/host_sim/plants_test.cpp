@@ -1,7 +1,7 @@
 // Two plants in the lanes of a batch move as each does alone, each under its own efforts, noise and payload.
 #include <gtest/gtest.h>
-#include <host_sim/collide/arm.hpp>
-#include <host_sim/collide/robot.hpp>
+#include <host_sim/plants/collide/arm.hpp>
+#include <host_sim/plants/collide/robot.hpp>
 
 #include <cmath>
 

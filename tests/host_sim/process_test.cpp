@@ -1,5 +1,5 @@
-#include <host_sim/system/process.hpp>
-#include <host_sim/system/temporary_folder.hpp>
+#include <host_sim/tools/system/process.hpp>
+#include <host_sim/tools/system/temporary_folder.hpp>
 
 #include <gtest/gtest.h>
 

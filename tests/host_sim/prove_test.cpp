@@ -1,7 +1,7 @@
 // What is proved is the kernel: a recorded program, evaluated at other inputs, gives the kernel's bits.
-#include <host_sim/prove/arm.hpp>
-#include <host_sim/prove/primitives.hpp>
-#include <host_sim/prove/step.hpp>
+#include <host_sim/figures/prove/arm.hpp>
+#include <host_sim/figures/prove/primitives.hpp>
+#include <host_sim/figures/prove/step.hpp>
 
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>

@@ -48,7 +48,7 @@ def scripts(subject, part=None):
 
 def runner():
     """prove.py, which runs Gappa and Coq."""
-    path = pathlib.Path(__file__).resolve().parents[2] / "host_sim/prove/prove.py"
+    path = pathlib.Path(__file__).resolve().parents[2] / "host_sim/figures/prove/prove.py"
     spec = importlib.util.spec_from_file_location("prove", path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)

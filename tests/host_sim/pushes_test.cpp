@@ -1,7 +1,7 @@
 // The regulator in a loop with a plant, on the host: it brings arms back from wherever they were pushed to. The image
 // is held to the same source, bit by bit, by `pushes --check` (host_sim.Pushes.*).
-#include <host_sim/loop/pushes.hpp>
-#include <host_sim/loop/regulators.hpp>
+#include <host_sim/plants/loop/pushes.hpp>
+#include <host_sim/plants/loop/regulators.hpp>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <axial/axial.hpp>
 #include <axial/fixed.hpp>
-#include <host_sim/ranges/rows.hpp>
+#include <host_sim/figures/ranges/rows.hpp>
 #include <robots/gripper.hpp>
 #include <robots/puma560.hpp>
 

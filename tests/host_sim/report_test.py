@@ -14,7 +14,7 @@ import unittest
 import unittest.mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "host_sim/report"))
+sys.path.insert(0, str(ROOT / "host_sim/figures/report"))
 import choose  # noqa: E402
 import kernels  # noqa: E402
 import other_rows  # noqa: E402

@@ -1,4 +1,4 @@
-#include <host_sim/trajectory/s_curve.hpp>
+#include <host_sim/robots/trajectory/s_curve.hpp>
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "host_sim/size"))
+sys.path.insert(0, str(ROOT / "host_sim/boards/size"))
 import same_code
 
 KERNEL = "dynamics/inverse_dynamics.hpp"
@@ -36,7 +36,7 @@ class SameCode(unittest.TestCase):
         return tree
 
     def run_on(self, before, build="stm32f405,host-clang-O2", kernel="inverse_dynamics,gravity_torque"):
-        done = subprocess.run([sys.executable, "-E", "-B", ROOT / "host_sim/size/same_code.py", before, "--scene", "scara", "--number", "float",
+        done = subprocess.run([sys.executable, "-E", "-B", ROOT / "host_sim/boards/size/same_code.py", before, "--scene", "scara", "--number", "float",
                                "--build", build, "--kernel", kernel, "--json", self.folder / "rows.json"], capture_output=True, text=True)
         return done, json.loads((self.folder / "rows.json").read_text(encoding="utf-8")) if done.returncode < 2 else []
 
@@ -71,7 +71,7 @@ class SameCode(unittest.TestCase):
 
     def test_what_is_unknown_is_refused(self):
         for word, said in (("no-such-revision", "no revision"), ("--scene=arm9", "unknown scene 'arm9'; there are: puma560")):
-            done = subprocess.run([sys.executable, "-E", "-B", ROOT / "host_sim/size/same_code.py", word, *(["HEAD"] if "=" in word else [])],
+            done = subprocess.run([sys.executable, "-E", "-B", ROOT / "host_sim/boards/size/same_code.py", word, *(["HEAD"] if "=" in word else [])],
                                   capture_output=True, text=True)
             self.assertNotEqual(done.returncode, 0)
             self.assertIn(said, done.stderr)

@@ -2,9 +2,9 @@
 // Where joints share drives: by the oracle's recursion over the tree and a matrix G written here by hand, in values of
 // the drives. Nothing of the library's dynamics is used. The truth is written as the standard parameters of each link:
 // m, m c, inertia about the origin (xx yy zz xy xz yz), gear^2 J, viscous, Coulomb forward and backward.
-#include <host_sim/identification/robot_file.hpp>
-#include <host_sim/output/command_line.hpp>
-#include <host_sim/trajectory/files.hpp>
+#include <host_sim/robots/identification/robot_file.hpp>
+#include <host_sim/robots/trajectory/files.hpp>
+#include <host_sim/tools/output/command_line.hpp>
 #include <oracle/from_axial.hpp>
 #include <oracle/kdl_chain.hpp>
 #include <oracle/recursive.hpp>

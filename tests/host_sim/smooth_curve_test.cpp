@@ -1,4 +1,4 @@
-#include <host_sim/trajectory/smooth_curve.hpp>
+#include <host_sim/robots/trajectory/smooth_curve.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // ./axial exhaustive: what it says of some blocks is what quadruple precision says of each of their arguments.
-#include <host_sim/exhaustive/sweep.hpp>
+#include <host_sim/figures/exhaustive/sweep.hpp>
 
 #include <axial/fixed/words/integer.hpp>
 #include <oracle/scalar.hpp>

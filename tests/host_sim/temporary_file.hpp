@@ -1,7 +1,7 @@
 // A file that lives as long as a test.
 #pragma once
 
-#include <host_sim/system/temporary_folder.hpp>
+#include <host_sim/tools/system/temporary_folder.hpp>
 
 #include <fstream>
 #include <string>

@@ -1,4 +1,4 @@
-#include <host_sim/trajectory/files.hpp>
+#include <host_sim/robots/trajectory/files.hpp>
 
 #include "temporary_file.hpp"
 

@@ -13,7 +13,7 @@ import unittest.mock
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "host_sim" / each) for each in ("identification", "commissioning")]
+sys.path[:0] = [str(ROOT / "host_sim/robots" / each) for each in ("verdicts", "identification", "commissioning")]
 import drawn_logs  # noqa: E402
 import judged_logs  # noqa: E402
 import recording  # noqa: E402
@@ -25,7 +25,7 @@ SEED = 5
 
 
 def logs(name, folder):
-    return verdicts.Logs(HOST / "host_sim/identification/robot_regressor", folder, drawn_logs.ARMS.index(name))
+    return verdicts.Logs(HOST / "host_sim/robots/identification/robot_regressor", folder, drawn_logs.ARMS.index(name))
 
 
 class Noise(unittest.TestCase):

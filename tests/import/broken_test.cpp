@@ -1,5 +1,5 @@
 // Broken descriptions: each is refused with a message that names what is wrong; none crashes.
-#include <host_sim/import/importer.hpp>
+#include <host_sim/robots/import/importer.hpp>
 
 #include "arms.hpp"
 

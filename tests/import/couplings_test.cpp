@@ -1,5 +1,5 @@
 // Mimics and transmissions of a small arm: ratios and friction by hand, and the comparison sees what is wrong.
-#include <host_sim/import/importer.hpp>
+#include <host_sim/robots/import/importer.hpp>
 
 #include "arms.hpp"
 

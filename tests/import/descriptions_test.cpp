@@ -1,8 +1,8 @@
 // Descriptions written by others: every one is imported, and equals Orocos KDL built from the file itself.
-#include <host_sim/description/description.hpp>
-#include <host_sim/description/findings.hpp>
-#include <host_sim/description/table.hpp>
-#include <host_sim/import/importer.hpp>
+#include <host_sim/robots/description/description.hpp>
+#include <host_sim/robots/description/findings.hpp>
+#include <host_sim/robots/description/table.hpp>
+#include <host_sim/robots/import/importer.hpp>
 
 #include "arms.hpp"
 

@@ -1,7 +1,7 @@
 // Whatever is done to a description, the importer refuses it or imports it: it never crashes and never hangs.
 // AXIAL_FUZZ_ROUNDS in the environment sets how many are tried of each kind (default 1500).
-#include <host_sim/description/header.hpp>
-#include <host_sim/import/importer.hpp>
+#include <host_sim/robots/description/header.hpp>
+#include <host_sim/robots/import/importer.hpp>
 
 #include "arms.hpp"
 

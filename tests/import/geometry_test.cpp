@@ -1,6 +1,6 @@
 // Lines, frames and bodies by hand.
-#include <host_sim/import/bodies.hpp>
-#include <host_sim/import/geometry.hpp>
+#include <host_sim/robots/import/bodies.hpp>
+#include <host_sim/robots/import/geometry.hpp>
 
 #include <gtest/gtest.h>
 

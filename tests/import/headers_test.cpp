@@ -1,6 +1,6 @@
 // Headers that the importer wrote while this was built: they compile, and hold bit for bit what was imported.
-#include <host_sim/description/header.hpp>
-#include <host_sim/import/importer.hpp>
+#include <host_sim/robots/description/header.hpp>
+#include <host_sim/robots/import/importer.hpp>
 
 #include <coupled_arm.hpp>
 #include <kr5_sixx.hpp>

@@ -1,9 +1,9 @@
 // Angles that are nearly right: named, and made exact where that is asked for. Numbers that no robot should have: kept
 // only where asked.
-#include <host_sim/description/angles.hpp>
-#include <host_sim/description/findings.hpp>
-#include <host_sim/description/header.hpp>
-#include <host_sim/import/importer.hpp>
+#include <host_sim/robots/description/angles.hpp>
+#include <host_sim/robots/description/findings.hpp>
+#include <host_sim/robots/description/header.hpp>
+#include <host_sim/robots/import/importer.hpp>
 
 #include "arms.hpp"
 

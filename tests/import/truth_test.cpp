@@ -1,9 +1,9 @@
 // An import tells the truth: what is written is what is read, what is changed is said, and a number that is wrong
 // anywhere between the text and the header is seen.
-#include <host_sim/description/findings.hpp>
-#include <host_sim/description/header.hpp>
-#include <host_sim/description/numbers.hpp>
-#include <host_sim/import/importer.hpp>
+#include <host_sim/robots/description/findings.hpp>
+#include <host_sim/robots/description/header.hpp>
+#include <host_sim/robots/description/numbers.hpp>
+#include <host_sim/robots/import/importer.hpp>
 
 #include "arms.hpp"
 

@@ -1,7 +1,7 @@
 // Plants whose joints share drives: their motion against Runge-Kutta steps of Lagrange's equations of all joints with
 // their couplings as constraints, multipliers and all, in 113 bits; their energy, their stops, the ground.
-#include <host_sim/simulation/integrate.hpp>
-#include <host_sim/simulation/plant.hpp>
+#include <host_sim/plants/simulation/integrate.hpp>
+#include <host_sim/plants/simulation/plant.hpp>
 
 #include <cstdio>
 

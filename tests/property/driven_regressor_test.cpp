@@ -1,6 +1,6 @@
 // Torques of drives as a linear function of the standard parameters of links and drives: against Lagrange's equations
 // of all joints with their couplings as constraints, multipliers and all, in 113 bits.
-#include <host_sim/identification/regressor.hpp>
+#include <host_sim/robots/identification/regressor.hpp>
 
 #include "constrained.hpp"
 

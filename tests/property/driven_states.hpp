@@ -5,7 +5,7 @@
 #include <axial/fixed.hpp>
 #include <cmath>
 #include <cstdlib>
-#include <host_sim/exhaustive/fixed_search.hpp>
+#include <host_sim/figures/exhaustive/fixed_search.hpp>
 
 namespace property {
 

@@ -1,6 +1,6 @@
 // Fixed point against float on the same states, each against double at its own inputs; bounds and certified errors
 // under a search that tries to exceed them.
-#include <host_sim/exhaustive/fixed_quantities.hpp>
+#include <host_sim/figures/exhaustive/fixed_quantities.hpp>
 
 #include "fixed_robots.hpp"
 

@@ -1,6 +1,6 @@
 // Nothing overflows in forward dynamics, split or classical, whatever the efforts: at random states and corners, every
 // eighth time with efforts as large as a word holds them.
-#include <host_sim/exhaustive/fixed_kernels.hpp>
+#include <host_sim/figures/exhaustive/fixed_kernels.hpp>
 
 #include "fixed_robots.hpp"
 

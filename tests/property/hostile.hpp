@@ -1,7 +1,7 @@
 // Hostile states: how many, and where their numbers come from.
 #pragma once
 
-#include <host_sim/exhaustive/fixed_states.hpp>
+#include <host_sim/figures/exhaustive/fixed_states.hpp>
 
 #include <cmath>
 #include <cstdlib>

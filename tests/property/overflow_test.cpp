@@ -1,6 +1,6 @@
 // Nothing overflows inside the limits: inverse dynamics of every robot, of two in both words and all modes, at random
 // states and corners. `./axial exhaustive --ranges` runs the same over 10^8 states.
-#include <host_sim/exhaustive/fixed_kernels.hpp>
+#include <host_sim/figures/exhaustive/fixed_kernels.hpp>
 
 #include "fixed_robots.hpp"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <axial/fixed.hpp>
-#include <host_sim/exhaustive/fixed_search.hpp>
+#include <host_sim/figures/exhaustive/fixed_search.hpp>
 
 namespace {
 

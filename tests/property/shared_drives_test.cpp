@@ -1,7 +1,7 @@
 // Joints that share drives, against Lagrange's equations of all joints with their couplings as constraints, multipliers
 // and all, in 113 bits; against a closed form; power on either side of random couplings.
 #include <axial/batch.hpp>
-#include <host_sim/robots/driven_robot.hpp>
+#include <host_sim/robots/robots/driven_robot.hpp>
 #include <utility>
 
 #include "constrained.hpp"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 #include <cstdlib>
-#include <host_sim/exhaustive/fixed_search.hpp>
+#include <host_sim/figures/exhaustive/fixed_search.hpp>
 
 #include "untuned_robots.hpp"
 

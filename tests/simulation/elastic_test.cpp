@@ -1,7 +1,7 @@
 // Plants with elastic joints: closed forms of one joint, Spong's equations of whole arms, energy, references, and the
 // rigid arm that they tend to.
-#include <host_sim/simulation/elastic.hpp>
-#include <host_sim/simulation/reference.hpp>
+#include <host_sim/plants/simulation/elastic.hpp>
+#include <host_sim/plants/simulation/reference.hpp>
 
 #include <gtest/gtest.h>
 

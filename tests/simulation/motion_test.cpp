@@ -1,6 +1,6 @@
-// What becomes of motions: every scenario of host_sim/simulation inside its gates, and the plant's parts.
-#include <host_sim/simulation/reference.hpp>
-#include <host_sim/simulation/rows.hpp>
+// What becomes of motions: every scenario of host_sim/plants/simulation inside its gates, and the plant's parts.
+#include <host_sim/plants/simulation/reference.hpp>
+#include <host_sim/plants/simulation/rows.hpp>
 
 #include <gtest/gtest.h>
 #include <cases/scenarios.hpp>

@@ -1,6 +1,6 @@
 // Runs the suite: a table, and JSON for the pictures.
 #include <cstdio>
-#include <host_sim/output/command_line.hpp>
+#include <host_sim/tools/output/command_line.hpp>
 #include <stability/ablation.hpp>
 #include <stability/compiled/rows.hpp>
 #include <stability/derivatives.hpp>

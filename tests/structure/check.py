@@ -25,6 +25,7 @@ LAYERS |= {
     "fixed": {*KERNELS, "closed_form", "control", "calls", "c_interface", "algorithm.hpp", "fixed.hpp"},
 }
 MOST_HEADERS, LONGEST_PAGE = 20, 70  # of a folder; of its README.md, in lines
+HOST_ROOMS = ("tools", "robots", "boards", "plants", "figures")  # of host_sim; each may include itself and what stands in front of it
 # What users included before its header had a room of its own: one line, which includes that header and which no other header includes.
 OLD_PATHS = {
     "dynamics/elastic_damping.hpp": "transmissions/elastic_damping.hpp",
@@ -194,6 +195,11 @@ def check_cycles(root):
         own = str(name.parent) if len(name.parts) > 1 else str(name)
         others = {(i.rpartition("/")[0] if "/" in i else i) for i in (n[6:] for n in includes(path) if n.startswith("axial/"))}
         above.setdefault(own, set()).update(others - {own})
+    yield from circles(root / LIBRARY, above)
+
+
+def circles(root, above):
+    """Of {folder: what it includes} those that include themselves, by however many others."""
     for folder in sorted(above):
         seen, rest = set(), [folder]
         while rest:
@@ -201,7 +207,7 @@ def check_cycles(root):
             seen |= found
             rest += found
         if folder in seen:
-            yield f"{root / LIBRARY / folder}: includes itself through {sorted(o for o in seen if folder in above.get(o, ()))}"
+            yield f"{root / folder}: includes itself through {sorted(o for o in seen if folder in above.get(o, ()))}"
 
 
 def namespace_at(text, position):
@@ -262,27 +268,74 @@ def check_readmes(root):
             yield f"{folder}: no README.md"
 
 
+def table_of(page):
+    """The folders that a page's tables name in their first column."""
+    return set(re.findall(r"`(\w+)/`", "".join(re.findall(r"^\|[^|]*\|", page, re.MULTILINE))))
+
+
 def check_host_sim(root):
-    """What host_sim/README.md says of its folders, and of who uses the library."""
-    folder = root / "host_sim"
-    if not folder.is_dir():
+    """The host's side: what its pages say of rooms, of their folders and of who uses the library; what includes what."""
+    host = root / "host_sim"
+    if not host.is_dir():
         return
-    page = (folder / "README.md").read_text()
-    rows = set(re.findall(r"`(\w+)/`", "".join(re.findall(r"^\|[^|]*\|", page, re.MULTILINE))))
-    present = {path.parent.name for path in folder.glob("*/README.md")}
-    if rows != present:
-        yield f"{folder}/README.md: its table and its folders differ in {', '.join(sorted(rows ^ present))}"
-    named = re.search(r"^The library beyond.*? is used by(.*?)alone", page, re.MULTILINE | re.DOTALL)
-    users = set()
-    for path in folder.rglob("*.[hc]pp*"):
-        own = path.relative_to(folder).parts[0]
-        users |= {own for name in includes(path) if re.match(r"axial/(?!robot/|scalar/)", name)}
-        for name in includes(path):
-            if re.match(r"host_sim/(demo|on_board)/", name) and own not in ("main.cpp", "demo", "on_board") and \
-                    (own, name) != ("loop", "host_sim/on_board/provenance.hpp"):
-                yield f"{path}: includes {name}; a program's parts are its own"
+    present = {path.parent.parent.name for path in host.glob("*/*/README.md")}
+    if table_of((host / "README.md").read_text()) != present or not present <= set(HOST_ROOMS):
+        yield f"{host}/README.md: its table has the rooms {', '.join(room for room in HOST_ROOMS if room in present)}, and there is no other"
+    for room in sorted(present):
+        yield from check_host_room(host / room)
+    yield from check_host_includes(host)
+
+
+def check_host_room(room):
+    page = (room / "README.md").read_text() if (room / "README.md").is_file() else ""
+    present = {path.parent.name for path in room.glob("*/README.md")}
+    if table_of(page) != present:
+        yield f"{room}/README.md: its table and its folders differ in {', '.join(sorted(table_of(page) ^ present))}"
+    missing = [words for words in ("nclude", "To add ", "Read ") if words not in page]
+    if missing or page.count("\n") > LONGEST_PAGE:
+        yield f"{room}/README.md: {LONGEST_PAGE} lines at most, and {', '.join(missing) or 'no more'}"
+    named = re.search(r"^The library beyond.*? is used by(.*?)(?:alone|\.)", page, re.MULTILINE | re.DOTALL)
+    users = {path.relative_to(room).parts[0] for path in room.rglob("*.[hc]pp*") if any(re.match(r"axial/(?!robot/|scalar/)", name) for name in includes(path))}
     if not named or users != set(re.findall(r"`(\w+)/`", named[1])):
-        yield f"{folder}/README.md: the library is used by {', '.join(sorted(users))}"
+        yield f"{room}/README.md: the library is used by {', '.join(sorted(users)) or 'nobody'}"
+    for folder in (room, *(path.parent for path in room.glob("*/README.md"))):
+        pieces = {path.name.partition(".")[0] for path in folder.iterdir() if path.name not in ("README.md", "CMakeLists.txt", "__pycache__")}
+        if len(pieces) > MOST_HEADERS:
+            yield f"{folder}: has {len(pieces)} entries; {MOST_HEADERS} at most, a header and its source being one"
+
+
+def host_uses(host):
+    """(file, the (room, folder) that it uses) of includes and of what Python imports from another folder."""
+    scripts = collections.defaultdict(set)
+    for path in host.glob("*/*/*.py"):
+        scripts[path.stem].add(path.relative_to(host).parts[:2])
+    for path in sorted(host.rglob("*.[hc]pp*")):
+        for name in includes(path):
+            if name.startswith("host_sim/"):
+                yield path, tuple(name.split("/")[1:3])
+    for path in sorted(host.glob("*/*/*.py")):
+        for name in re.findall(r"^(?:from|import) (\w+)", path.read_text(), re.MULTILINE):
+            if name not in sys.stdlib_module_names and scripts[name] and path.relative_to(host).parts[:2] not in scripts[name]:
+                yield path, min(scripts[name], key=lambda place: place[0] != path.relative_to(host).parts[0])
+
+
+def check_host_includes(host):
+    """A room includes itself and what stands in front of it, no folder includes itself through others, a program's parts are its own."""
+    above = collections.defaultdict(set)
+    allowed = {room: HOST_ROOMS[:i + 1] for i, room in enumerate(HOST_ROOMS)}
+    for path, other in host_uses(host):
+        own = path.relative_to(host).parts[:2]
+        if own == ("main.cpp",):
+            continue
+        above[own].add(other)
+        if other[0] not in allowed.get(own[0], ()):
+            yield f"{path}: {own[0]}/ must not include {'/'.join(other)}/"
+    for path in sorted(host.rglob("*.[hc]pp*")):
+        for name in includes(path):
+            part = re.match(r"host_sim/boards/(demo|on_board)/", name)
+            if part and path.parent.name not in ("host_sim", "demo", "on_board") and (path.parent.name, name) != ("loop", "host_sim/boards/on_board/provenance.hpp"):
+                yield f"{path}: includes {name}; a program's parts are its own"
+    yield from circles(host, {"/".join(own): {"/".join(other) for other in others - {own}} for own, others in above.items()})
 
 
 def violations(root):

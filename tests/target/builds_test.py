@@ -8,7 +8,7 @@ import unittest
 
 import emulator
 
-sys.path.insert(0, str(emulator.ROOT / "host_sim/size"))
+sys.path.insert(0, str(emulator.ROOT / "host_sim/boards/size"))
 import builds  # noqa: E402
 
 FEEDFORWARD, FORWARD, *INTEGERS = builds.KERNELS

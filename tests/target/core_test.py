@@ -7,7 +7,7 @@ import emulator
 import harness
 import selftest_test
 
-sys.path[:0] = [str(emulator.ROOT / "host_sim" / folder) for folder in ("size", "timing")]
+sys.path[:0] = [str(emulator.ROOT / "host_sim/boards" / folder) for folder in ("size", "timing")]
 import image  # noqa: E402
 import measure  # noqa: E402
 

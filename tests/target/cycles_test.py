@@ -1,4 +1,4 @@
-"""Cycles of the Cortex-M0+ by Arm's table (host_sim/timing) against an emulator that counts its own: for every pair of instructions that
+"""Cycles of the Cortex-M0+ by Arm's table (host_sim/boards/timing) against an emulator that counts its own: for every pair of instructions that
 whole programs execute one after the other, kernels in fixed point, float and double among them."""
 
 import collections
@@ -12,7 +12,7 @@ import unittest
 import emulator
 import harness
 
-sys.path[:0] = [str(emulator.ROOT / "host_sim" / folder) for folder in ("size", "timing")]
+sys.path[:0] = [str(emulator.ROOT / "host_sim/boards" / folder) for folder in ("size", "timing")]
 import cortex_m0  # noqa: E402
 import image  # noqa: E402
 

@@ -15,7 +15,7 @@ import harness
 import link
 from symbols_test import FORBIDDEN, SOFT_FLOAT, SOFT_DOUBLE, defined, offenders
 
-sys.path.insert(0, str(emulator.ROOT / "host_sim/size"))
+sys.path.insert(0, str(emulator.ROOT / "host_sim/boards/size"))
 import image  # noqa: E402
 
 REFERENCE = "stm32f405"

@@ -8,7 +8,7 @@ from unittest import mock
 import emulator
 import harness
 
-sys.path[:0] = [str(emulator.ROOT / "host_sim" / folder) for folder in ("size", "timing")]
+sys.path[:0] = [str(emulator.ROOT / "host_sim/boards" / folder) for folder in ("size", "timing")]
 import cortex_m0  # noqa: E402
 import execution  # noqa: E402
 import measure  # noqa: E402

@@ -11,7 +11,7 @@ import tempfile
 import emulator
 import harness
 
-sys.path.insert(0, str(emulator.ROOT / "host_sim/size"))
+sys.path.insert(0, str(emulator.ROOT / "host_sim/boards/size"))
 import image  # noqa: E402
 
 LIBM = r"_*(ieee754_)?(sin|cos|tan|sincos|sqrt|fmod|rem_pio2|kernel_(sin|cos|rem_pio2))f?"

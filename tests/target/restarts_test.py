@@ -7,7 +7,7 @@ import unittest
 import emulator
 import harness
 
-sys.path.insert(0, str(emulator.ROOT / "host_sim/size"))
+sys.path.insert(0, str(emulator.ROOT / "host_sim/boards/size"))
 import image  # noqa: E402
 
 # Step of firmware/apps/faults, and what the next start must say.

@@ -1,5 +1,5 @@
 """Size and cost of the main kernels: inside their budgets, smaller where a scene leaves something out; and that the
-instruments behind ./axial size (host_sim/size) see what they should.
+instruments behind ./axial size (host_sim/boards/size) see what they should.
 """
 
 import json
@@ -12,7 +12,7 @@ import unittest
 import emulator
 import harness
 
-sys.path.insert(0, str(emulator.ROOT / "host_sim/size"))
+sys.path.insert(0, str(emulator.ROOT / "host_sim/boards/size"))
 import execution  # noqa: E402
 import flag_sets  # noqa: E402
 import flags  # noqa: E402

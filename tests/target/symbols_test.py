@@ -6,7 +6,7 @@ import sys
 import emulator
 import harness
 
-sys.path.insert(0, str(emulator.ROOT / "host_sim/size"))
+sys.path.insert(0, str(emulator.ROOT / "host_sim/boards/size"))
 import image  # noqa: E402
 
 FORBIDDEN = {

@@ -1,4 +1,4 @@
-"""Cycles of the timing models (host_sim/timing): Hazard3's against its RTL, the Cortex-M0's against Arm's tables, intervals, flash."""
+"""Cycles of the timing models (host_sim/boards/timing): Hazard3's against its RTL, the Cortex-M0's against Arm's tables, intervals, flash."""
 
 import json
 import pathlib
@@ -11,7 +11,7 @@ from unittest import mock
 
 import emulator
 
-sys.path[:0] = [str(emulator.ROOT / "host_sim" / folder) for folder in ("size", "timing")]
+sys.path[:0] = [str(emulator.ROOT / "host_sim/boards" / folder) for folder in ("size", "timing")]
 import cortex_m  # noqa: E402
 import cortex_m0  # noqa: E402
 import execution  # noqa: E402

@@ -11,7 +11,7 @@ import unittest
 import emulator
 import harness
 
-sys.path.insert(0, str(emulator.ROOT / "host_sim/rp2040"))
+sys.path.insert(0, str(emulator.ROOT / "host_sim/boards/rp2040"))
 import uf2  # noqa: E402
 
 
@@ -39,7 +39,7 @@ class Uf2(harness.BoardTest):
         cls.folder = tempfile.TemporaryDirectory(prefix="axial-")
         cls.addClassCleanup(cls.folder.cleanup)
         cls.file = pathlib.Path(cls.folder.name) / "image.uf2"
-        subprocess.run([emulator.ROOT / "host_sim/rp2040/uf2.py", cls.elf, cls.file], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([emulator.ROOT / "host_sim/boards/rp2040/uf2.py", cls.elf, cls.file], check=True, stdout=subprocess.DEVNULL)
         cls.data = cls.file.read_bytes()
 
     def test_every_block_is_as_the_format_has_it(self):

@@ -54,7 +54,7 @@ run() {
   if $documents; then
     race+=(--filter "one state")
     race_all haswell
-    plot_speed speed_tables.py "$output" "$AXIAL_ROOT/doc/measurements/speed.md"
+    plot_speed pages/speed_tables.py "$output" "$AXIAL_ROOT/doc/measurements/speed.md"
   fi
 }
 
@@ -74,10 +74,10 @@ race_all() {
     "$AXIAL_ROOT/build/bench-$compiler$of/tests/bench/axial_bench" "${race[@]}" --json "${files[-1]}"
   done
   if ! $documents; then
-    plot_speed speed.py "$output" "${files[@]}" ${json:+--json "$json"}
+    plot_speed plot/speed.py "$output" "${files[@]}" ${json:+--json "$json"}
   elif [[ $1 == native ]]; then
-    plot_speed speed.py "$AXIAL_ROOT/doc/pictures" "${files[@]}" --provenance "$output/bench-provenance.json"
+    plot_speed plot/speed.py "$AXIAL_ROOT/doc/pictures" "${files[@]}" --provenance "$output/bench-provenance.json"
   fi
 }
 
-plot_speed() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/$1" "${@:2}"; }
+plot_speed() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/$1" "${@:2}"; }

@@ -16,5 +16,5 @@ END
 
 run() {
   command -v cmake >/dev/null || ensure_packages
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/boards/boards.py" "$@"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/boards/boards/boards.py" "$@"
 }

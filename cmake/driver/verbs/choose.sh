@@ -34,7 +34,7 @@ run() {
   for argument in "$@"; do
     [[ $argument == --verify ]] && verify=yes
   done
-  if [[ ! -f $AXIAL_ROOT/host_sim/trajectories/$robot.json ]]; then
+  if [[ ! -f $AXIAL_ROOT/host_sim/robots/trajectories/$robot.json ]]; then
     [[ -z $verify ]] || fail_usage "--verify is of the report's robots: a header is measured anew each time"
     choose_own "$robot" "$board" "$@"
     return
@@ -44,7 +44,7 @@ run() {
 }
 
 choose_py() {
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/report/choose.py" --host "$AXIAL_ROOT/build/$HOST_PRESET" "$@"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/report/choose.py" --host "$AXIAL_ROOT/build/$HOST_PRESET" "$@"
 }
 
 # The probes and the host's program of what is chosen: a line each, "preset target...".
@@ -74,10 +74,10 @@ choose_own() {
   build_own_images "$board" "${targets[@]}"
   build "$HOST_PRESET" "errors-own_$algorithm"
   rows=$(mktemp)
-  own_py rows "$board" "$algorithm" "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/errors/errors-own_$algorithm" "$rows"
+  own_py rows "$board" "$algorithm" "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/figures/errors/errors-own_$algorithm" "$rows"
   drop_options "--robot --type" "$@"
   choose_py --robot own --type "$OWN_TYPE" --header "$OWN_HEADER" --data "$rows" "${ARGUMENTS[@]}"
   rm -f "$rows"
 }
 
-own_py() { /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/report/own.py" "$@"; }
+own_py() { /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/figures/report/own.py" "$@"; }

@@ -29,14 +29,14 @@ run() {
   fi
 }
 
-collide_program() { "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/collide/collide" "$@"; }
+collide_program() { "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/plants/collide/collide" "$@"; }
 
 write_collide_documents() {
   local doc=$AXIAL_ROOT/doc output=$AXIAL_ROOT/output/collide
   collide_program --output "$output" --json "$doc/data/collide.json"
   cp "$output"/collide.png "$doc/pictures/"
   printf '{"commit": "%s", "compiler": "%s", "flags": "-O2 -ffp-contract=off"}\n' \
-    "$("$AXIAL_ROOT/host_sim/system/commit.sh")" "$(c++ --version | head -n 1)" >"$doc/data/collide_provenance.json"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/observer_tables.py" "$doc/data" "$doc/guides/observer.md"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/observer_tables.py" "$doc/data" "$doc/guides/payload.md"
+    "$("$AXIAL_ROOT/host_sim/tools/system/commit.sh")" "$(c++ --version | head -n 1)" >"$doc/data/collide_provenance.json"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/observer_tables.py" "$doc/data" "$doc/guides/observer.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/observer_tables.py" "$doc/data" "$doc/guides/payload.md"
 }

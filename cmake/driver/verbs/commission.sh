@@ -45,24 +45,24 @@ run() {
   choose_program gravity_parts "$@"
   drop_options "--type" "${@:2}"
   build "$HOST_PRESET" "${CHOSEN[0]}" >&2
-  commissioning commission.py "${CHOSEN[@]}" "${ARGUMENTS[@]}"
+  commissioning commissioning/commission.py "${CHOSEN[@]}" "${ARGUMENTS[@]}"
 }
 
 # commissioning SCRIPT PROGRAM ARGUMENT...: matrices here are small: threads of the linear algebra would only wait for each other.
 commissioning() {
-  OPENBLAS_NUM_THREADS=1 /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/commissioning/$1" \
-    --program "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/commissioning/$2" "${@:3}"
+  OPENBLAS_NUM_THREADS=1 /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/robots/$1" \
+    --program "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/robots/commissioning/$2" "${@:3}"
 }
 
 write_commissioning_documents() {
   local doc=$AXIAL_ROOT/doc
   build "$HOST_PRESET" gravity_parts
   build "$HOST_PRESET" simulated_log
-  commissioning study.py gravity_parts --simulator "$AXIAL_ROOT/build/$HOST_PRESET/tests/host_sim/simulated_log" \
+  commissioning commissioning/study.py gravity_parts --simulator "$AXIAL_ROOT/build/$HOST_PRESET/tests/host_sim/simulated_log" \
     --output "$AXIAL_ROOT/output/commissioning" --documents "$doc"
-  commissioning accusations.py gravity_parts --output "$AXIAL_ROOT/output/accusations" --documents "$doc"
-  printf '{"commit": "%s", "compiler": "%s", "libraries": "%s"}\n' "$("$AXIAL_ROOT/host_sim/system/commit.sh")" \
+  commissioning verdicts/accusations.py gravity_parts --output "$AXIAL_ROOT/output/accusations" --documents "$doc"
+  printf '{"commit": "%s", "compiler": "%s", "libraries": "%s"}\n' "$("$AXIAL_ROOT/host_sim/tools/system/commit.sh")" \
     "$(c++ --version | head -n 1)" "$(/usr/bin/python3 -E -c 'import numpy, scipy; print("NumPy", numpy.__version__ + ", SciPy", scipy.__version__)')" \
     | tee "$doc/data/accusations_provenance.json" >"$doc/data/commissioning_provenance.json"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/commissioning_tables.py" "$doc/data" "$doc/measurements/commissioned_arms.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/commissioning_tables.py" "$doc/data" "$doc/measurements/commissioned_arms.md"
 }

@@ -30,10 +30,10 @@ run() {
 # Errors, counts and sizes go to a folder of their own, which is what the table is made from.
 compare_py() {
   build "$HOST_PRESET" compare operation_counts
-  local program=$AXIAL_ROOT/build/$HOST_PRESET/host_sim folder board
+  local program=$AXIAL_ROOT/build/$HOST_PRESET/host_sim/figures folder board
   folder=$(mktemp -d)
   mkdir "$folder/sizes"
-  "$program/compare/compare" "$AXIAL_ROOT/host_sim/trajectories" >"$folder/errors.json"
+  "$program/compare/compare" "$AXIAL_ROOT/host_sim/robots/trajectories" >"$folder/errors.json"
   "$program/counts/operation_counts" >"$folder/counts.json"
   if [[ -n ${AXIAL_SIZES:-} ]]; then # measured already
     cp "$AXIAL_SIZES" "$folder/sizes/"
@@ -43,7 +43,7 @@ compare_py() {
         --output "$folder/size" --json "$folder/sizes/$board.json" >/dev/null
     done
   fi
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/compare/compare.py" "$folder"/{errors,counts}.json "$folder/sizes" "$@"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/compare/compare.py" "$folder"/{errors,counts}.json "$folder/sizes" "$@"
   rm -r "$folder"
 }
 
@@ -51,5 +51,5 @@ write_separation_documents() {
   local doc=$AXIAL_ROOT/doc
   compare_py --output "$doc/data" --provenance "$doc/data/separation_provenance.json"
   mv "$doc"/data/separation.png "$doc/pictures/"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/separation_tables.py" "$doc/data" "$doc/measurements/separation.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/separation_tables.py" "$doc/data" "$doc/measurements/separation.md"
 }

@@ -36,19 +36,19 @@ run() {
   fi
 }
 
-compile_cost_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/compile_cost/compile_cost.py" "$@"; }
+compile_cost_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/compile_cost/compile_cost.py" "$@"; }
 
-large_robots_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/compile_cost/large_robots.py" "$@"; }
+large_robots_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/compile_cost/large_robots.py" "$@"; }
 
 write_compile_time_documents() {
   local doc=$AXIAL_ROOT/doc
   large_robots_py --output "$doc/data"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/compile_time_tables.py" "$doc/data" "$doc/measurements/compile_time.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/compile_time_tables.py" "$doc/data" "$doc/measurements/compile_time.md"
 }
 
 write_compile_cost_documents() {
   local doc=$AXIAL_ROOT/doc
   compile_cost_py --output "$doc/data"
   compile_cost_py provenance "$doc/data/compile_cost_provenance.json"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/compile_cost_tables.py" "$doc/data" "$doc/measurements/compile_cost.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/compile_cost_tables.py" "$doc/data" "$doc/measurements/compile_cost.md"
 }

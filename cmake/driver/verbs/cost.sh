@@ -43,4 +43,4 @@ measure_cost() {
   return "$status"
 }
 
-cost_py() { /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/cost/cost.py" "$@"; }
+cost_py() { /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/boards/cost/cost.py" "$@"; }

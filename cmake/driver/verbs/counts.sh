@@ -37,7 +37,7 @@ counts_py() {
   shift
   ensure_packages
   build "$HOST_PRESET" "$program"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/counts/counts.py" "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/counts/$program" "$@"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/counts/counts.py" "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/figures/counts/$program" "$@"
 }
 
 # A program for each robot that is counted by itself, one for all, one for a user's.
@@ -47,7 +47,7 @@ count_chosen() {
   type=$(option_of --type '' "$@")
   if [[ -z $robot ]]; then
     counts_py counts "$@"
-  elif [[ $robot == model_* || -f $AXIAL_ROOT/host_sim/trajectories/$robot.json ]]; then
+  elif [[ $robot == model_* || -f $AXIAL_ROOT/host_sim/robots/trajectories/$robot.json ]]; then
     counts_py "counts-$robot" "$@"
   else
     take_own_robot "$robot" "$type"
@@ -62,8 +62,8 @@ write_counts_documents() {
   counts_py counts --output "$doc/data" --provenance "$doc/data/counts_provenance.json" \
     --cache "$AXIAL_ROOT/build/$HOST_PRESET/CMakeCache.txt"
   build "$HOST_PRESET" congruences
-  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/counts/congruences" >"$doc/data/congruences.json.new"
+  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/figures/counts/congruences" >"$doc/data/congruences.json.new"
   mv "$doc/data/congruences.json.new" "$doc/data/congruences.json"
   mv "$doc"/data/counts.png "$doc/pictures/"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/count_tables.py" "$doc/data" "$doc/measurements/counts.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/count_tables.py" "$doc/data" "$doc/measurements/counts.md"
 }

@@ -11,7 +11,7 @@ cycle to it tick by tick, compares every torque with the oracle, prints a table 
                       wrist_arm, gripper. Of these values, torques and errors are the drives'
   --board BOARD       stm32f405 (default), stm32f100, nrf51, rv32_virt, rp2040, rp2040_ram
   --number float|fixed32  what the firmware computes in; default float (fixed32: 32-bit fixed point; the wire stays float)
-  --trajectory IN_FILE  way-points (.json as in host_sim/trajectories) or set-points (.csv: time, q..., qd..., qdd...)
+  --trajectory IN_FILE  way-points (.json as in host_sim/robots/trajectories) or set-points (.csv: time, q..., qd..., qdd...)
   --output FOLDER     where the files go; default output/demo
   --without-picture   data alone
   --json FILE         the figures of every joint once more, as an array of objects

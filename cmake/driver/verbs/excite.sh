@@ -12,7 +12,7 @@ inside the limits of position, speed, acceleration and, by the robot's own param
 (time, q, qd, qdd), which ./axial demo --trajectory takes too, and a picture. Where joints share drives, they are
 the drives'. The same options give the same motion (doc/guides/identification.md).
   --robot NAME        a name of robots/README.md, a header (of ./axial import, your own), a
-                      Denavit-Hartenberg table (.json, host_sim/description) or a URDF
+                      Denavit-Hartenberg table (.json, host_sim/robots/description) or a URDF
   --type NAME         of a header: the robot's struct; default: the one that holds its last chain
   --tip LINK          where the chain of a URDF ends; default: every branch
   -o FILE.csv         default excitation.csv

@@ -33,7 +33,7 @@ run() {
     if [[ ${1:-} == --documents ]]; then
       (($# == 1)) || fail_usage "--ranges --documents stands alone; see ./axial exhaustive --help"
       exhaustive_program exhaustive_ranges --overflows --states 25000000 --json "$AXIAL_ROOT/doc/data/fixed_overflows.json"
-      /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/guides/ranges.md"
+      /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/tables.py" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/guides/ranges.md"
     else
       exhaustive_program exhaustive_ranges "$@"
     fi
@@ -55,7 +55,7 @@ exhaustive() {
 exhaustive_program() {
   local program=$1
   shift
-  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/exhaustive/$program" --commit "$("$AXIAL_ROOT/host_sim/system/commit.sh")" "$@"
+  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/figures/exhaustive/$program" --commit "$("$AXIAL_ROOT/host_sim/tools/system/commit.sh")" "$@"
 }
 
 write_exhaustive_documents() {

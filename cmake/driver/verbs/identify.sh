@@ -13,7 +13,7 @@ physically consistent parameters of every link that have them, and says how sure
                       were measured, qd1...; other columns are ignored. Even steps, 100 Hz or more; ./axial excite makes motions.
                       Where joints share drives, columns are the drives'
   --robot NAME        what it starts from: a name of robots/README.md, a header (of ./axial import, your own), a
-                      Denavit-Hartenberg table (.json, host_sim/description) or a URDF
+                      Denavit-Hartenberg table (.json, host_sim/robots/description) or a URDF
   --type NAME         of a header: the robot's struct; default: the one that holds its last chain
   --tip LINK          where the chain of a URDF ends; default: every branch
   -o HEADER.hpp       writes the identified robot; the file's name becomes its name
@@ -47,11 +47,11 @@ run() {
 write_identification_documents() {
   local doc=$AXIAL_ROOT/doc
   build "$HOST_PRESET" simulated_log
-  identification study.py robot_regressor --simulator "$AXIAL_ROOT/build/$HOST_PRESET/tests/host_sim/simulated_log" \
+  identification identification/study.py robot_regressor --simulator "$AXIAL_ROOT/build/$HOST_PRESET/tests/host_sim/simulated_log" \
     --output "$AXIAL_ROOT/output/identification" --documents "$doc"
-  identification verdicts.py robot_regressor --output "$AXIAL_ROOT/output/verdicts" --documents "$doc"
-  printf '{"commit": "%s", "compiler": "%s", "libraries": "%s"}\n' "$("$AXIAL_ROOT/host_sim/system/commit.sh")" \
+  identification verdicts/verdicts.py robot_regressor --output "$AXIAL_ROOT/output/verdicts" --documents "$doc"
+  printf '{"commit": "%s", "compiler": "%s", "libraries": "%s"}\n' "$("$AXIAL_ROOT/host_sim/tools/system/commit.sh")" \
     "$(c++ --version | head -n 1)" "$(/usr/bin/python3 -E -c 'import numpy, scipy; print("NumPy", numpy.__version__ + ", SciPy", scipy.__version__)')" \
     | tee "$doc/data/identification_verdicts_provenance.json" >"$doc/data/identification_provenance.json"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/identification_tables.py" "$doc/data" "$doc/guides/identification.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/identification_tables.py" "$doc/data" "$doc/guides/identification.md"
 }

@@ -7,7 +7,7 @@ usage() {
 usage: ./axial import FILE [options]
        ./axial import --documents
 Installs and builds what is missing, reads a URDF (any chain or tree of revolute, continuous, prismatic and fixed joints) or a JSON table
-of Denavit-Hartenberg rows, classical or modified (format: host_sim/description/README.md), turns it into MDH rows, verifies poses, torques
+of Denavit-Hartenberg rows, classical or modified (format: host_sim/robots/description/README.md), turns it into MDH rows, verifies poses, torques
 and mass matrix against Orocos KDL on random states, and writes a header with source, assumptions, warnings and the figures in its comment.
 Numbers that are read as others than they are written are counted, and listed by --json. Mimic joints and transmissions of a URDF become joints that share drives.
 A xacro file is expanded by the program xacro where that is installed. Of a header that is there, lines that end in "// kept" stay.
@@ -38,7 +38,7 @@ run() {
   (($#)) || fail_usage "name a URDF or a table; see ./axial import --help"
   build_import
   if [[ $1 == --documents ]]; then
-    /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/import/catalogue.py" "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/import/import" \
+    /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/robots/import/catalogue.py" "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/robots/import/import" \
       "$AXIAL_ROOT/tests/data/descriptions" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/measurements/imported.md"
     return
   fi
@@ -55,7 +55,7 @@ import_expanded() {
     arguments[i]=$folder/$(basename "${arguments[i]}")
     break
   done
-  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/import/import" "${arguments[@]}" || status=$?
+  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/robots/import/import" "${arguments[@]}" || status=$?
   [[ -z $folder ]] || rm -r "$folder"
   return "$status"
 }

@@ -21,7 +21,7 @@ tracking errors of the tool point, writes JSON, the CSV of the first 4 s and a p
   --sweep             besides, the same sources on the host: wrong parameters, friction, coarse encoders, late torques; of elastic: stiffness
   --check             only: image and host, told the same, give the same torques (fixed32: bits; float: within 4 last places)
   --export tinympc|json  instead: the arm linearised at a point of its motion, discretised, with weights and bounds, for solvers of other people:
-                      a header in the layout of TinyMPC's examples, or JSON; any robot that has a cycle in host_sim/trajectories
+                      a header in the layout of TinyMPC's examples, or JSON; any robot that has a cycle in host_sim/robots/trajectories
   --at NUMBER, --tick NUMBER, --horizon N, --rho NUMBER  of an export: s into the cycle (1), s of a step (0.01), stages (10), TinyMPC's penalty (1e-3)
   --output FOLDER     where the files go; default output/loop, output/lqr or output/ekf
   --json FILE         the rows once more, as an array of objects
@@ -44,7 +44,7 @@ run() {
     --linearisation-documents*) build "$HOST_PRESET" pushes observers && write_linearisation_documents ;;
     --elastic-documents*) build "$HOST_PRESET" elastic && write_elastic_documents ;;
     *lqr | *ekf | *elastic) regulate "$@" ;;
-    *tinympc | *json) build "$HOST_PRESET" linearise && "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/linearise" "$@" ;;
+    *tinympc | *json) build "$HOST_PRESET" linearise && "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/plants/loop/linearise" "$@" ;;
     *) build "$HOST_PRESET" loop && build_board_of_loop "$@" && drop_options --controller "$@" && loop_program "${ARGUMENTS[@]}" ;;
   esac
 }
@@ -70,7 +70,7 @@ regulate() {
 regulating_program() {
   local name=$1
   shift
-  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/$(regulating "$name")" "$@"
+  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/plants/loop/$(regulating "$name")" "$@"
 }
 
 build_regulators() {
@@ -83,7 +83,7 @@ build_regulators() {
   fi
 }
 
-loop_program() { "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/loop/loop" "$@"; }
+loop_program() { "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/plants/loop/loop" "$@"; }
 
 build_board_of_loop() {
   local board robot
@@ -109,7 +109,7 @@ write_loop_documents() {
     loop_program --robot "$robot" --board "$LOOP_BOARD" --number "$number" --seconds 20 --sweep --output "$AXIAL_ROOT/output/loop" \
       --json "$doc/data/loop-$robot.json" --provenance "$doc/data/driven_loop_provenance.json"
   done
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/simulation_tables.py" "$doc/data" "$doc/measurements/simulation.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/simulation_tables.py" "$doc/data" "$doc/measurements/simulation.md"
 }
 
 write_linearisation_documents() {
@@ -119,7 +119,7 @@ write_linearisation_documents() {
     --provenance "$doc/data/linearisation_provenance.json"
   regulating_program ekf --robot puma560 --seconds 10 --sweep --output "$AXIAL_ROOT/output/ekf" --json "$doc/data/ekf-puma560.json"
   cp "$AXIAL_ROOT/output/lqr/lqr-puma560.png" "$AXIAL_ROOT/output/ekf/ekf-puma560.png" "$doc/pictures"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/linearisation_tables.py" "$doc/data" "$doc/measurements/linearisation.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/linearisation_tables.py" "$doc/data" "$doc/measurements/linearisation.md"
 }
 
 write_elastic_documents() {
@@ -129,5 +129,5 @@ write_elastic_documents() {
     regulating_program elastic --robot "$robot" --sweep --output "$AXIAL_ROOT/output/elastic" --json "$doc/data/elastic-$robot.json" \
       --provenance "$doc/data/elastic_provenance.json"
   done
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/elastic_tables.py" "$doc/data" "$doc/measurements/elastic.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/elastic_tables.py" "$doc/data" "$doc/measurements/elastic.md"
 }

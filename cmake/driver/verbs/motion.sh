@@ -40,8 +40,8 @@ run() {
   fi
   build "$HOST_PRESET" work_precision
   mkdir -p "$output"
-  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/simulation/work_precision" --json "$output/simulation.json"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/simulation.py" "$output/simulation.json"
+  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/plants/simulation/work_precision" --json "$output/simulation.json"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/plot/simulation.py" "$output/simulation.json"
   [[ -z $json ]] || cp "$output/simulation.json" "$json"
   say "picture $output/simulation.png, data $output/simulation.json"
   if $documents; then write_motion_documents; fi
@@ -51,6 +51,6 @@ write_motion_documents() {
   local doc=$AXIAL_ROOT/doc
   mv "$doc"/data/simulation.png "$doc/pictures/"
   printf '{"commit": "%s", "compiler": "%s", "flags": "-O2 -ffp-contract=off"}\n' \
-    "$("$AXIAL_ROOT/host_sim/system/commit.sh")" "$(c++ --version | head -n 1)" >"$doc/data/motion_provenance.json"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/simulation_tables.py" "$doc/data" "$doc/measurements/simulation.md"
+    "$("$AXIAL_ROOT/host_sim/tools/system/commit.sh")" "$(c++ --version | head -n 1)" >"$doc/data/motion_provenance.json"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/simulation_tables.py" "$doc/data" "$doc/measurements/simulation.md"
 }

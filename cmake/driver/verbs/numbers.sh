@@ -40,7 +40,7 @@ numbers_py() {
     measure_sizes "$folder" "$robot"
   fi
   [[ -n ${AXIAL_ERRORS:-} ]] || measure_errors "$folder/errors" "$robot"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/numbers/numbers.py" "${AXIAL_ERRORS:-$folder/errors}" "$folder/sizes" "$@" || status=$?
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/numbers/numbers.py" "${AXIAL_ERRORS:-$folder/errors}" "$folder/sizes" "$@" || status=$?
   rm -r "$folder"
   return "$status"
 }
@@ -58,6 +58,6 @@ write_number_documents() {
   numbers_py '' --output "$doc/data" --provenance "$doc/data/number_systems_provenance.json" \
     --cache "$AXIAL_ROOT/build/$HOST_PRESET/CMakeCache.txt"
   mv "$doc"/data/number_systems.png "$doc/pictures/"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/number_system_tables.py" "$doc/data" \
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/number_system_tables.py" "$doc/data" \
     "$AXIAL_ROOT/tests/target/promised_instructions.json" "$doc/measurements/number_systems.md"
 }

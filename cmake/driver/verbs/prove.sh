@@ -22,8 +22,8 @@ END_OF_USAGE
 run() {
   if [[ ${1:-} == --documents ]]; then
     prove --coq --json "$AXIAL_ROOT/doc/data/prove.json"
-    printf '{"commit": "%s"}\n' "$("$AXIAL_ROOT/host_sim/system/commit.sh")" >"$AXIAL_ROOT/doc/data/prove_provenance.json"
-    /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/measurements/prove.md"
+    printf '{"commit": "%s"}\n' "$("$AXIAL_ROOT/host_sim/tools/system/commit.sh")" >"$AXIAL_ROOT/doc/data/prove_provenance.json"
+    /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/tables.py" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/measurements/prove.md"
   else
     prove "$@"
   fi
@@ -34,6 +34,6 @@ prove() {
   if [[ " $* " == *" --coq "* ]]; then packages+=(coq libcoq-gappa libcoq-interval); fi
   ensure_packages "${packages[@]}"
   build "$HOST_PRESET" prove_scripts
-  /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/prove/prove.py" --work "$AXIAL_ROOT/output/prove" \
-    --scripts "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/prove/prove_scripts" "$@"
+  /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/figures/prove/prove.py" --work "$AXIAL_ROOT/output/prove" \
+    --scripts "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/figures/prove/prove_scripts" "$@"
 }

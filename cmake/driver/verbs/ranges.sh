@@ -32,7 +32,7 @@ run() {
   fi
   ensure_packages
   build "$HOST_PRESET" "$program" >&2
-  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/ranges/$program" "${ARGUMENTS[@]}"
+  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/figures/ranges/$program" "${ARGUMENTS[@]}"
 }
 
 # is_built_in NAME: whether the program of all robots has it.
@@ -40,5 +40,5 @@ is_built_in() {
   local header=$AXIAL_ROOT/robots/$1.hpp type
   [[ -f $header ]] || return 1
   type=$(robot_type "$header")
-  grep -q "^set(robots .*\b${type#robots::}\b" "$AXIAL_ROOT/host_sim/ranges/CMakeLists.txt"
+  grep -q "^set(robots .*\b${type#robots::}\b" "$AXIAL_ROOT/host_sim/figures/ranges/CMakeLists.txt"
 }

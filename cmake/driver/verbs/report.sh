@@ -45,7 +45,7 @@ run() {
   esac
 }
 
-report_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/report/report.py" "$@"; }
+report_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/report/report.py" "$@"; }
 
 # What the report has an error of: size alone measures more.
 report_work_precision() {
@@ -99,9 +99,9 @@ write_documents() {
   wait "$beside" || status=1
   write_work_precision
   rm -r "$folder"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/demo.py" "$AXIAL_ROOT"/output/demo/scara-stm32f405.{csv,json}
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/plot/demo.py" "$AXIAL_ROOT"/output/demo/scara-stm32f405.{csv,json}
   cp "$AXIAL_ROOT"/output/demo/scara-stm32f405.{csv,json,png} "$doc/pictures/"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$doc/data" "$AXIAL_ROOT/README.md" "$doc/measurements/accuracy.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/tables.py" "$doc/data" "$AXIAL_ROOT/README.md" "$doc/measurements/accuracy.md"
   say "all documents in $SECONDS s"
   ((status == 0)) || fail "a comparison failed: its lines are above"
 }
@@ -118,7 +118,7 @@ write_each() {
 # The images that documents show: not those of tests.
 build_measured_images() {
   local board robot targets=()
-  for robot in "$AXIAL_ROOT"/host_sim/trajectories/*.json; do
+  for robot in "$AXIAL_ROOT"/host_sim/robots/trajectories/*.json; do
     robot=$(basename "$robot" .json)
     targets+=("kernels-$robot" "feedforward-$robot")
   done
@@ -138,14 +138,14 @@ write_work_precision() {
   [[ -n ${AXIAL_ERRORS:-} ]] || rm -r "$errors"
   mv "$doc"/data/work_precision*.png "$doc/pictures/"
   rm "$doc/data/work_precision.html"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/work_precision_tables.py" "$doc/data" "$doc/measurements/work_precision.md"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/choice_tables.py" "$doc/data" "$doc/guides/choosing.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/work_precision_tables.py" "$doc/data" "$doc/measurements/work_precision.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/choice_tables.py" "$doc/data" "$doc/guides/choosing.md"
 }
 
 # The main job of every robot and board, as many at once as there are processors.
 run_demos() {
   local robots board robot
-  robots=("$AXIAL_ROOT"/host_sim/trajectories/*.json)
+  robots=("$AXIAL_ROOT"/host_sim/robots/trajectories/*.json)
   for board in "${QEMU_BOARDS[@]}"; do
     for robot in "${robots[@]}"; do
       printf '%s %s\n' "$(basename "$robot" .json)" "$board"

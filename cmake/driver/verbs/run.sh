@@ -36,7 +36,7 @@ run() {
   write_own_robot "$board"
   write_own_robot "$HOST_PRESET"
   build "$board" "run-$number"
-  [[ -z $uf2 ]] || "$AXIAL_ROOT/host_sim/rp2040/uf2.py" "$AXIAL_ROOT/build/$board/images/run-$number.elf" "$uf2"
+  [[ -z $uf2 ]] || "$AXIAL_ROOT/host_sim/boards/rp2040/uf2.py" "$AXIAL_ROOT/build/$board/images/run-$number.elf" "$uf2"
   build "$HOST_PRESET" run
-  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/run/run" "${rest[@]}"
+  "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/boards/run/run" "${rest[@]}"
 }

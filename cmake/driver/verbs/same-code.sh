@@ -19,5 +19,5 @@ END_OF_USAGE
 
 run() {
   ensure_packages clang
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/size/same_code.py" "$@"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/boards/size/same_code.py" "$@"
 }

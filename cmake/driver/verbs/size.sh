@@ -18,7 +18,7 @@ in its emulator, and the cycles and microseconds that they take by a model of it
   --quick             only the combinations that tests use
   --output FOLDER     where the files go; default output/size
   --json FILE         the rows once more, as an array of objects
-  --flags             the compiler flags instead: some sets of them (host_sim/size/flags.txt), compiled for seven kernels on the
+  --flags             the compiler flags instead: some sets of them (host_sim/boards/size/flags.txt), compiled for seven kernels on the
                       Cortex-M4F and the Cortex-M7, without QEMU; writes flags.csv. May be followed by --json FILE and
                       the option --output, or by --documents alone: writes doc/data/flags* and their table (part of --documents)
   --builds            user's builds instead: the Panda's kernels at every level of GCC and Clang (doc/measurements/builds.md). May be
@@ -88,15 +88,15 @@ compare_builds() {
     (($# == 1)) || fail_usage "--builds --documents stands alone; see ./axial size --help"
     builds_py measure --json "$data/any_build.json"
     builds_py provenance "$data/any_build_provenance.json"
-    /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/any_build_tables.py" "$data" "$AXIAL_ROOT/doc/measurements/builds.md"
+    /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/any_build_tables.py" "$data" "$AXIAL_ROOT/doc/measurements/builds.md"
   else
     builds_py measure "$@"
   fi
 }
 
-builds_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/size/builds.py" "$@"; }
+builds_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/boards/size/builds.py" "$@"; }
 
-flags_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/size/flags.py" "$@"; }
+flags_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/boards/size/flags.py" "$@"; }
 
 configure_flag_boards() {
   local board
@@ -111,7 +111,7 @@ write_flag_data() {
   flags_py provenance "$AXIAL_ROOT/doc/data/flags_provenance.json"
 }
 
-size_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/size/size.py" "$@"; }
+size_py() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/boards/size/size.py" "$@"; }
 
 # The chosen probes of the chosen boards. The first build of a board configures it, which lists its probes.
 build_probes() {
@@ -136,5 +136,5 @@ write_size_documents() {
 }
 
 write_size_tables() {
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/tables.py" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/measurements/size.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/tables.py" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/measurements/size.md"
 }

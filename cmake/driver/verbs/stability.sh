@@ -55,20 +55,20 @@ measure_stability() {
   if $compare; then ask_for_peers; fi
   if [[ -n $scenario ]]; then
     stability_rows tests/stability stability --scenario "$scenario" || status=$?
-    stability_rows host_sim/simulation stability_motion --filter "$scenario" || status=$?
+    stability_rows host_sim/plants/simulation stability_motion --filter "$scenario" || status=$?
   else
     stability_rows tests/stability stability --ablation || status=$?
-    stability_rows host_sim/simulation stability_motion || status=$?
+    stability_rows host_sim/plants/simulation stability_motion || status=$?
   fi
   if $compare; then
     stability_rows tests/stability/peers stability_peers ${scenario:+--scenario "$scenario"} || status=$?
   fi
   ((${#files[@]} > 0)) || fail "no scenario's name holds '$scenario'"
   if $documents; then
-    plot_stability stability.py "$AXIAL_ROOT/doc/pictures" "${files[@]}" --data "$output"
-    plot_stability stability_tables.py "$output" "$AXIAL_ROOT/doc/measurements/stability.md"
+    plot_stability plot/stability.py "$AXIAL_ROOT/doc/pictures" "${files[@]}" --data "$output"
+    plot_stability pages/stability_tables.py "$output" "$AXIAL_ROOT/doc/measurements/stability.md"
   else
-    plot_stability stability.py "$output" "${files[@]}" --data "$output" ${json:+--json "$json"}
+    plot_stability plot/stability.py "$output" "${files[@]}" --data "$output" ${json:+--json "$json"}
   fi
   rm -r "$output/rows"
   return "$status"
@@ -99,4 +99,4 @@ stability_rows() {
   return "$status"
 }
 
-plot_stability() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/plot/$1" "${@:2}"; }
+plot_stability() { /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/$1" "${@:2}"; }

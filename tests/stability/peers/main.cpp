@@ -1,6 +1,6 @@
 // The engines beside ours: a table of ratios, and JSON.
 #include <cstdio>
-#include <host_sim/output/command_line.hpp>
+#include <host_sim/tools/output/command_line.hpp>
 #include <stability/json.hpp>
 #include <stability/peers/compare.hpp>
 

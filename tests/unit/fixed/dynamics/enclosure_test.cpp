@@ -4,7 +4,7 @@
 #include <axial/fixed.hpp>
 #include <axial/fixed/dynamics/enclosure.hpp>
 #include <cmath>
-#include <host_sim/exhaustive/fixed_states.hpp>
+#include <host_sim/figures/exhaustive/fixed_states.hpp>
 
 using namespace axial;
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <axial/fixed.hpp>
 #include <axial/fixed/words/wide_words.hpp>
-#include <host_sim/exhaustive/fixed_states.hpp>
+#include <host_sim/figures/exhaustive/fixed_states.hpp>
 
 using namespace axial;
 

@@ -1,8 +1,0 @@
-// For a program that counts alone.
-#include <host_sim/counts/errors.hpp>
-
-namespace counts {
-
-std::vector<Errors> errors(const std::string&) { return {}; }
-
-}  // namespace counts

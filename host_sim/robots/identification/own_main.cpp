@@ -1,0 +1,19 @@
+// robot_regressor-own: the robot of a header (build/<preset>/own/robot.hpp, which the driver writes), for identify.py
+// and excite.py.
+#include <host_sim/robots/description/own_comments.hpp>
+#include <host_sim/robots/identification/service.hpp>
+#include <host_sim/tools/output/command_line.hpp>
+
+#include <robot.hpp>
+
+int main(int count, char** arguments) {
+  std::string header;
+  host_sim::CommandLine line("parameters, limits and regressor of a header's robot, for identify.py and excite.py",
+                             "robot_regressor-own");
+  line.option("--robot", header, "the header that it was built with").required();
+  return host_sim::identification::serve(line, count, arguments, [&] {
+    auto robot = description::from_robot<axial::apps::Robot>();
+    description::take_comments(robot, header);
+    return robot;
+  });
+}

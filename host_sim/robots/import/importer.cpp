@@ -1,0 +1,202 @@
+#include <host_sim/robots/description/numbers.hpp>
+#include <host_sim/robots/description/table.hpp>
+#include <host_sim/robots/import/couplings.hpp>
+#include <host_sim/robots/import/importer.hpp>
+#include <host_sim/robots/import/right_angles.hpp>
+#include <host_sim/robots/import/to_mdh.hpp>
+#include <host_sim/robots/import/urdf_text.hpp>
+
+#include <axial/robot/classical.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace importer {
+namespace {
+
+using description::Finding;
+
+/// A file's own words before each line of a list.
+[[noreturn]] void refuse(const std::string& from, const std::string& lines) {
+  std::string text = from + ": ";
+  for (const char c : lines)
+    text += c == '\n' ? "\n" + from + ": " : std::string(1, c);
+  throw description::Refused(text);
+}
+
+/// What a header says of its source: the folder is of this machine alone.
+std::string file_name(const std::string& path) { return path.substr(path.find_last_of("/\\") + 1); }
+
+void check(Imported& imported, const std::string& from, std::vector<Finding> found) {
+  const auto errors = description::lines(found, true);
+  if (!errors.empty()) refuse(from, errors);
+  for (auto& finding : found)
+    imported.warnings.push_back(finding);
+}
+
+/// Bodies as the file has them, before any is merged into another: what of them axial refuses is said of the sum.
+std::vector<Finding> source_findings(const SourceTree& source) {
+  std::vector<Finding> found;
+  for (const auto& link : source.links) {
+    for (const double v : link.joint.origin.position)
+      if (!(std::abs(v) <= description::largest_number))
+        found.push_back({true, link.name, "joint '" + link.joint.name + "': origin is beyond 1e9 m", "give metres"});
+    if (!link.has_inertial) continue;
+    axial::LinkParameters body;
+    body.mass = link.mass;
+    std::memcpy(body.com, link.inertial.position.data(), sizeof body.com);
+    std::memcpy(body.inertia_com, link.inertia.data(), sizeof body.inertia_com);
+    for (auto& finding : description::body_findings(link.name, body, false)) {
+      finding.must_be_accepted = false;
+      found.push_back(finding);
+    }
+  }
+  return found;
+}
+
+/// Of the description: what was not said of the source's bodies one by one.
+std::vector<Finding> other_findings(const description::Description& robot, const SourceTree* source) {
+  std::vector<Finding> found;
+  for (const auto& finding : description::findings(robot)) {
+    bool said = false;
+    if (source != nullptr)
+      for (const auto& link : source->links)
+        said = said || (link.name == finding.link && link.has_inertial && finding.what.rfind("joint '", 0) != 0);
+    if (!said || finding.error || finding.must_be_accepted) found.push_back(finding);
+  }
+  return found;
+}
+
+/// What was said of a body already is not said again of the link that is this body alone.
+void drop_repeated(std::vector<Finding>& earlier, const std::vector<Finding>& now) {
+  const auto repeated = [&](const Finding& finding) {
+    return std::any_of(now.begin(), now.end(), [&](const Finding& other) { return other.text() == finding.text(); });
+  };
+  earlier.erase(std::remove_if(earlier.begin(), earlier.end(), repeated), earlier.end());
+}
+
+bool branches(const description::Description& robot) {
+  for (int i = 0; i < robot.size(); ++i)
+    if (robot.parent(i) != i - 1) return true;
+  return false;
+}
+
+/// Without --tip, on a chain: the one link at its end, if there is one and it does not move any further.
+void choose_tool(SourceTree& source, const Imported& imported) {
+  if (source.tool >= 0 || branches(imported.robot)) return;
+  const int last = imported.robot.size() - 1;
+  std::vector<bool> carries(source.links.size());
+  for (const auto& link : source.links)
+    if (link.parent >= 0) carries[static_cast<std::size_t>(link.parent)] = true;
+  int found = 0;
+  for (std::size_t i = 0; i < source.links.size(); ++i)
+    if (!carries[i] && imported.frames[i].link == last) ++found, source.tool = static_cast<int>(i);
+  if (found != 1) source.tool = -1;
+  if (source.tool >= 0)
+    source.notes.push_back("tool: frame of link '" + source.links[static_cast<std::size_t>(source.tool)].name +
+                           "', the chain's only end");
+}
+
+/// With what only states show: joints that no mass resists.
+Result verified(Imported& imported, const Reference& reference, const Options& options) {
+  Result result{imported, verify(imported, reference, options.seed, options.states)};
+  const auto said = [&](const std::string& what) {
+    return std::any_of(result.imported.warnings.begin(), result.imported.warnings.end(),
+                       [&](const Finding& finding) { return finding.what == what; });
+  };
+  for (const int i : result.figures.unresisted) {
+    const auto& link = imported.robot.links[static_cast<std::size_t>(i)];
+    if (said("joint '" + link.joint + "' moves nothing that has inertia")) continue;
+    result.imported.warnings.push_back(
+        {false, link.name,
+         "joint '" + link.joint + "' is resisted by 0 kg m^2: what it carries has no inertia about it",
+         "give the link's inertia about the joint's axis, or .rotor_inertia(); forward dynamics and cost need one"});
+  }
+  return result;
+}
+
+Result import_urdf(const std::string& text, const std::string& from, const Options& options) {
+  auto source = read_urdf(text, from, options.urdf);
+  const auto gravity = options.gravity.value_or(axial::GravityVector{});
+  Imported imported;
+  imported.warnings = source.warnings;
+  check(imported, from, source_findings(source));
+  const auto near = nearness_of(options.urdf, source.length_digit);
+  choose_tool(source, to_mdh(source, gravity, near));
+  const auto warnings = imported.warnings;
+  for (const auto& line : sentences(source.changes, near))
+    source.notes.push_back(line);
+  imported = to_mdh(source, gravity, {0.0});  // settled once
+  imported.warnings = warnings;
+  auto& robot = imported.robot;
+  robot.source = file_name(from) + " (URDF), links of '" + source.links[0].name + "'";
+  if (source.tool >= 0)
+    robot.source += " to '" + source.links[static_cast<std::size_t>(source.tool)].name + "', whose frame is the tool's";
+  if (!options.gravity)
+    robot.assumptions.push_back("gravity of 9.81 m/s^2 along -z of link '" + source.links[0].name + "'");
+  robot.assumptions.push_back(std::string(description::no_rotors) + ": a URDF has none");
+  robot.as_published = options.as_published;
+  couple(source, robot);
+  const auto found = other_findings(robot, &source);
+  drop_repeated(imported.warnings, found);
+  check(imported, from, found);
+  std::vector<std::string> joints;
+  for (const auto& link : robot.links)
+    joints.push_back(link.joint);
+  for (std::size_t i = 0; i < imported.frames.size(); ++i)
+    imported.frames[i].name = i == 0 ? "root" : segment_name(source.links[i].name);
+  const std::string tool = source.tool > 0 ? source.links[static_cast<std::size_t>(source.tool)].name : "";
+  imported.changes = source.changes;
+  const auto reference = reference_of(text, options.urdf, source.changes, gravity, joints, tool);
+  return verified(imported, reference, options);
+}
+
+/// m: how fine a table's lengths are written.
+double length_digit_of(const description::Table& table) {
+  LengthDigit digit;
+  for (const auto& link : table.robot.links)
+    for (const double length : {link.parameters.a, link.parameters.d, link.parameters.b})
+      digit.see(description::number(length), length);
+  return digit.value();
+}
+
+Result import_table(const std::string& text, const std::string& from, const Options& options) {
+  if (!options.urdf.root.empty() || !options.urdf.tip.empty() || options.gravity)
+    throw description::Refused(from +
+                               ": --root, --tip and --gravity are for a URDF; a table is imported whole, with its own");
+  auto table = description::parse_table(text, from);
+  Imported imported;
+  const auto near = nearness_of(options.urdf, length_digit_of(table));
+  auto changed = table_right_angles(table, near);
+  imported.warnings = changed.warnings, imported.changes = changed.changes;
+  imported.robot = description::to_mdh(table);
+  imported.robot.as_published = options.as_published;
+  check(imported, from, description::findings(imported.robot));
+  for (int i = 0; i < imported.robot.size(); ++i) {
+    TrackedFrame tracked{segment_name(i + 1), i, {}};
+    const auto& p = table.robot.links[static_cast<std::size_t>(i)].parameters;
+    if (table.classical) tracked.pose = axial::detail::FarEnd{p.alpha, p.a}.carried({});
+    imported.frames.push_back(tracked);
+  }
+  return verified(imported, reference_of(text, imported.changes, near.of_joints()), options);
+}
+
+}  // namespace
+
+Result import_text(const std::string& text, const std::string& from, const Options& options) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  const bool json = first != std::string::npos && (text[first] == '{' || text[first] == '[');
+  Result result = json ? import_table(text, from, options) : import_urdf(text, from, options);
+  auto& robot = result.imported.robot;
+  if (!options.name.empty()) robot.name = options.name;
+  assume_limits(robot, options.assumed);
+  if (description::shares_drives(robot)) assume_drive_limits(robot);
+  return result;
+}
+
+Result import_file(const std::string& path, const Options& options) {
+  return import_text(description::read_text(path), path, options);
+}
+
+}  // namespace importer
