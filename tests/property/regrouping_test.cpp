@@ -43,7 +43,7 @@ struct Case {
   }
   oracle::Vector<double> torque(const Table& t) const {
     Joints<M, double> tau{};
-    rnea::run(view(t), in, q, qd, qdd, tau);
+    execute<rnea::InverseDynamics>(view(t), in, q, qd, qdd, tau);
     return property::vector(tau, t.size);
   }
   oracle::Vector<double> acceleration(const Table& t, const oracle::Vector<double>& tau) const {

@@ -47,7 +47,7 @@ template <class S, class Links>
 void expect_any_scene_works(const Links& links) {
   const auto in = inputs<S>();
   Values tau{};
-  rnea::run(links, in, q, qd, qdd, tau);
+  execute<rnea::InverseDynamics>(links, in, q, qd, qdd, tau);
   expect_near(tau, inverse_dynamics<S>(q, qd, qdd, in), "inverse_dynamics");
   EXPECT_NEAR(rnea::run_joint(links, in, links.last(), q, qd, qdd), tau[1], rounding) << "joint_torque";
   const auto wrench = base_wrench<S>(q, qd, qdd, in);
@@ -56,7 +56,7 @@ void expect_any_scene_works(const Links& links) {
   expect_near(force.force, wrench.force, "base_wrench");
 
   MassMatrix<Arm, double> m{};
-  crba::run(links, in, q, m);
+  execute<crba::CompositeMatrix>(links, in, q, m);
   const auto matrix = mass_matrix<S>(q, in);
   for (int i = 0; i < 3; ++i)
     EXPECT_NEAR(m.values[i], matrix.values[i], rounding) << "mass_matrix " << i;
@@ -65,21 +65,21 @@ void expect_any_scene_works(const Links& links) {
   ForwardDynamics<Arm, double> answer{};
   EXPECT_TRUE(aba::run(links, in, q, qd, effort, answer).ok());
   expect_near(answer, wanted, "articulated body");
-  EXPECT_TRUE(aba::run_split(links, links, in, q, qd, effort, answer).ok());
+  EXPECT_TRUE(execute<aba::SplitForm>(links, links, in, q, qd, effort, answer).ok());
   expect_near(answer, wanted, "split form");
-  EXPECT_TRUE(crba::run_solve(links, in, q, qd, effort, answer).ok());
+  EXPECT_TRUE(execute<crba::Accelerations>(links, in, q, qd, effort, answer).ok());
   expect_near(answer, wanted, "composite body");
   EXPECT_TRUE(axial::detail::sound_status(links, detail::collected_request(links, in, q, qd), answer, Status{}).ok());
 
   const auto poses = forward_kinematics<S>(q, in);
   ForwardKinematics<Arm, double> placed{};
-  kinematics::run(links, in, q, placed);
+  execute<kinematics::Poses>(links, in, q, placed);
   expect_near(placed.tool.position, poses.tool.position, "tool");
   expect_near(placed.frames[0].rotation.y, poses.frames[0].rotation.y, "frame");
   const auto columns = jacobian<S>(q, in);
   Jacobian<Arm, double> of_tool{}, of_link{};
-  kinematics::tool_columns(links, in, q, of_tool);
-  kinematics::link_columns(links, in, links.last(), q, of_link);
+  execute<kinematics::ToolColumns>(links, in, of_tool, q);
+  execute<kinematics::LinkColumns>(links, in, of_link, q, links.last());
   for (int i = 0; i < 2; ++i) {
     expect_near(of_tool[i].linear, columns[i].linear, "jacobian");
     expect_near(of_link[i].angular, columns[i].angular, "jacobian of a link");

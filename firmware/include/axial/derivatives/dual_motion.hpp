@@ -46,63 +46,19 @@ AXIAL_INLINE constexpr auto dual_screws(const Plain& plain, const Links& links, 
   });
 }
 
-/// Calls each(k, effort) for every drive that joints share, as run_along() does for joints.
-template <class Links, class Input, class U, class V, class A, class Each>
-AXIAL_INLINE constexpr void run_along_drives(const Links& plain, const Input& in, const U& u, const V& ud, const A& udd,
-                                             const Each& each);
-
 /// Calls each(i, effort) for every joint, from the tips on, with a dual number: its effort and how that changes along
 /// the direction. RNEA itself, over dual numbers.
-template <class Links, class Input, class Q, class V, class A, class Each>
-AXIAL_INLINE constexpr void run_along(const Links& plain, const Input& in, const Q& q, const V& qd, const A& qdd,
-                                      const Each& each) {
-  if constexpr (is_driven<Links>) {
-    run_along_drives(plain, in, q, qd, qdd, each);
-  } else {
+struct Along {
+  /// the algorithm
+  template <class Links, class Input, class Q, class V, class A, class Each>
+  AXIAL_INLINE static constexpr void run(const Links& plain, const Input& in, const Q& q, const V& qd, const A& qdd,
+                                         const Each& each) {
     using T = typename Links::Scalar;
     auto links = differentiated<Dual<T, T>>(plain);
     rnea::propagate_inward(links, in, q, dual_screws(plain, links, in, q), qd, qdd,
                            [&](auto i, const auto&, const auto& effort) AXIAL_INLINE { each(i, effort); });
   }
-}
-
-/// As run_along() for the joints that drives share; answers what of their rotors, where those are bodies, drive k feels
-/// besides: of_rotor(k).
-template <class Links, class Input, class Q, class W, class B, class V, class A, class Each>
-AXIAL_INLINE constexpr auto run_along_joints(const Links& plain, const Input& in, const Q& q, const W& qd, const B& qdd,
-                                             const V& ud, const A& udd, const Each& each) {
-  if constexpr (Links::Scene::template has<RotorDynamics>) {
-    using Kernels = DrivenKernels<Links>;
-    using T = typename Links::Scalar;
-    const auto links = differentiated<Dual<T, T>>(plain.joints());
-    const auto screws = dual_screws(plain.joints(), links, in, q);
-    const auto motions = Kernels::propagate_inward(plain, links, in, q, screws, qd, qdd, ud, udd, each);
-    return [&plain, &in, links, motions](auto k)
-               AXIAL_INLINE { return Kernels::effort_on_rotor(plain, links, in, k, motions); };
-  } else {
-    run_along(plain.joints(), in, q, qd, qdd, each);
-    return [](auto) AXIAL_INLINE { return Zero{}; };
-  }
-}
-
-template <class Links, class Input, class U, class V, class A, class Each>
-AXIAL_INLINE constexpr void run_along_drives(const Links& plain, const Input& in, const U& u, const V& ud, const A& udd,
-                                             const Each& each) {
-  const auto q = plain.positions(u.values), dq = plain.rates(u.slopes);
-  const auto qd = plain.rates(ud.values), dqd = plain.rates(ud.slopes), qdd = plain.rates(udd.values);
-  const auto dqdd = plain.rates(udd.slopes);  // of another type where accelerations do not change
-  typename Links::JointValues efforts{}, changes{};
-  const auto of_rotor = run_along_joints(plain, in, DualValues{q, dq}, DualValues{qd, dqd}, DualValues{qdd, dqdd}, ud,
-                                         udd, [&](auto i, const auto& effort) AXIAL_INLINE {
-                                           plain.write(efforts, i, value_of(effort));
-                                           plain.write(changes, i, slope_of(effort));
-                                         });
-  const auto own = plain.actuator_efforts(efforts), change = plain.actuator_efforts(changes);
-  plain.each_drive([&](auto k) AXIAL_INLINE {
-    const auto drive = plain.drives().link(k);
-    each(k, with_slope(own[k], change[k]) + friction_effort(drive, ud[k]) + drive.rotor() * udd[k] + of_rotor(k));
-  });
-}
+};
 
 }  // namespace derivatives
 

@@ -4,6 +4,7 @@
 
 #include <axial/derivatives/forward_dynamics_derivatives.hpp>
 #include <axial/derivatives/inverse_dynamics_along.hpp>
+#include <axial/scene/roles.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -25,18 +26,15 @@ struct AccelerationsAlong {
 
 namespace derivatives {
 
-/// solve_and_factor() from positions themselves, of joints or of drives that joints share.
-template <class Links, class Input, class Q, class V, class Tau, class A, class F>
-AXIAL_INLINE constexpr auto factor_at(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
-                                      A& qdd, F& factors) {
-  if constexpr (is_driven<Links>) {
-    const auto at = links.positions(q);
-    const auto screws = joint_screws(links.template joints<recursion::Derivatives>(), in, at);
-    return solve_and_factor_drives(links, in, at, screws, links.rates(qd), qd, tau, qdd, factors);
-  } else {
+/// solve_and_factor() from positions themselves.
+struct FactorsAt {
+  /// status of the accelerations
+  template <class Links, class Input, class Q, class V, class Tau, class A, class F>
+  AXIAL_INLINE static constexpr auto run(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
+                                         A& qdd, F& factors) {
     return solve_and_factor(links, in, q, joint_screws(links, in, q), qd, tau, qdd, factors);
   }
-}
+};
 /// Accelerations along a direction, written into `result`: `links` as derivatives of matrices walk over them,
 /// `recursion` as inverse dynamics does.
 template <class Links, class Recursion, class Input, class Q, class V, class Tau, class Direction, class Result>
@@ -45,14 +43,11 @@ AXIAL_INLINE constexpr void accelerations_along(const Links& links, const Recurs
                                                 Result& result) {
   using T = typename Links::Scalar;
   Factors<MassMatrix<typename Links::Scene::Robot, T>, T, Links::capacity> factors;
-  result.qdd.status = factor_at(links, in, q, qd, tau, result.qdd, factors);
+  result.qdd.status = execute<FactorsAt>(links, in, q, qd, tau, result.qdd, factors);
   auto& x = result.dqdd;
-  run_along(recursion, in, DualValues{q, by.dq}, DualValues{qd, by.dqd}, DualValues{result.qdd, NoMotion{}},
-            [&](auto i, const auto& effort) AXIAL_INLINE { x[i] = by.dtau[i] - slope_of(effort); });
-  if constexpr (is_driven<Links>)
-    substitute(Any{}, links.drives(), factors, x);
-  else
-    substitute(Any{}, links, factors, x);
+  execute<Along>(recursion, in, DualValues{q, by.dq}, DualValues{qd, by.dqd}, DualValues{result.qdd, NoMotion{}},
+                 [&](auto i, const auto& effort) AXIAL_INLINE { x[i] = by.dtau[i] - slope_of(effort); });
+  substitute(Any{}, execute<Actuators>(links), factors, x);
 }
 
 /// Scenes that this is offered for: in floating point alone.

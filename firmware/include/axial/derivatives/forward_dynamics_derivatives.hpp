@@ -63,55 +63,12 @@ AXIAL_INLINE constexpr auto solve_and_factor(const Links& links, const Input& in
 template <class S, class T>
 struct ForwardOver;
 
-/// solve_and_factor() in values of drives that joints share; q and qd are the joints'.
-template <class Links, class Input, class Q, class Screws, class W, class V, class Tau, class A, class F>
-AXIAL_INLINE constexpr auto solve_and_factor_drives(const Links& links, const Input& in, const Q& q,
-                                                    const Screws& screws, const W& qd, const V& ud, const Tau& tau,
-                                                    A& udd, F& factors) {
-  using AtRest = WantedResults<typename Links::JointScene, typename Links::Scalar, with_efforts, with_mass_matrix>;
-  const auto at =
-      driven::results_of_joints<AtRest>(links.template joints<recursion::Derivatives>(), in, q, screws, qd, NoMotion{});
-  DrivenKernels<Links>::reduce(links, at.M, factors.m);
-  DrivenKernels<Links>::remaining_efforts(links, at.tau, ud, tau, udd);
-  return eliminate(links.drives(), udd, factors);
-}
-/// Jacobians of the joints that those of drives which are wanted follow from.
-template <class Links, class Result>
-using JointSlopes = WantedResults<
-    typename Links::JointScene, typename Links::Scalar,
-    std::conditional_t<Result::template has<with_acceleration_by_position>, with_position_jacobian, NotWanted<0>>,
-    std::conditional_t<Result::template has<with_acceleration_by_velocity>, with_velocity_jacobian, NotWanted<1>>>;
-/// The algorithm in values of drives that joints share.
-template <class Links, class Input, class U, class V, class Tau, class Result>
-AXIAL_INLINE constexpr auto run_forward_drives(const Links& links, const Input& in, const U& u, const V& ud,
-                                               const Tau& tau, Result& result) {
-  using T = typename Links::Scalar;
-  constexpr bool position = Result::template has<with_acceleration_by_position>;
-  constexpr bool velocity = Result::template has<with_acceleration_by_velocity>;
-  const auto& joints = links.template joints<recursion::Derivatives>();
-  const auto q = links.positions(u), qd = links.rates(ud);
-  const auto screws = joint_screws(joints, in, q);
-  Row<T, Links::capacity> udd;
-  Factors<MassMatrix<typename Links::Scene::Robot, T>, T, Links::capacity> factors;
-  const auto status = solve_and_factor_drives(links, in, q, screws, qd, ud, tau, udd, factors);
-  if constexpr (position || velocity) {
-    const auto at = driven::results_of_joints<JointSlopes<Links, Result>>(joints, in, q, screws, qd, links.rates(udd));
-    if constexpr (position) driven::write_slopes(by::Position{}, links, at.dtau_dq, ud, result.dqdd_dq);
-    if constexpr (velocity) driven::write_slopes(by::Velocity{}, links, at.dtau_dqd, ud, result.dqdd_dqd);
-  }
-  links.each_drive([&](auto k) AXIAL_INLINE { result.qdd[k] = udd[k]; });
-  if constexpr (Result::template has<with_inverse_mass_matrix>) invert(links.drives(), factors, result.M_inverse);
-  solve_slopes(links.drives(), factors, result);
-  return status;
-}
-
 /// The algorithm over any form of links: all results but the status, which it returns.
-template <class Links, class Input, class Q, class V, class Tau, class Result>
-AXIAL_INLINE constexpr auto run_forward(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
-                                        Result& result) {
-  if constexpr (is_driven<Links>) {
-    return run_forward_drives(links, in, q, qd, tau, result);
-  } else {
+struct ForwardSlopes {
+  /// the algorithm
+  template <class Links, class Input, class Q, class V, class Tau, class Result>
+  AXIAL_INLINE static constexpr auto run(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
+                                         Result& result) {
     using T = typename Links::Scalar;
     const auto screws = derivatives::screws(links, in, q);
     Row<T, Links::capacity> qdd;  // not the result, a store to which may change q for all that the compiler knows
@@ -138,7 +95,7 @@ AXIAL_INLINE constexpr auto run_forward(const Links& links, const Input& in, con
       return status;
     }
   }
-}
+};
 
 /// Collects what of a matrix is the answer's.
 template <class T, class Matrix>
@@ -167,7 +124,7 @@ AXIAL_INLINE constexpr ForwardDynamicsDerivatives<S, T, Wanted...> forward_of_nu
   constexpr auto links = links_of<S, T, BaseParameters, recursion::Derivatives>();
   auto result = blank<decltype(links), ForwardDynamicsDerivatives<S, T, Wanted...>>();
   const detail::StateCheck<S, T> check(in, q, qd);
-  result.qdd.status = run_forward(links, in, q, qd, tau, result);
+  result.qdd.status = execute<ForwardSlopes>(links, in, q, qd, tau, result);
   check.judge(result.qdd, [&](auto& all) AXIAL_INLINE { collect_slopes(all, joint_count<S>, result); });
   return result;
 }
@@ -202,7 +159,7 @@ template <class... Wanted, int N, class... F, class T, class M = Model<N, F...>>
   ForwardDynamicsDerivatives<M, T, Wanted...> result{};
   const auto links = model.template links<T>();
   auto asked = detail::collected_request(links, in, q, qd);
-  const auto solved = derivatives::run_forward(links, in, q, qd, tau, result);
+  const auto solved = execute<derivatives::ForwardSlopes>(links, in, q, qd, tau, result);
   derivatives::collect_slopes(asked, joint_count<M>, result);
   result.qdd.status = detail::sound_status(links, asked, result.qdd, solved);
   return result;

@@ -29,11 +29,11 @@ namespace derivatives {
 template <class Links, class Input, class Q, class V, class A, class Direction, class Result>
 AXIAL_INLINE constexpr void efforts_along(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd,
                                           const Direction& by, Result& result) {
-  run_along(links, in, DualValues{q, by.dq}, DualValues{qd, by.dqd}, DualValues{qdd, by.dqdd},
-            [&](auto i, const auto& effort) AXIAL_INLINE {
-              links.write(result.tau, i, value_of(effort));
-              links.write(result.dtau, i, slope_of(effort));
-            });
+  execute<Along>(links, in, DualValues{q, by.dq}, DualValues{qd, by.dqd}, DualValues{qdd, by.dqdd},
+                 [&](auto i, const auto& effort) AXIAL_INLINE {
+                   links.write(result.tau, i, value_of(effort));
+                   links.write(result.dtau, i, slope_of(effort));
+                 });
 }
 
 }  // namespace derivatives

@@ -1,32 +1,26 @@
 // Derivatives of inverse dynamics: efforts, mass matrix and both Jacobians in one pass.
 #pragma once
 
-#include <axial/derivatives/driven_derivatives.hpp>
+#include <axial/derivatives/jacobian_structure.hpp>
 
 #include <axial/options/begin.hpp>
 
 namespace axial {
 namespace derivatives {
 
-/// The algorithm's results over links that have a joint each.
-template <class Result, class Links, class Input, class Q, class V, class A>
-AXIAL_INLINE constexpr Result results_of_links(const Links& links, const Input& in, const Q& q, const V& qd,
-                                               const A& qdd) {
-  auto result = blank<Links, Result>();
-  Entries<Links, Result> entries{result};
-  run(links, in, links.read(q), links.read(qd), links.read(qdd), entries);
-  write_between_branches(links, entries);
-  return result;
-}
-/// The algorithm's results over links or drives, joint values as callers have them. Functions apart: in a block of its
-/// own a result would be copied.
-template <class Result, class Links, class Input, class Q, class V, class A>
-AXIAL_INLINE constexpr Result results(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd) {
-  if constexpr (is_driven<Links>)
-    return driven::slopes<Result>(links, in, q, qd, qdd);
-  else
-    return results_of_links<Result>(links, in, q, qd, qdd);
-}
+/// The algorithm's results, joint values as callers have them.
+template <class Result>
+struct Slopes {
+  /// over links
+  template <class Links, class Input, class Q, class V, class A>
+  AXIAL_INLINE static constexpr Result run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd) {
+    auto result = blank<Links, Result>();
+    Entries<Links, Result> entries{result};
+    derivatives::run(links, in, links.read(q), links.read(qd), links.read(qdd), entries);
+    write_between_branches(links, entries);
+    return result;
+  }
+};
 
 }  // namespace derivatives
 
@@ -46,7 +40,7 @@ template <class S, class... Wanted, class T>
     const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const Accelerations<robot_of<S>, T>& qdd,
     const Inputs<S, T>& in = no_inputs<S, T>()) {
   detail::check_derivable<scene_of<S>, T>();
-  return derivatives::results<InverseDynamicsDerivatives<S, T, Wanted...>>(
+  return execute<derivatives::Slopes<InverseDynamicsDerivatives<S, T, Wanted...>>>(
       links_of<S, T, BaseParameters, recursion::Derivatives>(), in, q, qd, qdd);
 }
 /// Overload for a run-time model.
@@ -55,7 +49,8 @@ template <class... Wanted, int N, class... F, class T, class M = Model<N, F...>>
     const Model<N, F...>& model, const Positions<M, T>& q, const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,
     const Inputs<M, T>& in = no_inputs<M, T>()) {
   detail::check_derivable<scene_of<M>, T>();
-  return derivatives::results<InverseDynamicsDerivatives<M, T, Wanted...>>(model.template links<T>(), in, q, qd, qdd);
+  return execute<derivatives::Slopes<InverseDynamicsDerivatives<M, T, Wanted...>>>(model.template links<T>(), in, q, qd,
+                                                                                   qdd);
 }
 
 }  // namespace axial

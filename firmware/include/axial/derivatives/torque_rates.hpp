@@ -29,7 +29,7 @@ namespace derivatives {
 template <class Links, class Input, class Q, class V, class A, class J, class S, class Result>
 AXIAL_INLINE constexpr void write_rates(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd,
                                         const J& q3, const S& q4, Result& result) {
-  run_in_time(links, in, q, qd, qdd, q3, q4, [&](auto i, const auto& effort) AXIAL_INLINE {
+  execute<InTime>(links, in, q, qd, qdd, q3, q4, [&](auto i, const auto& effort) AXIAL_INLINE {
     links.write(result.tau, i, value_at_0(effort));
     links.write(result.taud, i, linear_of(effort));
     links.write(result.taudd, i, twice(quadratic_of(effort)));
@@ -39,11 +39,11 @@ AXIAL_INLINE constexpr void write_rates(const Links& links, const Input& in, con
 template <class Links, class Input, class Q, class V, class A, class J, class Result>
 AXIAL_INLINE constexpr void write_rate(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd,
                                        const J& q3, Result& result) {
-  run_along(links, in, DualValues{q, qd}, DualValues{qd, qdd}, DualValues{qdd, q3},
-            [&](auto i, const auto& effort) AXIAL_INLINE {
-              links.write(result.tau, i, value_of(effort));
-              links.write(result.taud, i, slope_of(effort));
-            });
+  execute<Along>(links, in, DualValues{q, qd}, DualValues{qd, qdd}, DualValues{qdd, q3},
+                 [&](auto i, const auto& effort) AXIAL_INLINE {
+                   links.write(result.tau, i, value_of(effort));
+                   links.write(result.taud, i, slope_of(effort));
+                 });
 }
 
 }  // namespace derivatives

@@ -4,6 +4,7 @@
 
 #include <axial/base/floating_base.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
+#include <axial/scene/roles.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -29,14 +30,11 @@ AXIAL_INLINE constexpr auto base_body_force(const Links& links, const Input& in)
 }
 
 /// The inward pass of inverse dynamics, without the joints' efforts.
-template <class Links, class Input, class Q, class V, class A>
-AXIAL_INLINE constexpr auto force_on_base(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd) {
-  if constexpr (is_refused<Links> || Links::Scene::template has<RotorDynamics>) {
-    return RefusedLinks<typename Links::Scene>{};
-  } else if constexpr (is_driven<Links>) {
-    return force_on_base(links.template joints<recursion::BaseForce>(), in, links.positions(q), links.rates(qd),
-                         links.rates(qdd));
-  } else {
+struct ForceOnBase {
+  using Roles = axial::Roles<role::Position, role::Velocity, role::Acceleration>;  ///< of its arguments
+  /// the force, N m and N
+  template <class Links, class Input, class Q, class V, class A>
+  AXIAL_INLINE static constexpr auto run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd) {
     auto screws = joint_screws(links, in, q);
     auto motions = link_motions(links, in, screws, qd, qdd);
     auto water = immersions(links, in, screws, qd);
@@ -45,6 +43,14 @@ AXIAL_INLINE constexpr auto force_on_base(const Links& links, const Input& in, c
                      AXIAL_INLINE { return InwardResult{force_on_parent(links, screws, i, force)}; };
     return with_roots(links, inward(links, own, joint), base_body_force(links, in));
   }
+};
+/// The same over any links; nothing where calls have refused the scene.
+template <class Links, class... Arguments>
+AXIAL_INLINE constexpr auto force_on_base(const Links& links, Arguments&&... arguments) {
+  if constexpr (Links::Scene::template has<RotorDynamics>)
+    return RefusedLinks<typename Links::Scene>{};
+  else
+    return execute<ForceOnBase>(links, arguments...);
 }
 
 /// What a wrench of the base refuses, once for a scene. In fixed point Inputs have refused rotors.

@@ -172,12 +172,11 @@ AXIAL_INLINE constexpr auto solve(const Links& links, Matrix& m, X& x) {
 }
 
 /// The algorithm over any form of links; writes one acceleration per joint.
-template <class Links, class Input, class Q, class V, class Tau, class A>
-AXIAL_INLINE constexpr auto run_solve(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
-                                      A& qdd) {
-  if constexpr (is_driven<Links>) {
-    return DrivenKernels<Links>::accelerations(links, in, q, qd, tau, qdd);
-  } else {
+struct Accelerations {
+  /// their status
+  template <class Links, class Input, class Q, class V, class Tau, class A>
+  AXIAL_INLINE static constexpr auto run(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
+                                         A& qdd) {
     auto screws = joint_screws(links, in, q);
     rnea::efforts(links, in, q, screws, qd, NoMotion{}, qdd);
     for_each_link(links, [&](auto i) AXIAL_INLINE { qdd[i] = tau[i] - qdd[i]; });
@@ -185,7 +184,7 @@ AXIAL_INLINE constexpr auto run_solve(const Links& links, const Input& in, const
     entries(links, in, screws, m);
     return solve(links, m, qdd);
   }
-}
+};
 
 }  // namespace crba
 }  // namespace axial

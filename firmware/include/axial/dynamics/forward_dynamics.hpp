@@ -17,10 +17,10 @@ namespace detail {
 template <Route route, class Scene, class T, class Input, class Q, class V, class Tau, class A>
 AXIAL_INLINE constexpr StatusOf<T> solve(const Input& in, const Q& q, const V& qd, const Tau& tau, A& qdd) {
   if constexpr (route == Route::composite_body)
-    return crba::run_solve(links_of<Scene, T, BaseParameters>(), in, q, qd, tau, qdd);
+    return execute<crba::Accelerations>(links_of<Scene, T, BaseParameters>(), in, q, qd, tau, qdd);
   else if constexpr (route == Route::split_articulated_body)
-    return aba::run_split(links_of<Scene, T, FullParameters, recursion::ArticulatedBodiesAtRest>(),
-                          links_of<Scene, T, BaseParameters, recursion::MotionEfforts>(), in, q, qd, tau, qdd);
+    return execute<aba::SplitForm>(links_of<Scene, T, FullParameters, recursion::ArticulatedBodiesAtRest>(),
+                                   links_of<Scene, T, BaseParameters, recursion::MotionEfforts>(), in, q, qd, tau, qdd);
   else
     return aba::run(links_of<Scene, T, FullParameters, recursion::ArticulatedBodies>(), in, q, qd, tau, qdd);
 }
@@ -58,9 +58,9 @@ template <Route route, class Links, class Input, class Q, class V, class Tau, cl
 AXIAL_INLINE constexpr auto solve_model(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,
                                         A& qdd) {
   if constexpr (route == Route::composite_body)
-    return crba::run_solve(links, in, q, qd, tau, qdd);
+    return execute<crba::Accelerations>(links, in, q, qd, tau, qdd);
   else if constexpr (route == Route::split_articulated_body)
-    return aba::run_split(links, links, in, q, qd, tau, qdd);
+    return execute<aba::SplitForm>(links, links, in, q, qd, tau, qdd);
   else
     return aba::run(links, in, q, qd, tau, qdd);
 }

@@ -199,17 +199,15 @@ AXIAL_INLINE constexpr void efforts(const Links& links, const Input& in, const Q
                    [&](auto i, const auto&, const auto& effort) AXIAL_INLINE { links.write(tau, i, effort); });
 }
 /// Writes tau[i] for every joint from q itself, whatever the form in which joint values stand.
-template <class Links, class Input, class Q, class V, class A, class Tau>
-AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd, Tau& tau) {
-  if constexpr (is_refused<Links>) {
-    return;
-  } else if constexpr (is_driven<Links>) {
-    DrivenKernels<Links>::efforts(links, in, q, qd, qdd, tau);
-  } else {
+struct InverseDynamics {
+  /// the algorithm
+  template <class Links, class Input, class Q, class V, class A, class Tau>
+  AXIAL_INLINE static constexpr void run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd,
+                                         Tau& tau) {
     auto at = links.read(q);
     efforts(links, in, at, joint_screws(links, in, at), links.read(qd), links.read(qdd), tau);
   }
-}
+};
 
 }  // namespace rnea
 
@@ -225,7 +223,7 @@ template <class S, class T>
                                                          const Accelerations<robot_of<S>, T>& qdd,
                                                          const Inputs<S, T>& in = no_inputs<S, T>()) {
   EffortsOf<S, T> tau{};
-  rnea::run(links_of<S, T, BaseParameters>(), in, q, qd, qdd, tau);
+  execute<rnea::InverseDynamics>(links_of<S, T, BaseParameters>(), in, q, qd, qdd, tau);
   return tau;
 }
 
@@ -234,7 +232,7 @@ namespace detail {
 template <class S, class T>
 constexpr EffortsOf<S, T> holding_torque(const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in) {
   EffortsOf<S, T> tau{};
-  rnea::run(links_of<S, T, BaseParameters>(), in, q, NoMotion{}, NoMotion{}, tau);
+  execute<rnea::InverseDynamics>(links_of<S, T, BaseParameters>(), in, q, NoMotion{}, NoMotion{}, tau);
   return tau;
 }
 }  // namespace detail
@@ -254,7 +252,7 @@ template <class S, class T>
                                                     const Velocities<robot_of<S>, T>& qd,
                                                     const Inputs<S, T>& in = no_inputs<S, T>()) {
   EffortsOf<S, T> tau{};
-  rnea::run(links_of<S, T, BaseParameters>(), in, q, qd, NoMotion{}, tau);
+  execute<rnea::InverseDynamics>(links_of<S, T, BaseParameters>(), in, q, qd, NoMotion{}, tau);
   return tau;
 }
 
@@ -264,7 +262,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
                                                        const Velocities<M, T>& qd, const Accelerations<M, T>& qdd,
                                                        const Inputs<M, T>& in = no_inputs<M, T>()) {
   Efforts<M, T> tau{};
-  rnea::run(model.template links<T>(), in, q, qd, qdd, tau);
+  execute<rnea::InverseDynamics>(model.template links<T>(), in, q, qd, qdd, tau);
   return tau;
 }
 /// Overload for a run-time model, in the looped form.
@@ -272,7 +270,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Efforts<M, T> gravity_torque(const Model<N, F...>& model, const Positions<M, T>& q,
                                                      const Inputs<M, T>& in = no_inputs<M, T>()) {
   Efforts<M, T> tau{};
-  rnea::run(model.template links<T>(), in, q, NoMotion{}, NoMotion{}, tau);
+  execute<rnea::InverseDynamics>(model.template links<T>(), in, q, NoMotion{}, NoMotion{}, tau);
   return tau;
 }
 /// Overload for a run-time model, in the looped form.
@@ -281,7 +279,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
                                                   const Velocities<M, T>& qd,
                                                   const Inputs<M, T>& in = no_inputs<M, T>()) {
   Efforts<M, T> tau{};
-  rnea::run(model.template links<T>(), in, q, qd, NoMotion{}, tau);
+  execute<rnea::InverseDynamics>(model.template links<T>(), in, q, qd, NoMotion{}, tau);
   return tau;
 }
 

@@ -100,20 +100,22 @@ AXIAL_INLINE constexpr auto run_joint(const Links& links, const Input& in, I joi
 template <class S, int Joint>
 inline constexpr bool has_joint = Joint >= 0 && Joint < joint_count<S>;
 
-/// Effort of one joint of a scene as results hold it.
-template <class S, int Joint, class T, class Q, class V, class A>
-constexpr T joint_effort_of(const Inputs<S, T>& in, const Q& q, const V& qd, const A& qdd) {
-  constexpr Index<Joint> joint;
-  const auto links = links_of<S, T, BaseParameters>();
-  if constexpr (is_driven<decltype(links)>) {
-    EffortsOf<S, T> effort{};  // of all drives: compilers leave out those that nobody reads
-    rnea::run(links, in, q, qd, qdd, effort);
-    return effort[Joint];
-  } else {
+/// Effort of one joint as results of a scene S over numbers T hold it.
+template <class S, class T, int Joint>
+struct JointEffort {
+  /// N m or N
+  template <class Links, class Input, class Q, class V, class A>
+  AXIAL_INLINE static constexpr T run(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd) {
+    constexpr Index<Joint> joint;
     auto effort = links.no_efforts();
     links.write(effort, joint, run_joint(links, in, joint, links.read(q), links.read(qd), links.read(qdd)));
     return effort[Joint];
   }
+};
+/// The same over any links.
+template <class S, int Joint, class T, class Q, class V, class A>
+constexpr T joint_effort_of(const Inputs<S, T>& in, const Q& q, const V& qd, const A& qdd) {
+  return execute<JointEffort<S, T, Joint>>(links_of<S, T, BaseParameters>(), in, q, qd, qdd);
 }
 
 }  // namespace rnea

@@ -5,6 +5,7 @@
 #include <axial/recursion/joint_screws.hpp>
 #include <axial/recursion/position_soundness.hpp>
 #include <axial/recursion/tool_pose.hpp>
+#include <axial/scene/roles.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -89,20 +90,18 @@ AXIAL_INLINE constexpr auto status_at(const Links& links, const Input& in, const
 }
 
 /// Writes the poses of all frames and of the tool.
-template <class Links, class Input, class Q, class Result>
-AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Result& result) {
-  if constexpr (is_refused<Links>) {
-    return;
-  } else if constexpr (is_driven<Links>) {
-    run(links.joints(), in, links.positions(q), result);
-  } else {
+struct Poses {
+  using Roles = axial::Roles<role::Position, role::None>;  ///< of its arguments
+  /// the algorithm
+  template <class Links, class Input, class Q, class Result>
+  AXIAL_INLINE static constexpr void run(const Links& links, const Input& in, const Q& q, Result& result) {
     auto poses = frames(links, in, links.read(q));
     for_each_link(links, [&](auto i) AXIAL_INLINE { result.frames[i] = links.stored(poses[i]); });
     result.tool = links.stored(poses[links.last()] * tool_of(links, in));
     result.status = status_at(
         links, in, q, [&](auto i) { return result.frames[i].position; }, result.tool.position);
   }
-}
+};
 
 /// Motion of a point at `arm` (m) from a revolute joint's axis, at 1 rad/s.
 template <class Axis, class Arm>
@@ -129,36 +128,28 @@ AXIAL_INLINE constexpr void columns(const Links& links, const Poses& poses, K k,
   for_each_ancestor(links, k, write);
 }
 /// Columns for the tool's origin.
-template <class Links, class Input, class Q, class Result>
-AXIAL_INLINE constexpr void tool_columns(const Links& links, const Input& in, const Q& q, Result& jacobian) {
-  if constexpr (is_refused<Links>) {
-    return;
-  } else if constexpr (is_driven<Links>) {
-    Jacobian<typename Links::JointRobot, typename Links::Value> by_joints{};
-    tool_columns(links.joints(), in, links.positions(q), by_joints);
-    DrivenKernels<Links>::columns(links, by_joints, jacobian);
-  } else {
+struct ToolColumns {
+  using Roles = axial::Roles<TwistByRate, role::Position>;  ///< of its arguments
+  /// the algorithm
+  template <class Links, class Input, class Result, class Q>
+  AXIAL_INLINE static constexpr void run(const Links& links, const Input& in, Result& jacobian, const Q& q) {
     auto poses = frames(links, in, links.read(q));
     auto tool = poses[links.last()] * tool_of(links, in);
     columns(links, poses, links.last(), links.link(links.last()).sum(quantity::Length{}, tool.position), jacobian);
     jacobian.status = status_at(links, in, q, [&](auto i) { return jacobian[i]; });
   }
-}
+};
 /// Columns for the origin of link k's frame.
-template <class Links, class Input, class K, class Q, class Result>
-AXIAL_INLINE constexpr void link_columns(const Links& links, const Input& in, K k, const Q& q, Result& jacobian) {
-  if constexpr (is_refused<Links>) {
-    return;
-  } else if constexpr (is_driven<Links>) {
-    Jacobian<typename Links::JointRobot, typename Links::Value> by_joints{};
-    link_columns(links.joints(), in, k, links.positions(q), by_joints);
-    DrivenKernels<Links>::columns(links, by_joints, jacobian);
-  } else {
+struct LinkColumns {
+  using Roles = axial::Roles<TwistByRate, role::Position, role::None>;  ///< of its arguments
+  /// the algorithm
+  template <class Links, class Input, class Result, class Q, class K>
+  AXIAL_INLINE static constexpr void run(const Links& links, const Input& in, Result& jacobian, const Q& q, K k) {
     auto poses = frames(links, in, links.read(q));
     columns(links, poses, k, poses[k].position, jacobian);
     jacobian.status = status_at(links, in, q, [&](auto i) { return jacobian[i]; });
   }
-}
+};
 
 }  // namespace kinematics
 
@@ -171,7 +162,7 @@ template <class S, class T>
 [[nodiscard]] constexpr ForwardKinematics<robot_of<S>, T> forward_kinematics(
     const Positions<robot_of<S>, T>& q, const Inputs<S, T>& in = no_inputs<S, T>()) {
   ForwardKinematics<robot_of<S>, T> result{};
-  kinematics::run(links_of<S, T, FullParameters, recursion::Kinematics>(), in, q, result);
+  execute<kinematics::Poses>(links_of<S, T, FullParameters, recursion::Kinematics>(), in, q, result);
   detail::PositionCheck<S, T>::name(result.status, in, q);
   return result;
 }
@@ -181,7 +172,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
                                                                    const Positions<M, T>& q,
                                                                    const Inputs<M, T>& in = no_inputs<M, T>()) {
   ForwardKinematics<M, T> result{};
-  kinematics::run(model.template links<T>(), in, q, result);
+  execute<kinematics::Poses>(model.template links<T>(), in, q, result);
   return result;
 }
 
@@ -192,7 +183,7 @@ template <class S, class T>
 [[nodiscard]] constexpr Jacobian<robot_of<S>, T> jacobian(const Positions<robot_of<S>, T>& q,
                                                           const Inputs<S, T>& in = no_inputs<S, T>()) {
   Jacobian<robot_of<S>, T> result{};
-  kinematics::tool_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, q, result);
+  execute<kinematics::ToolColumns>(links_of<S, T, FullParameters, recursion::Kinematics>(), in, result, q);
   detail::PositionCheck<S, T>::name(result.status, in, q);
   return result;
 }
@@ -206,9 +197,10 @@ template <class S, int Link, class T>
   if constexpr (!there)
     return result;  // the message alone
   else if constexpr (scene_of<S>::template has<Looped>)
-    kinematics::link_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, Link, q, result);
+    execute<kinematics::LinkColumns>(links_of<S, T, FullParameters, recursion::Kinematics>(), in, result, q, Link);
   else
-    kinematics::link_columns(links_of<S, T, FullParameters, recursion::Kinematics>(), in, Index<Link>{}, q, result);
+    execute<kinematics::LinkColumns>(links_of<S, T, FullParameters, recursion::Kinematics>(), in, result, q,
+                                     Index<Link>{});
   detail::PositionCheck<S, T>::name(result.status, in, q);
   return result;
 }
@@ -217,7 +209,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, const Positions<M, T>& q,
                                                 const Inputs<M, T>& in = no_inputs<M, T>()) {
   Jacobian<M, T> result{};
-  kinematics::tool_columns(model.template links<T>(), in, q, result);
+  execute<kinematics::ToolColumns>(model.template links<T>(), in, result, q);
   return result;
 }
 /// Jacobian for the origin of a link's frame of a run-time model, 0 <= link < model.size().
@@ -225,7 +217,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr Jacobian<M, T> jacobian(const Model<N, F...>& model, int link, const Positions<M, T>& q,
                                                 const Inputs<M, T>& in = no_inputs<M, T>()) {
   Jacobian<M, T> result{};
-  kinematics::link_columns(model.template links<T>(), in, link, q, result);
+  execute<kinematics::LinkColumns>(model.template links<T>(), in, result, q, link);
   return result;
 }
 

@@ -149,15 +149,13 @@ AXIAL_INLINE constexpr void entries(const Links& links, const Input& in, const S
   });
 }
 /// Writes the mass matrix from q itself, whatever the form in which joint values stand.
-template <class Links, class Input, class Q, class Matrix>
-AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q, Matrix& m) {
-  if constexpr (is_refused<Links>)
-    return;
-  else if constexpr (is_driven<Links>)
-    DrivenKernels<Links>::matrix_at(links, in, q, m);
-  else
+struct CompositeMatrix {
+  /// the algorithm
+  template <class Links, class Input, class Q, class Matrix>
+  AXIAL_INLINE static constexpr void run(const Links& links, const Input& in, const Q& q, Matrix& m) {
     entries(links, in, joint_screws(links, in, links.read(q)), m);
-}
+  }
+};
 
 }  // namespace crba
 
@@ -168,7 +166,7 @@ template <class S, class T>
 [[nodiscard]] constexpr MassMatrixOf<S, T> mass_matrix(const Positions<robot_of<S>, T>& q,
                                                        const Inputs<S, T>& in = no_inputs<S, T>()) {
   MassMatrixOf<S, T> m{};
-  crba::run(links_of<S, T, BaseParameters, recursion::CompositeBodies>(), in, q, m);
+  execute<crba::CompositeMatrix>(links_of<S, T, BaseParameters, recursion::CompositeBodies>(), in, q, m);
   return m;
 }
 /// Overload for a run-time model.
@@ -176,7 +174,7 @@ template <int N, class... F, class T, class M = Model<N, F...>>
 [[nodiscard]] constexpr MassMatrix<M, T> mass_matrix(const Model<N, F...>& model, const Positions<M, T>& q,
                                                      const Inputs<M, T>& in = no_inputs<M, T>()) {
   MassMatrix<M, T> m{};
-  crba::run(model.template links<T>(), in, q, m);
+  execute<crba::CompositeMatrix>(model.template links<T>(), in, q, m);
   return m;
 }
 

@@ -105,32 +105,6 @@ AXIAL_INLINE constexpr auto status_of(const Links& links, const Input& in, const
   return all.status();
 }
 
-template <class Holding, class Links, class Input, class Q, class V, class Terms>
-AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, const Input& in, const Q& q, const V& qd,
-                                Terms& terms);
-
-/// Momenta and drifts of drives that joints share: G^T times momenta and drifts of the joints, and what each drive has
-/// of its own: rotor and friction.
-template <class Holding, class Links, class Input, class U, class V, class Terms>
-AXIAL_INLINE constexpr void run_drives(const Holding& at_rest, const Links& links, const Input& in, const U& u,
-                                       const V& ud, Terms& terms) {
-  const auto q = links.positions(u);
-  MomentumTerms<typename Links::JointScene, typename Links::Value> at_joints{};
-  run(at_rest.joints(), links.joints(), in, q, links.rates(ud), at_joints);
-  const auto speeds = links.read_drives(ud);
-  const auto momenta = links.actuator_efforts(at_joints.momentum);
-  const auto drifts = links.actuator_efforts(at_joints.drift);
-  Soundness<typename Links::Scalar> all;
-  detail::judge_positions(all, links.joints(), in, q);
-  links.each_drive([&](auto k) AXIAL_INLINE {
-    const auto drive = links.drives().link(k);
-    links.answer(terms.momentum, k, momenta, drive.rotor() * speeds[k]);
-    links.answer(terms.drift, k, drifts, -friction_effort(drive, speeds[k]));
-    all.number(ud[k]), all.number(terms.momentum[k]), all.number(terms.drift[k]);
-  });
-  terms.status = all.status();
-}
-
 /// Whether momenta are those of the joints alone; where not, calls say so, and nothing else is said.
 template <class Scene>
 inline constexpr bool has_momenta =
@@ -146,14 +120,11 @@ constexpr auto check_momenta() {
 }
 
 /// Momenta and drifts over the links of RNEA and of momenta, which differ where links have formats.
-template <class Holding, class Links, class Input, class Q, class V, class Terms>
-AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, const Input& in, const Q& q, const V& qd,
-                                Terms& terms) {
-  if constexpr (is_refused<Links> || !has_momenta<typename Links::Scene>) {
-    return;
-  } else if constexpr (is_driven<Links>) {
-    run_drives(at_rest, links, in, q, qd, terms);
-  } else {
+struct Terms {
+  /// writes them
+  template <class Holding, class Links, class Input, class Q, class V, class Result>
+  AXIAL_INLINE static constexpr void run(const Holding& at_rest, const Links& links, const Input& in, const Q& q,
+                                         const V& qd, Result& terms) {
     auto at = at_rest.read(q);
     auto screws = joint_screws(at_rest, in, at);
     auto holding = at_rest.no_efforts();
@@ -161,6 +132,11 @@ AXIAL_INLINE constexpr void run(const Holding& at_rest, const Links& links, cons
     carry(links, in, screws, links.read(qd), at_rest.read(holding), terms);
     terms.status = status_of(links, in, q, qd, terms);
   }
+};
+/// The same over any links of a scene that has momenta.
+template <class Holding, class... Arguments>
+AXIAL_INLINE constexpr void run(const Holding& at_rest, Arguments&&... arguments) {
+  if constexpr (has_momenta<typename Holding::Scene>) execute<Terms>(at_rest, arguments...);
 }
 
 }  // namespace momentum

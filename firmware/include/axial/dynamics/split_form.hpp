@@ -33,12 +33,11 @@ struct SplitAnswer {
 };
 
 /// The algorithm over any form of links; `bias_links` are those of the bias torque, which may be of base parameters.
-template <class Links, class BiasLinks, class Input, class Q, class V, class Tau, class A>
-AXIAL_INLINE constexpr auto run_split(const Links& links, const BiasLinks& bias_links, const Input& in, const Q& q,
-                                      const V& qd, const Tau& tau, A& qdd) {
-  if constexpr (is_driven<Links>) {
-    return DrivenKernels<Links>::by_clusters(links, bias_links, in, q, qd, tau, qdd);
-  } else {
+struct SplitForm {
+  /// status of the accelerations that it writes
+  template <class Links, class BiasLinks, class Input, class Q, class V, class Tau, class A>
+  AXIAL_INLINE static constexpr auto run(const Links& links, const BiasLinks& bias_links, const Input& in, const Q& q,
+                                         const V& qd, const Tau& tau, A& qdd) {
     auto at = links.read(q);
     auto screws = joint_screws(links, in, at);
     auto bias = bias_links.no_efforts();
@@ -53,7 +52,7 @@ AXIAL_INLINE constexpr auto run_split(const Links& links, const BiasLinks& bias_
     using Answer = typename SplitAnswer<typename Links::Scalar>::template Over<Links>;
     return Answer::of(links, screws, structure, given, left, qdd);
   }
-}
+};
 
 }  // namespace aba
 }  // namespace axial

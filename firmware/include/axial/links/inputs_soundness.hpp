@@ -4,6 +4,7 @@
 
 #include <axial/links/links.hpp>
 #include <axial/links/soundness.hpp>
+#include <axial/scene/roles.hpp>
 #include <axial/scene/runtime_tool.hpp>
 
 #include <axial/options/begin.hpp>
@@ -173,10 +174,7 @@ template <class S, class T>
 [[nodiscard]] AXIAL_INLINE constexpr StatusOf<T> inputs_status(const Inputs<S, T>& in) {
   Soundness<T> all;
   constexpr auto links = links_of<S, T>();
-  if constexpr (is_driven<std::decay_t<decltype(links)>>)
-    collect_inputs<typename scene_of<S>::Robot>(all, links.joints(), in);
-  else
-    collect_inputs<typename scene_of<S>::Robot>(all, links, in);
+  collect_inputs<typename scene_of<S>::Robot>(all, execute<JointLinks>(links), in);
   auto status = all.status();
   put_where(status, all.is_load_beyond(), Status::Code::payload_limit);  // whatever it is, NaN too
   return status;

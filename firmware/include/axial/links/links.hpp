@@ -215,25 +215,7 @@ using with_axial_masses = std::conditional_t<regroups_all<Scene, Parameters> && 
                                              BaseParametersAndAxialMasses, Parameters>;
 }  // namespace detail
 
-/// Whether links stand for joints that share drives (driven_links.hpp), and what kernels do then.
-///@{
-template <class Links>
-inline constexpr bool is_driven = false;
-template <class Links>
-inline constexpr bool is_driven<const Links> = is_driven<Links>;
-template <class Links>
-struct DrivenKernels;
-///@}
-/// Stops the compiler where such links reach a kernel without: at once, being a class.
-template <class Links>
-struct KnowsDrives {
-  static_assert(!is_driven<Links>,
-                "axial: this function does not know joints that share drives; call it for "
-                "axial::JointCoordinates<Robot> with joint_positions<Robot>(u) and map efforts by drive_efforts()");
-};
-
-/// Stand for the links of what a number system has refused: kernels do nothing with them and answer anything, so that
-/// nothing more is said.
+/// Stands for links that a number system has refused: kernels answer anything, so that nothing more is said.
 template <class SceneType>
 struct RefusedLinks {
   using Scene = SceneType;  ///< what was refused
@@ -248,6 +230,27 @@ inline constexpr bool is_refused = false;  ///< whether links are such ones
 template <class Scene>
 inline constexpr bool is_refused<RefusedLinks<Scene>> = true;  ///< they are
 
+/// How an algorithm runs over links: by itself where joint values are theirs, not at all where they are refused. What
+/// stands between values and joints (transmissions/) has specialisations, of which algorithms know nothing.
+template <class Algorithm, class Links, class = void>
+struct Execution {
+  /// runs it
+  template <class... Arguments>
+  AXIAL_INLINE static constexpr decltype(auto) run(const Links& links, Arguments&&... arguments) {
+    if constexpr (is_refused<Links>)
+      return links;
+    else
+      return Algorithm::run(links, arguments...);
+  }
+};
+/// Specialised to stop the compiler at links over which no recursion walks.
+template <class Links, class = void>
+struct Walkable {};
+/// Runs an algorithm over links; joint values as callers have them.
+template <class Algorithm, class Links, class... Arguments>
+AXIAL_INLINE constexpr decltype(auto) execute(const Links& links, Arguments&&... arguments) {
+  return Execution<Algorithm, Links>::run(links, arguments...);
+}
 namespace detail {
 /// What a number system refuses of a recursion over a scene. Calls say it first, before links do; at once, for a
 /// function whose result is deduced is looked into where it is called.
@@ -258,8 +261,7 @@ struct Forms {
 };
 }  // namespace detail
 
-/// The door for number systems: what kernels of a recursion walk over for a scene and numbers T. Here for numbers that
-/// carry their own scale; a number system with formats specialises it.
+/// What a recursion walks over for a scene and numbers T; a number system with formats specialises it.
 template <class Scene, class Number, class Parameters, class Recursion>
 struct LinksOf {
   using T = typename detail::Substitute<Number>::type;  ///< the number

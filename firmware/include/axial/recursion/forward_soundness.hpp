@@ -24,17 +24,24 @@ AXIAL_INLINE constexpr void collect_position(Soundness<T>& all, const Links& lin
 }
 
 /// Collects what forward dynamics is asked of. Efforts need no look: each is a term of its joint's acceleration.
-template <class Links, class Input, class Q, class V>
-AXIAL_INLINE constexpr auto collected_request(const Links& links, const Input& in, const Q& q, const V& qd) {
-  if constexpr (is_driven<Links>) {
-    return collected_request(links.joints(), in, links.positions(q), links.rates(qd));
-  } else {
-    Soundness<typename Links::Scalar> all;
-    for_each_link(links, [&](auto i) AXIAL_INLINE { collect_position(all, links, q, i); });
-    for_each_link(links, [&](auto i) AXIAL_INLINE { all.number(qd[i]); });
-    collect_inputs(all, links, in);
-    return all;
+struct AskedState {
+  using Roles = axial::Roles<role::Position, role::Velocity>;  ///< of its arguments
+  /// what there is to say of it
+  template <class Links, class Input, class Q, class V>
+  AXIAL_INLINE static constexpr auto run(const Links& links, const Input& in, const Q& q, const V& qd) {
+    {  // in a block of its own, or compilers place it otherwise
+      Soundness<typename Links::Scalar> all;
+      for_each_link(links, [&](auto i) AXIAL_INLINE { collect_position(all, links, q, i); });
+      for_each_link(links, [&](auto i) AXIAL_INLINE { all.number(qd[i]); });
+      collect_inputs(all, links, in);
+      return all;
+    }
   }
+};
+/// The same of any links.
+template <class Links, class... Arguments>
+AXIAL_INLINE constexpr auto collected_request(const Links& links, Arguments&&... arguments) {
+  return execute<AskedState>(links, arguments...);
 }
 
 /// The status of an answer that a solver calls `solved`: what is not finite, and angles without exact sines, come
@@ -42,10 +49,7 @@ AXIAL_INLINE constexpr auto collected_request(const Links& links, const Input& i
 template <class Links, class T, class A>
 AXIAL_INLINE constexpr auto sound_status(const Links& links, Soundness<T> all, const A& qdd,
                                          const StatusOf<T>& solved) {
-  if constexpr (is_driven<Links>)
-    links.each_drive([&](auto k) AXIAL_INLINE { all.number(qdd[k]); });
-  else
-    for_each_link(links, [&](auto i) AXIAL_INLINE { all.number(qdd[i]); });
+  for_each_link(execute<Actuators>(links), [&](auto i) AXIAL_INLINE { all.number(qdd[i]); });
   if constexpr (Links::Scene::template has<FloatingBase>) collect(all, qdd.base_acceleration);
   if constexpr (has_run_time_inputs<typename Links::Scene, T>)
     return first_trouble(all.status(), solved);

@@ -62,7 +62,7 @@ AXIAL_INLINE constexpr auto packed_screws(const Links& links, const Q& q) {
 /// z-screws of all joints, shared by all that follows.
 template <class Links, class Input, class Q>
 AXIAL_INLINE constexpr auto joint_screws(const Links& links, const Input& in, const Q& q) {
-  static_cast<void>(KnowsDrives<Links>{});
+  static_cast<void>(Walkable<Links>{});
   if constexpr (packing_pays<typename Links::Scalar>(detail::revolute_joints<Links>()) &&
                 !Links::Scene::template has<SineCosines>)
     return detail::packed_screws(links, q);

@@ -84,9 +84,9 @@ struct Outward<Links, Root, Step, Found, 0> {
 
 template <int... I>
 using All = std::integer_sequence<int, I...>;  // deduced, for what is inlined is copied once per function on the way
-/// Selects the form of a pass for links that a loop walks over; stops the compiler at links that share drives.
+/// Selects the form of a pass for links that a loop walks over; stops the compiler at others.
 template <class Links>
-using if_looped = std::enable_if_t<(static_cast<void>(KnowsDrives<Links>{}), !Links::unrolled), int>;
+using if_looped = std::enable_if_t<(static_cast<void>(Walkable<Links>{}), !Links::unrolled), int>;
 
 struct Itself {
   template <class Joint>

@@ -2,6 +2,7 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
+#include <axial/scene/roles.hpp>
 #include <axial/separation/separation_structure.hpp>
 
 #include <axial/options/begin.hpp>
@@ -108,18 +109,13 @@ struct TorqueOf {
                                                      const Accelerations<robot_of<S>, T>& qdd) {
     const RateProducts<S, T> rates(qd);
     EffortsOf<S, T> tau{};
-    const auto all = [&](const auto& drives) AXIAL_INLINE {
-      for_each_link(drives, [&](auto i) AXIAL_INLINE {
-        T sum = s.G[i];
-        add_inertial(s, qdd, i, sum);
-        add_products(s, rates, i, sum);
-        tau[i] = static_cast<T>(sum + friction_effort(drives.link(i), qd[i]));
-      });
-    };
-    if constexpr (is_driven<Links>)
-      all(links.drives());
-    else
-      all(links);
+    const auto& actuators = execute<Actuators>(links);
+    for_each_link(actuators, [&](auto i) AXIAL_INLINE {
+      T sum = s.G[i];
+      add_inertial(s, qdd, i, sum);
+      add_products(s, rates, i, sum);
+      tau[i] = static_cast<T>(sum + friction_effort(actuators.link(i), qd[i]));
+    });
     return tau;
   }
 };

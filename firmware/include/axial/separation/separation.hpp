@@ -193,38 +193,40 @@ inline constexpr bool inputs_can_overflow =
     !detail::is_known<typename Scene::Robot>(0) || Scene::template has<RuntimeGravity> ||
     Scene::template has<Payload> || Scene::template has<TipWrench> || Scene::template has<ExternalWrenches>;
 
-/// What Out has room for, at q, where every joint has a drive of its own.
-template <class Out, class S, class T, class Links, class Input, class Q>
-AXIAL_INLINE constexpr Out collected_of_joints(const Links& links, const Input& in, const Q& q) {
-  using Scene = typename Links::Scene;
-  Out out{};
-  Collected<S, T, typename Links::Scalar, Out> terms{out};
-  auto at = links.read(q);
-  auto screws = joint_screws(links, in, at);
-  if constexpr (!std::is_same_v<Out, Separated<S, T>>) {
-    run(links, in, at, screws, terms);
-  } else {
-    Soundness<typename Links::Scalar> all;
-    detail::judge_positions(all, links, in, q);
-    if constexpr (inputs_can_overflow<Scene> && is_number_v<typename Links::Scalar>) {
-      const JudgedTerms<decltype(terms), typename Links::Scalar> judged{terms, all};
-      run(links, in, at, screws, judged);
+/// What Out has room for.
+template <class Out, class S, class T>
+struct Terms {
+  /// at q
+  template <class Links, class Input, class Q>
+  AXIAL_INLINE static constexpr Out run(const Links& links, const Input& in, const Q& q) {
+    using Scene = typename Links::Scene;
+    Out out{};
+    Collected<S, T, typename Links::Scalar, Out> terms{out};
+    auto at = links.read(q);
+    auto screws = joint_screws(links, in, at);
+    if constexpr (!std::is_same_v<Out, Separated<S, T>>) {
+      separation::run(links, in, at, screws, terms);
     } else {
-      run(links, in, at, screws, terms);
+      Soundness<typename Links::Scalar> all;
+      detail::judge_positions(all, links, in, q);
+      if constexpr (inputs_can_overflow<Scene> && is_number_v<typename Links::Scalar>) {
+        const JudgedTerms<decltype(terms), typename Links::Scalar> judged{terms, all};
+        separation::run(links, in, at, screws, judged);
+      } else {
+        separation::run(links, in, at, screws, terms);
+      }
+      out.status = all.status();
     }
-    out.status = all.status();
+    return out;
   }
-  return out;
-}
-/// What Out has room for, at q.
-template <class Out, class S, class T, class Links, class Input, class Q>
-AXIAL_INLINE constexpr Out collected(const Links& links, const Input& in, const Q& q) {
-  if constexpr (is_refused<Links> || !is_separable<typename Links::Scene>)
-    return {};
-  else if constexpr (is_driven<Links>)
-    return DrivenKernels<Links>::template separated<Out, S, T>(links, in, q);
+};
+/// The same over any links of a scene that has them.
+template <class Out, class S, class T, class Links, class... Arguments>
+AXIAL_INLINE constexpr Out collected(const Links& links, Arguments&&... arguments) {
+  if constexpr (is_separable<typename Links::Scene>)
+    return execute<Terms<Out, S, T>>(links, arguments...);
   else
-    return collected_of_joints<Out, S, T>(links, in, q);
+    return {};
 }
 
 }  // namespace separation

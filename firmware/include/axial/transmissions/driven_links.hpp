@@ -1,8 +1,8 @@
 // Links of a robot whose joints share drives: joint values on one side, values of drives on the other.
 #pragma once
 
-#include <axial/links/links.hpp>
 #include <axial/transmissions/driven_scenes.hpp>
+#include <axial/transmissions/roles.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -157,17 +157,17 @@ struct DrivenLinks {
   ///@{
   template <class I>
   static constexpr auto link(I i) {
-    static_cast<void>(KnowsDrives<DrivenLinks>{});
+    static_cast<void>(Walkable<DrivenLinks>{});
     return drives().link(i);
   }
   template <class Values>
   static constexpr const Values& read(const Values& values) {
-    static_cast<void>(KnowsDrives<DrivenLinks>{});
+    static_cast<void>(Walkable<DrivenLinks>{});
     return values;
   }
   template <class Links = DrivenLinks>
   static constexpr auto no_efforts() {
-    static_cast<void>(KnowsDrives<Links>{});
+    static_cast<void>(Walkable<Links>{});
     return JointValues{};
   }
   ///@}

@@ -147,30 +147,35 @@ constexpr Out looped_terms(const Links& links, const Whole& joints) {
   return out;
 }
 
+}  // namespace driven
+
 /// A, B, C and G of the drives from those of the joints, efforts and rates by G: A_u = G^T A G, and likewise the
 /// coefficients of products. Only those of the four that Out has room for are computed.
-template <class Out, class S, class T, class Links, class Input, class U>
-constexpr Out separated(const Links& links, const Input& in, const U& u) {
-  using Joint = typename Links::JointScene;
-  const auto joints = separation::collected<Separated<Joint, T>, Joint, T>(links.joints(), in, links.positions(u));
-  constexpr bool known = [] {
-    if constexpr (Links::unrolled)
-      return std::decay_t<decltype(links.joints())>::unrolled;
-    else
-      return false;
-  }();
-  const auto drives = [&] {
-    if constexpr (known)
-      return unrolled_terms<Out, S, T>(links, joints);
-    else
-      return looped_terms<Out, S, T>(links, joints);
-  };
-  Out out = drives();
-  if constexpr (std::is_same_v<Out, Separated<S, T>>) out.status = joints.status;
-  return out;
-}
+template <class Out, class S, class T, class Links>
+struct Execution<separation::Terms<Out, S, T>, Links, IfDriven<Links>> {
+  /// the terms
+  template <class Input, class U>
+  [[nodiscard]] static constexpr Out run(const Links& links, const Input& in, const U& u) {
+    using Joint = typename Links::JointScene;
+    const auto joints = separation::collected<Separated<Joint, T>, Joint, T>(links.joints(), in, links.positions(u));
+    constexpr bool known = [] {
+      if constexpr (Links::unrolled)
+        return std::decay_t<decltype(links.joints())>::unrolled;
+      else
+        return false;
+    }();
+    const auto drives = [&] {
+      if constexpr (known)
+        return driven::unrolled_terms<Out, S, T>(links, joints);
+      else
+        return driven::looped_terms<Out, S, T>(links, joints);
+    };
+    Out out = drives();
+    if constexpr (std::is_same_v<Out, Separated<S, T>>) out.status = joints.status;
+    return out;
+  }
+};
 
-}  // namespace driven
 }  // namespace axial
 
 #include <axial/options/end.hpp>

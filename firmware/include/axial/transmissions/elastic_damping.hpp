@@ -116,10 +116,10 @@ template <class S, class T>
   const auto motors = links_of<S, T, FullParameters>();
   ElasticFeedforward<S, T> result{};
   result.theta = q;
-  derivatives::run_in_time(links_of<Links, T, BaseParameters>(), in, q, qd, qdd, q3, q4,
-                           [&](auto i, const auto& effort) AXIAL_INLINE {
-                             elastic::drive_damped(motors, i, effort, qd[i], qdd[i], state, result);
-                           });
+  execute<derivatives::InTime>(links_of<Links, T, BaseParameters>(), in, q, qd, qdd, q3, q4,
+                               [&](auto i, const auto& effort) AXIAL_INLINE {
+                                 elastic::drive_damped(motors, i, effort, qd[i], qdd[i], state, result);
+                               });
   state.go_on();
   return result;
 }

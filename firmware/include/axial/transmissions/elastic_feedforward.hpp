@@ -123,9 +123,9 @@ template <class S, class T>
   const auto motors = links_of<S, T, FullParameters>();
   ElasticFeedforward<S, T> result{};
   result.theta = q;
-  derivatives::run_in_time(links_of<Links, T, BaseParameters>(), in, q, qd, qdd, q3, q4,
-                           [&](auto i, const auto& effort)
-                               AXIAL_INLINE { elastic::drive(motors, i, effort, qd[i], qdd[i], result); });
+  execute<derivatives::InTime>(links_of<Links, T, BaseParameters>(), in, q, qd, qdd, q3, q4,
+                               [&](auto i, const auto& effort)
+                                   AXIAL_INLINE { elastic::drive(motors, i, effort, qd[i], qdd[i], result); });
   return result;
 }
 

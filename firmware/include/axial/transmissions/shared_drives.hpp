@@ -2,13 +2,14 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
-#include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/kinematics.hpp>
-#include <axial/transmissions/clustered_dynamics.hpp>
 #include <axial/transmissions/coupling_terms.hpp>
+#include <axial/transmissions/driven_algorithms.hpp>
 #include <axial/transmissions/driven_floating_base.hpp>
+#include <axial/transmissions/driven_forward_derivatives.hpp>
 #include <axial/transmissions/driven_links.hpp>
 #include <axial/transmissions/driven_model.hpp>
+#include <axial/transmissions/driven_motion.hpp>
 #include <axial/transmissions/driven_rotors.hpp>
 #include <axial/transmissions/driven_separation.hpp>
 
@@ -48,6 +49,7 @@ template <class Links>
 struct DrivenKernels {
   using T = typename Links::Scalar;                                                     ///< the number
   using JointMatrix = MassMatrixOf<typename Links::JointScene, typename Links::Value>;  ///< M of the joints
+  using JointJacobian = Jacobian<typename Links::JointRobot, typename Links::Value>;    ///< by the joints
   using Matrix = MassMatrix<typename Links::Scene::Robot, T>;                           ///< M of the drives
 
   /// Efforts of the drives; rates may be NoMotion.
@@ -58,7 +60,8 @@ struct DrivenKernels {
       driven::efforts_with_rotors(links, in, u, ud, udd, tau);
     } else {
       typename Links::JointValues at_joints{};
-      rnea::run(links.joints(), in, links.positions(u), links.kernel_rates(ud), links.kernel_rates(udd), at_joints);
+      execute<rnea::InverseDynamics>(links.joints(), in, links.positions(u), links.kernel_rates(ud),
+                                     links.kernel_rates(udd), at_joints);
       const auto actuator_effort = links.actuator_efforts(at_joints);
       const auto speeds = links.read_drives(ud);
       const auto accelerations = links.read_drives(udd);
@@ -67,19 +70,6 @@ struct DrivenKernels {
         links.answer(tau, k, actuator_effort, friction_effort(drive, speeds[k]), drive.rotor() * accelerations[k]);
       });
     }
-  }
-
-  /// Newton and Euler's recursion over the joints with rotors on them (driven_rotors.hpp): calls each(i, effort),
-  /// answers what effort_on_rotor() takes.
-  template <class... Parts>
-  AXIAL_INLINE static constexpr auto propagate_inward(const Parts&... parts) {
-    return driven::propagate_inward(parts...);
-  }
-  /// What the turning of its carrier asks of drive k: gear J z . dw_c.
-  template <class Joints, class Input, class K, class Motions>
-  AXIAL_INLINE static constexpr auto effort_on_rotor(const Links& links, const Joints& joints, const Input& in, K k,
-                                                     const Motions& motions) {
-    return driven::effort_on_drive(links, joints, in, k, motions);
   }
 
   /// M of the drives.
@@ -104,31 +94,6 @@ struct DrivenKernels {
     const auto q = links.positions(u);
     const auto& at = links.joints();
     matrix(links, in, joint_screws(at, in, at.read(q)), m);
-  }
-
-  /// Accelerations of the drives, by composite bodies.
-  template <class Input, class Q, class V, class Tau, class A>
-  AXIAL_INLINE static constexpr auto accelerations(const Links& links, const Input& in, const Q& u, const V& ud,
-                                                   const Tau& tau, A& udd) {
-    return driven::CompositeRigidBodies<Links>::accelerations(links, in, u, ud, tau, udd);
-  }
-
-  /// Accelerations of the drives by articulated bodies over clusters; `bias_links` are those of the bias effort.
-  template <class BiasLinks, class Input, class Q, class V, class Tau, class A>
-  AXIAL_INLINE static constexpr auto by_clusters(const Links& links, const BiasLinks& bias_links, const Input& in,
-                                                 const Q& u, const V& ud, const Tau& tau, A& udd) {
-    const auto q = links.positions(u);
-    const auto screws = joint_screws(bias_links.joints(), in, q);
-    remaining_efforts(bias_links, in, q, screws, links.rates(ud), ud, tau, udd);
-    using Clusters = detail::SceneOfClusters<typename Links::Scene>;
-    const auto bodies = links_of<typename Clusters::type, T, FullParameters, recursion::ArticulatedBodiesAtRest>();
-    return clusters::Passes<typename Clusters::Robot, Links, decltype(bodies)>::run(bodies, in, screws, udd);
-  }
-
-  /// Separated terms of the drives.
-  template <class Out, class S, class Number, class Input, class Q>
-  AXIAL_INLINE static constexpr Out separated(const Links& links, const Input& in, const Q& u) {
-    return driven::separated<Out, S, Number>(links, in, u);
   }
 
   /// Columns of a Jacobian by drives, from those by joints.

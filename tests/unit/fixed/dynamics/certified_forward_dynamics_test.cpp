@@ -124,7 +124,7 @@ TEST(CertifiedForwardDynamics, KnowsWhatItsInverseDynamicsIsOff) {
   for (int k = 0; k < 3000; ++k) {
     const State state = in_limits(random);
     C::Needs needs{};
-    rnea::run(links, Inputs<LightTip, T>{}, state.q, state.qd, state.qdd, needs);
+    execute<rnea::InverseDynamics>(links, Inputs<LightTip, T>{}, state.q, state.qd, state.qdd, needs);
     const auto wanted = inverse_dynamics<LightTip>(exhaustive::in_double<LightTip, T>(state.q),
                                                    exhaustive::in_double<LightTip>(state.qd),
                                                    exhaustive::in_double<LightTip>(state.qdd));

@@ -1,7 +1,8 @@
 // Derivatives of efforts in values of drives that joints share: G^T D G of the joints' matrices, and what drives add.
 #pragma once
 
-#include <axial/derivatives/jacobian_structure.hpp>
+#include <axial/derivatives/inverse_dynamics_derivatives.hpp>
+#include <axial/transmissions/roles.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -165,35 +166,6 @@ AXIAL_INLINE constexpr Result results_of_joints(const Joint& joints, const Input
   return result;
 }
 
-/// Efforts of the drives with their derivatives by values of the drives.
-template <class Result, class Links, class Input, class U, class V, class A>
-AXIAL_INLINE constexpr Result slopes(const Links& links, const Input& in, const U& u, const V& ud, const A& udd) {
-  using Joint = JointResults<Links, Result>;
-  const auto& joints = links.template joints<recursion::Derivatives>();
-  const auto q = links.positions(u);
-  const auto qd = links.rates(ud);
-  const auto qdd = links.rates(udd);
-  const auto at_q = joints.read(q);
-  const Joint at =
-      results_of_joints<Joint>(joints, in, at_q, joint_screws(joints, in, at_q), joints.read(qd), joints.read(qdd));
-  const auto speeds = links.read_drives(ud);
-  Result result{};
-  if constexpr (Result::template has<with_efforts>) {
-    const auto actuator_effort = links.actuator_efforts(at.tau);
-    const auto accelerations = links.read_drives(udd);
-    links.each_drive([&](auto k) AXIAL_INLINE {
-      const auto drive = links.drives().link(k);
-      links.answer(result.tau, k, actuator_effort, friction_effort(drive, speeds[k]), drive.rotor() * accelerations[k]);
-    });
-  }
-  if constexpr (Result::template has<with_mass_matrix>) DrivenKernels<Links>::reduce(links, at.M, result.M);
-  if constexpr (Result::template has<with_position_jacobian>)
-    write_slopes(by::Position{}, links, at.dtau_dq, speeds, result.dtau_dq);
-  if constexpr (Result::template has<with_velocity_jacobian>)
-    write_slopes(by::Velocity{}, links, at.dtau_dqd, speeds, result.dtau_dqd);
-  return result;
-}
-
 }  // namespace driven
 
 namespace derivatives {
@@ -210,6 +182,41 @@ constexpr auto driven_jacobian_structure() {
   return structure;
 }
 }  // namespace derivatives
+
+/// Efforts of the drives with their derivatives by values of the drives.
+template <class Result, class Links>
+struct Execution<derivatives::Slopes<Result>, Links, IfDriven<Links>> {
+  /// all results
+  template <class Input, class U, class V, class A>
+  AXIAL_INLINE static constexpr Result run(const Links& links, const Input& in, const U& u, const V& ud, const A& udd) {
+    using Joint = driven::JointResults<Links, Result>;
+    const auto& joints = links.template joints<recursion::Derivatives>();
+    const auto q = links.positions(u);
+    const auto qd = links.rates(ud);
+    const auto qdd = links.rates(udd);
+    const auto at_q = joints.read(q);
+    const Joint at = driven::results_of_joints<Joint>(joints, in, at_q, joint_screws(joints, in, at_q), joints.read(qd),
+                                                      joints.read(qdd));
+    const auto speeds = links.read_drives(ud);
+    Result result{};
+    if constexpr (Result::template has<with_efforts>) {
+      const auto actuator_effort = links.actuator_efforts(at.tau);
+      const auto accelerations = links.read_drives(udd);
+      links.each_drive([&](auto k) AXIAL_INLINE {
+        const auto drive = links.drives().link(k);
+        links.answer(result.tau, k, actuator_effort, friction_effort(drive, speeds[k]),
+                     drive.rotor() * accelerations[k]);
+      });
+    }
+    if constexpr (Result::template has<with_mass_matrix>) DrivenKernels<Links>::reduce(links, at.M, result.M);
+    if constexpr (Result::template has<with_position_jacobian>)
+      driven::write_slopes(by::Position{}, links, at.dtau_dq, speeds, result.dtau_dq);
+    if constexpr (Result::template has<with_velocity_jacobian>)
+      driven::write_slopes(by::Velocity{}, links, at.dtau_dqd, speeds, result.dtau_dqd);
+    return result;
+  }
+};
+
 }  // namespace axial
 
 #include <axial/options/end.hpp>
