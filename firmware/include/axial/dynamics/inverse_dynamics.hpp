@@ -175,13 +175,13 @@ AXIAL_INLINE constexpr void propagate_inward(const Links& links, const Input& in
   auto water = immersions(links, in, screws, qd);
   auto joint = [&](auto i, const auto& force) AXIAL_INLINE {
     if constexpr (Links::Scene::template has<RotorDynamics>)
-      each(i, force, joint_effort(links, i, force, q, qd, qdd) + effort_on_rotor(links, in, i, motions));
+      each(i, force, joint_effort(links, i, force, q, qd, qdd) + effort_on_rotor(links, links, in, i, motions));
     else
       each(i, force, joint_effort(links, i, force, q, qd, qdd));
     return InwardResult{force_on_parent(links, screws, i, force)};
   };
   if constexpr (Links::Scene::template has<RotorDynamics>) {
-    auto spins = rotor_spins(links, qd, qdd);
+    auto spins = rotor_spins(links, links, qd, qdd);
     auto own = [&](auto i) AXIAL_INLINE {
       return with_spin(links.link(i), own_force(links, in, motions, water, i), spins[i], motions[i]);
     };

@@ -61,7 +61,7 @@ struct Branch {
 template <class Links, class V, class A>
 AXIAL_INLINE constexpr auto spins_of(const Links& links, const V& qd, const A& qdd) {
   if constexpr (Links::Scene::template has<RotorDynamics>)
-    return rotor_spins(links, qd, qdd);
+    return rotor_spins(links, links, qd, qdd);
   else
     return NoMotion{};
 }
@@ -71,7 +71,7 @@ template <class Branch, class I, class Q, class V, class A>
 AXIAL_INLINE constexpr auto effort_with_rotor(const Branch& branch, I i, const Q& q, const V& qd, const A& qdd) {
   auto effort = joint_effort(branch.links, i, branch.force(i), q, qd, qdd);
   if constexpr (std::decay_t<decltype(branch.links)>::Scene::template has<RotorDynamics>)
-    return effort + effort_on_rotor(branch.links, branch.in, i, branch.motions);
+    return effort + effort_on_rotor(branch.links, branch.links, branch.in, i, branch.motions);
   else
     return effort;
 }

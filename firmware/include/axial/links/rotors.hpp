@@ -93,16 +93,24 @@ struct TableRotor {
 };
 
 /// The rotor of joint i.
+struct RotorOf {
+  /// its constants
+  template <class Links, class I>
+  AXIAL_INLINE static constexpr auto run(const Links& links, I i) {
+    using T = typename Links::Scalar;
+    using Robot = typename Links::Scene::Robot;
+    if constexpr (IsModel<Robot>::value)
+      return TableRotor<T, double>{links.rotor(i)};
+    else if constexpr (Links::unrolled)
+      return StaticRotor<Robot, I::value, T>{};
+    else
+      return TableRotor<T, Lane<T>>{detail::robot_rotors<Robot, Lane<T>>.links[i]};
+  }
+};
+/// The same over any links.
 template <class Links, class I>
 AXIAL_INLINE constexpr auto rotor_of(const Links& links, I i) {
-  using T = typename Links::Scalar;
-  using Robot = typename Links::Scene::Robot;
-  if constexpr (IsModel<Robot>::value)
-    return TableRotor<T, double>{links.rotor(i)};
-  else if constexpr (Links::unrolled)
-    return StaticRotor<Robot, I::value, T>{};
-  else
-    return TableRotor<T, Lane<T>>{detail::robot_rotors<Robot, Lane<T>>.links[i]};
+  return execute<RotorOf>(links, i);
 }
 
 }  // namespace axial

@@ -18,7 +18,7 @@ AXIAL_INLINE constexpr auto run_joints(const Links& plain, const Joints& links, 
                                        const Each& each) {
   if constexpr (Links::Scene::template has<RotorDynamics>) {
     const auto motions = propagate_inward(plain, links, in, q, screws, qd, qdd, ud, udd, each);
-    return [&plain, &in, links, motions](auto k) AXIAL_INLINE { return effort_on_drive(plain, links, in, k, motions); };
+    return [&plain, &in, links, motions](auto k) AXIAL_INLINE { return effort_on_rotor(plain, links, in, k, motions); };
   } else {
     rnea::propagate_inward(links, in, q, screws, qd, qdd,
                            [&](auto i, const auto&, const auto& effort) AXIAL_INLINE { each(i, effort); });

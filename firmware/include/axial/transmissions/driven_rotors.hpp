@@ -10,53 +10,24 @@
 #include <axial/options/begin.hpp>
 
 namespace axial {
-namespace driven {
 
 /// The rotor of drive k, at the joint that owns it.
-template <class Links, class K>
-AXIAL_INLINE constexpr auto drive_rotor(const Links& links, K k) {
-  using T = typename Links::Scalar;
-  if constexpr (Links::unrolled) {
-    using Robot = typename detail::SceneOfClusters<typename Links::Scene>::Robot;
-    return StaticRotor<Robot, detail::drive_matrix<Robot>.owner[K::value], T>{};
-  } else {
-    return TableRotor<T, double>{links.joints().rotor(links.owner(k))};
+template <class Links>
+struct Execution<RotorOf, Links, IfDriven<Links>> {
+  /// its constants
+  template <class K>
+  AXIAL_INLINE static constexpr auto run(const Links& links, K k) {
+    using T = typename Links::Scalar;
+    if constexpr (Links::unrolled) {
+      using Robot = typename detail::SceneOfClusters<typename Links::Scene>::Robot;
+      return StaticRotor<Robot, detail::drive_matrix<Robot>.owner[K::value], T>{};
+    } else {
+      return TableRotor<T, double>{links.joints().rotor(links.owner(k))};
+    }
   }
-}
+};
 
-/// Sum of gear J x z over the rotors on link I, from drive K on.
-template <int K, class Links, class I, class X>
-AXIAL_INLINE constexpr auto spin_on(const Links& links, I i, const X& x) {
-  if constexpr (K >= Links::capacity) {
-    return ZeroVec3{};
-  } else {
-    using Rotor = decltype(drive_rotor(links, Index<K>{}));
-    if constexpr (Rotor::carrier() == I::value)
-      return x[Index<K>{}] * Rotor::spin() + spin_on<K + 1>(links, i, x);
-    else
-      return spin_on<K + 1>(links, i, x);
-  }
-}
-
-/// The spins of all links' rotors at speeds and accelerations of the drives.
-template <class Links, class Bodies, class V, class A>
-AXIAL_INLINE constexpr auto drive_spins(const Links& links, const Bodies& joints, const V& ud, const A& udd) {
-  if constexpr (Bodies::unrolled) {
-    return map_links(joints, [&](auto i) AXIAL_INLINE {
-      return RotorSpin{spin_on<0>(links, i, ud), spin_on<0>(links, i, udd)};
-    });
-  } else {
-    using Vector = Vec3<typename Bodies::Dense>;
-    Row<RotorSpin<Vector, Vector>, Bodies::capacity> spins{};
-    links.each_drive([&](auto k) AXIAL_INLINE {
-      const auto rotor = drive_rotor(links, k);
-      if (rotor.carrier() < 0) return;
-      auto& spin = spins[rotor.carrier()];
-      spin.momentum = spin.momentum + ud[k] * rotor.spin(), spin.rate = spin.rate + udd[k] * rotor.spin();
-    });
-    return spins;
-  }
-}
+namespace driven {
 
 /// Newton and Euler's recursion over the joints with the rotors that drives turn on them: calls each(i, effort) for
 /// every joint, and answers the links' motions.
@@ -66,7 +37,7 @@ AXIAL_INLINE constexpr auto propagate_inward(const Links& links, const Bodies& j
                                              const Each& each) {
   auto motions = rnea::link_motions(joints, in, screws, qd, qdd);
   const auto water = immersions(joints, in, screws, qd);
-  const auto spins = drive_spins(links, joints, ud, udd);
+  const auto spins = rotor_spins(links, joints, ud, udd);
   const auto own = [&](auto i) AXIAL_INLINE {
     return with_spin(joints.link(i), rnea::own_force(joints, in, motions, water, i), spins[i], motions[i]);
   };
@@ -75,24 +46,6 @@ AXIAL_INLINE constexpr auto propagate_inward(const Links& links, const Bodies& j
     return rnea::InwardResult{rnea::force_on_parent(joints, screws, i, force)};
   });
   return motions;
-}
-
-/// Effort of drive k that keeps its rotor's speed while the rotor's carrier turns ever faster: gear J z . dw_c.
-template <class Links, class Bodies, class Input, class K, class Motions>
-AXIAL_INLINE constexpr auto effort_on_drive(const Links& links, const Bodies& joints, const Input& in, K k,
-                                            const Motions& motions) {
-  if constexpr (Links::unrolled) {
-    using Rotor = decltype(drive_rotor(links, k));
-    if constexpr (Rotor::carrier() < 0)
-      return dot(Rotor::spin(), base_angular_acceleration(joints, in));
-    else
-      return dot(Rotor::spin(), motions[Index<Rotor::carrier()>{}].dw);
-  } else {
-    const auto rotor = drive_rotor(links, k);
-    auto turning = base_angular_acceleration(joints, in).template dense<typename Bodies::Dense>();
-    if (rotor.carrier() >= 0) turning = motions[rotor.carrier()].dw;
-    return dot(rotor.spin(), turning);
-  }
 }
 
 /// Efforts of the drives with their rotors as bodies; rates may be NoMotion.
@@ -109,7 +62,7 @@ AXIAL_INLINE constexpr void efforts_with_rotors(const Links& links, const Input&
   links.each_drive([&](auto k) AXIAL_INLINE {
     const auto drive = links.drives().link(k);
     links.answer(tau, k, actuator_effort, friction_effort(drive, ud[k]), drive.rotor() * udd[k],
-                 effort_on_drive(links, joints, in, k, motions));
+                 effort_on_rotor(links, joints, in, k, motions));
   });
 }
 
@@ -144,7 +97,7 @@ AXIAL_INLINE constexpr void couple_rotors(const Links& links, const Screws& scre
   };
   const auto& joints = links.joints();
   links.each_drive([&](auto k) AXIAL_INLINE {
-    const auto rotor = drive_rotor(links, k);
+    const auto rotor = rotor_of(links, k);
     const auto each = [&](auto j, const auto& share) AXIAL_INLINE {
       links.each_drive([&](auto l) AXIAL_INLINE {
         if constexpr (std::decay_t<decltype(joints)>::unrolled)
@@ -155,7 +108,7 @@ AXIAL_INLINE constexpr void couple_rotors(const Links& links, const Screws& scre
     };
     const ForceVector moment{rotor.spin(), ZeroVec3{}};
     if constexpr (Links::unrolled) {
-      constexpr int carrier = decltype(drive_rotor(links, k))::carrier();
+      constexpr int carrier = decltype(rotor_of(links, k))::carrier();
       if constexpr (carrier >= 0) climb(joints, screws, moment, Index<carrier>{}, each);
     } else {
       if (rotor.carrier() >= 0) climb(joints, screws, moment, rotor.carrier(), each);

@@ -10,6 +10,7 @@
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/links/rotors.hpp>
+#include <axial/scene/roles.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -45,22 +46,23 @@ AXIAL_INLINE constexpr auto spin_on(const Links& links, I i, const X& x) {
 
 }  // namespace detail
 
-/// The spins of all links' rotors at joint speeds qd and accelerations qdd.
-template <class Links, class V, class A>
-AXIAL_INLINE constexpr auto rotor_spins(const Links& links, const V& qd, const A& qdd) {
+/// The spins of all links' rotors at speeds and accelerations of what turns them: `owners`, the links themselves or
+/// drives that joints share.
+template <class Owners, class Links, class V, class A>
+AXIAL_INLINE constexpr auto rotor_spins(const Owners& owners, const Links& links, const V& qd, const A& qdd) {
   if constexpr (Links::unrolled) {
     return map_links(links, [&](auto i) AXIAL_INLINE {
-      return RotorSpin{detail::spin_on<0>(links, i, qd), detail::spin_on<0>(links, i, qdd)};
+      return RotorSpin{detail::spin_on<0>(owners, i, qd), detail::spin_on<0>(owners, i, qdd)};
     });
   } else {
     using Vector = Vec3<typename Links::Dense>;
     Row<RotorSpin<Vector, Vector>, Links::capacity> spins{};
-    for (int i = 0; i < links.size(); ++i) {
-      const auto rotor = rotor_of(links, i);
-      if (rotor.carrier() < 0) continue;
+    for_each_link(execute<Actuators>(owners), [&](auto i) AXIAL_INLINE {
+      const auto rotor = rotor_of(owners, i);
+      if (rotor.carrier() < 0) return;
       auto& spin = spins[rotor.carrier()];
       spin.momentum = spin.momentum + qd[i] * rotor.spin(), spin.rate = spin.rate + qdd[i] * rotor.spin();
-    }
+    });
     return spins;
   }
 }
@@ -71,17 +73,19 @@ AXIAL_INLINE constexpr auto with_spin(const Link& link, const F& force, const S&
   return link.shape(force + ForceVector{spin.rate + cross(motion.w, spin.momentum), ZeroVec3{}});
 }
 
-/// Effort of joint i that keeps its rotor's speed while the rotor's carrier turns ever faster: gear J z . dw_c.
-template <class Links, class Input, class I, class Motions>
-AXIAL_INLINE constexpr auto effort_on_rotor(const Links& links, const Input& in, I i, const Motions& motions) {
-  if constexpr (Links::unrolled) {
-    constexpr int carrier = decltype(rotor_of(links, i))::carrier();
-    if constexpr (carrier < 0)
-      return dot(rotor_of(links, i).spin(), base_angular_acceleration(links, in));
+/// Effort of joint i, or drive, of `owners` that keeps its rotor's speed while the rotor's carrier turns ever faster:
+/// gear J z . dw_c.
+template <class Owners, class Links, class Input, class I, class Motions>
+AXIAL_INLINE constexpr auto effort_on_rotor(const Owners& owners, const Links& links, const Input& in, I i,
+                                            const Motions& motions) {
+  if constexpr (Owners::unrolled) {
+    using Rotor = decltype(rotor_of(owners, i));
+    if constexpr (Rotor::carrier() < 0)
+      return dot(Rotor::spin(), base_angular_acceleration(links, in));
     else
-      return dot(rotor_of(links, i).spin(), motions[Index<carrier>{}].dw);
+      return dot(Rotor::spin(), motions[Index<Rotor::carrier()>{}].dw);
   } else {
-    const auto rotor = rotor_of(links, i);
+    const auto rotor = rotor_of(owners, i);
     auto turning = base_angular_acceleration(links, in).template dense<typename Links::Dense>();
     if (rotor.carrier() >= 0) turning = motions[rotor.carrier()].dw;
     return dot(rotor.spin(), turning);

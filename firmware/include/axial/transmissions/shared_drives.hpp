@@ -116,7 +116,7 @@ struct DrivenKernels {
                                    [&](auto i, const auto& effort) AXIAL_INLINE { joints.write(bias, i, effort); });
       remaining_efforts(links, bias, ud, tau, left);
       links.each_drive([&](auto k) AXIAL_INLINE {
-        left[k] = static_cast<T>(left[k] - driven::effort_on_drive(links, joints, in, k, motions));
+        left[k] = static_cast<T>(left[k] - effort_on_rotor(links, joints, in, k, motions));
       });
     } else {
       rnea::efforts(links.joints(), in, q, screws, qd, NoMotion{}, bias);
