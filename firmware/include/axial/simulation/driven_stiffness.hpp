@@ -5,6 +5,7 @@
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/simulation/eigenvalue_bound.hpp>
 #include <axial/simulation/stiff_links.hpp>
+#include <axial/transmissions/roles.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -43,41 +44,49 @@ constexpr Square<T, N> weighted(Square<T, N> a, const T (&weight)[N]) {
   return a;
 }
 
-/// Bounds where joints share drives: springs K are the joints', M_u^-1 G^T K G having the eigenvalues of K^1/2 G M_u^-1
-/// G^T K^1/2; what drives them and dampers are the drives' own. Bounds of both kinds of stiffness are added.
-template <class T, class S, class Links, class Q, class Stiffness>
-constexpr StiffBounds<T> driven_stiff_bounds(const Links& links, const Q& u, const Inputs<S, T>& in,
-                                             const Stiffness& drive) {
-  constexpr int n = Links::JointValues::size, m = joint_count<S>;
-  const auto joints = links.joints();
-  const auto mobility = drive_mobility<T, m>(links, in, u);
-  T springs[n] = {}, dampers[m] = {}, drives[m] = {};
-  for_each_link(joints, [&](auto i) AXIAL_INLINE { springs[i] = T(spring_slope(joints.link(i))); });
-  links.each_drive([&](auto k) AXIAL_INLINE {
-    drives[k] = T(drive.stiffness[k]);
-    dampers[k] = T(friction_damping(links.drives().link(k), T(0)) + drive.damping[k]);
-  });
-  Velocities<robot_of<S>, T> moved[n] = {};  // rows of G M_u^-1
-  for (int k = 0; k < links.drives().size(); ++k) {
-    Velocities<robot_of<S>, T> column{};
-    for (int l = 0; l < links.drives().size(); ++l)
-      column[l] = mobility.values[l][k];
-    const auto rates = links.rates(column);
-    for (int i = 0; i < joints.size(); ++i)
-      moved[i][k] = rates[i];
-  }
-  Square<T, n> of_joints{};
-  for (int i = 0; i < joints.size(); ++i) {
-    const auto row = links.rates(moved[i]);
-    for (int j = 0; j < joints.size(); ++j)
-      of_joints.values[i][j] = row[j];
-  }
-  return {largest_eigenvalue_bound(weighted(of_joints, springs), joints.size()) +
-              largest_eigenvalue_bound(weighted(mobility, drives), links.drives().size()),
-          largest_eigenvalue_bound(weighted(mobility, dampers), links.drives().size())};
-}
+template <class S, class T>
+struct StiffnessAt;
 
 }  // namespace detail
+
+/// Bounds where joints share drives: springs K are the joints', M_u^-1 G^T K G having the eigenvalues of K^1/2 G M_u^-1
+/// G^T K^1/2; what drives them and dampers are the drives' own. Bounds of both kinds of stiffness are added.
+template <class S, class T, class Links>
+struct Execution<detail::StiffnessAt<S, T>, Links, IfDriven<Links>> {
+  /// bounds at u
+  template <class Q, class Stiffness>
+  [[nodiscard]] static constexpr detail::StiffBounds<T> run(const Links& links, const Q& u, const Inputs<S, T>& in,
+                                                            const Stiffness& drive) {
+    constexpr int n = Links::JointValues::size, m = joint_count<S>;
+    const auto joints = links.joints();
+    const auto mobility = detail::drive_mobility<T, m>(links, in, u);
+    T springs[n] = {}, dampers[m] = {}, drives[m] = {};
+    for_each_link(joints, [&](auto i) AXIAL_INLINE { springs[i] = T(spring_slope(joints.link(i))); });
+    links.each_drive([&](auto k) AXIAL_INLINE {
+      drives[k] = T(drive.stiffness[k]);
+      dampers[k] = T(detail::friction_damping(links.drives().link(k), T(0)) + drive.damping[k]);
+    });
+    Velocities<robot_of<S>, T> moved[n] = {};  // rows of G M_u^-1
+    for (int k = 0; k < links.drives().size(); ++k) {
+      Velocities<robot_of<S>, T> column{};
+      for (int l = 0; l < links.drives().size(); ++l)
+        column[l] = mobility.values[l][k];
+      const auto rates = links.rates(column);
+      for (int i = 0; i < joints.size(); ++i)
+        moved[i][k] = rates[i];
+    }
+    detail::Square<T, n> of_joints{};
+    for (int i = 0; i < joints.size(); ++i) {
+      const auto row = links.rates(moved[i]);
+      for (int j = 0; j < joints.size(); ++j)
+        of_joints.values[i][j] = row[j];
+    }
+    return {detail::largest_eigenvalue_bound(detail::weighted(of_joints, springs), joints.size()) +
+                detail::largest_eigenvalue_bound(detail::weighted(mobility, drives), links.drives().size()),
+            detail::largest_eigenvalue_bound(detail::weighted(mobility, dampers), links.drives().size())};
+  }
+};
+
 }  // namespace axial
 
 #include <axial/options/end.hpp>

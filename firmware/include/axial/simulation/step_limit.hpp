@@ -42,19 +42,22 @@ constexpr Square<T, N> weighted_mobility(const Links& links, const Input& in, co
   return a;
 }
 
-template <class T, class System, class Q, class S, class Stiffness>
-constexpr StiffBounds<T> stiff_bounds(const System& system, const Q& q, const Inputs<S, T>& in,
-                                      const Stiffness& drive) {
-  constexpr int n = joint_count<S>;
-  auto links = system.template links<T>();
-  T springs[n] = {}, dampers[n] = {};
-  for_each_link(links, [&](auto i) AXIAL_INLINE {
-    springs[i] = T(spring_slope(links.link(i)) + drive.stiffness[i]);
-    dampers[i] = T(friction_damping(links.link(i), T(0)) + drive.damping[i]);
-  });
-  return {largest_eigenvalue_bound(weighted_mobility(links, in, q, springs), links.size()),
-          largest_eigenvalue_bound(weighted_mobility(links, in, q, dampers), links.size())};
-}
+/// How stiff springs, dampers and drives are for what they move.
+template <class S, class T>
+struct StiffnessAt {
+  /// bounds at q
+  template <class Links, class Q, class Stiffness>
+  static constexpr StiffBounds<T> run(const Links& links, const Q& q, const Inputs<S, T>& in, const Stiffness& drive) {
+    constexpr int n = joint_count<S>;
+    T springs[n] = {}, dampers[n] = {};
+    for_each_link(links, [&](auto i) AXIAL_INLINE {
+      springs[i] = T(spring_slope(links.link(i)) + drive.stiffness[i]);
+      dampers[i] = T(friction_damping(links.link(i), T(0)) + drive.damping[i]);
+    });
+    return {largest_eigenvalue_bound(weighted_mobility(links, in, q, springs), links.size()),
+            largest_eigenvalue_bound(weighted_mobility(links, in, q, dampers), links.size())};
+  }
+};
 
 // x^2 + 4 y, rooted, without squares that overflow or vanish.
 template <class T>
@@ -81,26 +84,25 @@ constexpr T limit_of(LinearlyImplicitEuler, const StiffBounds<T>&) {
   return std::numeric_limits<T>::infinity();
 }
 
-template <class Links, class Input, class Q, class All>
-constexpr void sound_positions(const Links& links, const Input& in, const Q& q, All& all) {
-  collect_inputs(all, links, in);
-  for_each_link(links, [&](auto i) AXIAL_INLINE {
-    links.link(i).on_joint([&](auto kind) AXIAL_INLINE { all.position(kind, q[i]); });
-  });
-}
+/// Collects what is asked: inputs and positions.
+struct SoundPositions {
+  using Roles = axial::Roles<role::Position, role::None>;  ///< of its arguments
+  /// into `all`
+  template <class Links, class Input, class Q, class All>
+  static constexpr void run(const Links& links, const Input& in, const Q& q, All& all) {
+    collect_inputs(all, links, in);
+    for_each_link(links, [&](auto i) AXIAL_INLINE {
+      links.link(i).on_joint([&](auto kind) AXIAL_INLINE { all.position(kind, q[i]); });
+    });
+  }
+};
 
 template <class Method, class T, class System, class Q, class S, class Stiffness>
 constexpr StepLimit<T> step_limit_in(const System& system, const Q& q, const Inputs<S, T>& in, const Stiffness& drive) {
   const auto links = system.template links<T>();
   Soundness<T> all;
-  StiffBounds<T> bounds;
-  if constexpr (is_driven<std::decay_t<decltype(links)>>) {
-    bounds = driven_stiff_bounds<T, S>(links, q, in, drive);
-    sound_positions(links.joints(), in, links.positions(q), all);
-  } else {
-    bounds = stiff_bounds<T>(system, q, in, drive);
-    sound_positions(links, in, q, all);
-  }
+  const StiffBounds<T> bounds = execute<StiffnessAt<S, T>>(links, q, in, drive);
+  execute<SoundPositions>(links, in, q, all);
   all.number(bounds.stiffness), all.number(bounds.damping);
   for (int i = 0; i < system.size(); ++i)
     all.number(T(drive.stiffness[i])), all.number(T(drive.damping[i]));

@@ -57,24 +57,27 @@ struct ModelSystem {
   }
 };
 
+/// The step over links, by articulated bodies on full parameters.
+struct ImplicitStep {
+  /// status of the accelerations that it writes
+  template <class Links, class T, class Input, class Q, class V, class Tau, class Stiffness, class A>
+  static constexpr Status run(const Links& links, T h, const Input& in, const Q& q, const V& qd, const Tau& tau,
+                              const Stiffness& drive, A& result) {
+    StiffLinks<Links, V, Stiffness> stiff(links, h, qd, drive);
+    Tau left{};
+    for_each_link(stiff, [&](auto i) AXIAL_INLINE { left[i] = tau[i] - T(h * (stiff.stiffness(i) * qd[i])); });
+    return aba::run(stiff, in, q, qd, left, result);
+  }
+};
 /// Accelerations a with (M + h D + h^2 K) a = tau - c - g - passive efforts - h K qd, the step of the linearly implicit
-/// method: articulated bodies on full parameters, whatever route the scene names; composite bodies where joints share
-/// drives.
+/// method, whatever route the scene names.
 template <class T, class System, class Q, class V, class Tau, class S, class Stiffness>
 constexpr ForwardDynamicsOf<S, T> implicit_accelerations(const System& system, T h, const Q& q, const V& qd,
                                                          const Tau& tau, const Inputs<S, T>& in,
                                                          const Stiffness& drive) {
   auto links = system.template links<T>();
   ForwardDynamicsOf<S, T> result{};
-  Status solved;
-  if constexpr (is_driven<decltype(links)>) {
-    solved = implicit_drives(links, h, in, q, qd, tau, drive, result);
-  } else {
-    StiffLinks<decltype(links), V, Stiffness> stiff(links, h, qd, drive);
-    Tau left{};
-    for_each_link(stiff, [&](auto i) AXIAL_INLINE { left[i] = tau[i] - T(h * (stiff.stiffness(i) * qd[i])); });
-    solved = aba::run(stiff, in, q, qd, left, result);
-  }
+  const Status solved = execute<ImplicitStep>(links, h, in, q, qd, tau, drive, result);
   result.status = sound_status(links, collected_request(links, in, q, qd), result, solved);
   return result;
 }
