@@ -168,9 +168,7 @@ InwardResult(F) -> InwardResult<F>;
 template <class Links, class Input, class Q, class Screws, class V, class A, class Each>
 AXIAL_INLINE constexpr void propagate_inward(const Links& links, const Input& in, const Q& q, const Screws& screws,
                                              const V& qd, const A& qdd, const Each& each) {
-  static_assert(
-      detail::rotors_included<std::conditional_t<Links::Scene::template has<RotorDynamics>, RotorDynamics, void>>,
-      "axial: rotors as bodies are a header of their own: add #include <axial/transmissions/rotor_dynamics.hpp>");
+  static_cast<void>(detail::RotorsIncluded<typename Links::Scene>{});
   auto motions = link_motions(links, in, screws, qd, qdd);
   auto water = immersions(links, in, screws, qd);
   auto joint = [&](auto i, const auto& force) AXIAL_INLINE {

@@ -86,9 +86,7 @@ AXIAL_INLINE constexpr auto own_body(const Links& links, const Loads& loads, I i
 /// The force of joint i at link j, with the moment of its rotor where link j carries that.
 template <class Links, class I, class J, class F>
 AXIAL_INLINE constexpr auto at_link(const Links& links, I i, J j, const F& force) {
-  static_assert(
-      detail::rotors_included<std::conditional_t<Links::Scene::template has<RotorDynamics>, RotorDynamics, void>>,
-      "axial: rotors as bodies are a header of their own: add #include <axial/transmissions/rotor_dynamics.hpp>");
+  static_cast<void>(detail::RotorsIncluded<typename Links::Scene>{});
   if constexpr (Links::Scene::template has<RotorDynamics>)
     return with_rotor(links, i, j, force);
   else

@@ -63,27 +63,9 @@ constexpr RouteCost unrolled_cost() {
   return cost;
 }
 
-/// Whether articulated bodies over clusters cost less where joints share drives: transmissions/shared_drives.hpp.
-template <class Scene>
-constexpr bool clusters_cost_less();
-
 template <class Scene>
 constexpr Route chosen_route() {
-  if constexpr (shares_drives_in<typename Scene::Robot>) {
-    constexpr bool articulated = Scene::template has<ArticulatedBody> || Scene::template has<SplitArticulatedBody>;
-    static_assert(!(articulated && (Scene::template has<Looped> || Scene::template has<Underwater> ||
-                                    Scene::template has<FloatingBase>)),
-                  "axial: joints that share drives are solved by articulated bodies over clusters where links are "
-                  "unrolled, in air, on a base that does not float; take ArticulatedBody or SplitArticulatedBody out");
-    if constexpr (articulated)
-      return Route::split_articulated_body;
-    else if constexpr (Scene::template has<CompositeBody> || Scene::template has<Looped> ||
-                       Scene::template has<Underwater> || Scene::template has<RotorDynamics> ||
-                       Scene::template has<FloatingBase>)
-      return Route::composite_body;
-    else
-      return clusters_cost_less<Scene>() ? Route::split_articulated_body : Route::composite_body;
-  } else if constexpr (Scene::template has<ArticulatedBody> || Scene::template has<FloatingBase>) {
+  if constexpr (Scene::template has<ArticulatedBody> || Scene::template has<FloatingBase>) {
     return Route::articulated_body;
   } else if constexpr (Scene::template has<SplitArticulatedBody>) {
     return Route::split_articulated_body;
@@ -101,6 +83,10 @@ constexpr Route chosen_route() {
   }
 }
 
+/// Route of a scene; couplings have one of their own.
+template <class Scene>
+inline constexpr Route scene_route = chosen_route<Scene>();
+
 }  // namespace detail
 
 /// The form that `forward_dynamics<S>` takes: the one that the scene names (ArticulatedBody, SplitArticulatedBody,
@@ -108,7 +94,7 @@ constexpr Route chosen_route() {
 /// or tree (elimination_loss.hpp), else ABA. A floating base, an underwater scene and a run-time Model take ABA. Where
 /// joints share drives, ABA is its split form over clusters (clustered_dynamics.hpp).
 template <class S>
-inline constexpr Route forward_dynamics_route = detail::chosen_route<scene_of<S>>();
+inline constexpr Route forward_dynamics_route = detail::scene_route<scene_of<S>>;
 }  // namespace axial
 
 #include <axial/options/end.hpp>

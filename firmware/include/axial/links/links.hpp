@@ -230,8 +230,7 @@ inline constexpr bool is_refused = false;  ///< whether links are such ones
 template <class Scene>
 inline constexpr bool is_refused<RefusedLinks<Scene>> = true;  ///< they are
 
-/// How an algorithm runs over links: by itself where joint values are theirs, not at all where they are refused. What
-/// stands between values and joints (transmissions/) has specialisations, of which algorithms know nothing.
+/// How an algorithm runs over links: by itself, not at all where they are refused; what couples joints specialises it.
 template <class Algorithm, class Links, class = void>
 struct Execution {
   /// runs it

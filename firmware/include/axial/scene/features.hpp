@@ -121,14 +121,17 @@ struct VelocityThroughWater : Feature<VelocityThroughWater> {
 /// gear^2 J of each drive on its own joint.
 struct RotorInertia : Feature<RotorInertia> {};
 
-/// Rotors as spinning bodies on the links that carry them, beside RotorInertia: what couples a drive to the turning of
-/// its carrier (transmissions/rotor_dynamics.hpp, which axial.hpp includes; doc/guides/rotors.md).
+/// Rotors as bodies that spin on the links that carry them, beside RotorInertia (doc/guides/rotors.md).
 struct RotorDynamics : Feature<RotorDynamics> {};
 
 namespace detail {
-/// Whether what computes RotorDynamics is included, or is not wanted (void).
-template <class Wanted>
-inline constexpr bool rotors_included = std::is_void_v<Wanted>;
+/// Stops the compiler where a scene names RotorDynamics and what computes it is not included.
+template <class Scene, bool named = Scene::template has<RotorDynamics>>
+struct RotorsIncluded {
+  static_assert(
+      !named,
+      "axial: rotors as bodies are a header of their own: add #include <axial/transmissions/rotor_dynamics.hpp>");
+};
 }  // namespace detail
 
 /// Friction as the links declare it, on the joint side: viscous, Coulomb, Stribeck; 0 at rest.

@@ -148,6 +148,27 @@ constexpr bool clusters_cost_less() {
   }
   return cost.articulated < cost.composite;
 }
+
+/// Route where joints share drives.
+template <class Scene>
+constexpr Route driven_route() {
+  constexpr bool articulated = Scene::template has<ArticulatedBody> || Scene::template has<SplitArticulatedBody>;
+  static_assert(!(articulated && (Scene::template has<Looped> || Scene::template has<Underwater> ||
+                                  Scene::template has<FloatingBase>)),
+                "axial: joints that share drives are solved by articulated bodies over clusters where links are "
+                "unrolled, in air, on a base that does not float; take ArticulatedBody or SplitArticulatedBody out");
+  if constexpr (articulated)
+    return Route::split_articulated_body;
+  else if constexpr (Scene::template has<CompositeBody> || Scene::template has<Looped> ||
+                     Scene::template has<Underwater> || Scene::template has<RotorDynamics> ||
+                     Scene::template has<FloatingBase>)
+    return Route::composite_body;
+  else
+    return clusters_cost_less<Scene>() ? Route::split_articulated_body : Route::composite_body;
+}
+template <class R, class... Features>
+inline constexpr Route scene_route<Scene<DriveCoordinates<R>, Features...>> =
+    driven_route<Scene<DriveCoordinates<R>, Features...>>();
 }  // namespace detail
 }  // namespace axial
 

@@ -27,8 +27,8 @@ RotorSpin(H, R) -> RotorSpin<H, R>;
 
 namespace detail {
 
-template <>
-inline constexpr bool rotors_included<RotorDynamics> = true;
+template <class Scene>
+struct RotorsIncluded<Scene, true> {};
 
 // Sum of gear J x z over the rotors on link I, from joint J on.
 template <int J, class Links, class I, class X>
