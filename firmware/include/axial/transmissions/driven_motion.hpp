@@ -8,26 +8,6 @@
 #include <axial/options/begin.hpp>
 
 namespace axial {
-namespace driven {
-
-/// The recursion over the joints that drives share, by `links` over dual or Taylor numbers; answers what of their
-/// rotors, where those are bodies, drive k feels besides: of_rotor(k). `ud` and `udd` are the drives'.
-template <class Links, class Joints, class Input, class Q, class Screws, class W, class B, class V, class A, class Each>
-AXIAL_INLINE constexpr auto run_joints(const Links& plain, const Joints& links, const Input& in, const Q& q,
-                                       const Screws& screws, const W& qd, const B& qdd, const V& ud, const A& udd,
-                                       const Each& each) {
-  if constexpr (Links::Scene::template has<RotorDynamics>) {
-    const auto motions = propagate_inward(plain, links, in, q, screws, qd, qdd, ud, udd, each);
-    return [&plain, &in, links, motions](auto k) AXIAL_INLINE { return effort_on_rotor(plain, links, in, k, motions); };
-  } else {
-    rnea::propagate_inward(links, in, q, screws, qd, qdd,
-                           [&](auto i, const auto&, const auto& effort) AXIAL_INLINE { each(i, effort); });
-    return [](auto) AXIAL_INLINE { return Zero{}; };
-  }
-}
-
-}  // namespace driven
-
 /// Efforts of the drives along a direction.
 template <class Links>
 struct Execution<derivatives::Along, Links, IfDriven<Links>> {

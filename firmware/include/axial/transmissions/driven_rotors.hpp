@@ -48,22 +48,21 @@ AXIAL_INLINE constexpr auto propagate_inward(const Links& links, const Bodies& j
   return motions;
 }
 
-/// Efforts of the drives with their rotors as bodies; rates may be NoMotion.
-template <class Links, class Input, class U, class V, class A, class Tau>
-AXIAL_INLINE constexpr void efforts_with_rotors(const Links& links, const Input& in, const U& u, const V& ud,
-                                                const A& udd, Tau& tau) {
-  const auto& joints = links.joints();
-  const auto q = links.positions(u);
-  typename Links::JointValues at_joints{};
-  const auto motions = propagate_inward(
-      links, joints, in, q, joint_screws(joints, in, q), links.kernel_rates(ud), links.kernel_rates(udd), ud, udd,
-      [&](auto i, const auto& effort) AXIAL_INLINE { joints.write(at_joints, i, effort); });
-  const auto actuator_effort = links.actuator_efforts(at_joints);
-  links.each_drive([&](auto k) AXIAL_INLINE {
-    const auto drive = links.drives().link(k);
-    links.answer(tau, k, actuator_effort, friction_effort(drive, ud[k]), drive.rotor() * udd[k],
-                 effort_on_rotor(links, joints, in, k, motions));
-  });
+/// Newton and Euler's recursion over the joints that drives share, by `links` over any numbers: calls each(i, effort);
+/// answers what of their rotors, where those are bodies, drive k feels besides: of_rotor(k). `ud`, `udd` are the
+/// drives'.
+template <class Links, class Joints, class Input, class Q, class Screws, class W, class B, class V, class A, class Each>
+AXIAL_INLINE constexpr auto run_joints(const Links& plain, const Joints& links, const Input& in, const Q& q,
+                                       const Screws& screws, const W& qd, const B& qdd, const V& ud, const A& udd,
+                                       const Each& each) {
+  if constexpr (Links::Scene::template has<RotorDynamics>) {
+    const auto motions = propagate_inward(plain, links, in, q, screws, qd, qdd, ud, udd, each);
+    return [&plain, &in, links, motions](auto k) AXIAL_INLINE { return effort_on_rotor(plain, links, in, k, motions); };
+  } else {
+    rnea::propagate_inward(links, in, q, screws, qd, qdd,
+                           [&](auto i, const auto&, const auto& effort) AXIAL_INLINE { each(i, effort); });
+    return [](auto) AXIAL_INLINE { return Zero{}; };
+  }
 }
 
 /// Calls each(i, share) for every joint from j inwards, with what it feels of a moment on link j.

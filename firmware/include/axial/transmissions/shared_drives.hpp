@@ -56,20 +56,23 @@ struct DrivenKernels {
   template <class Input, class Q, class V, class A, class Tau>
   AXIAL_INLINE static constexpr void efforts(const Links& links, const Input& in, const Q& u, const V& ud, const A& udd,
                                              Tau& tau) {
-    if constexpr (Links::Scene::template has<RotorDynamics>) {
-      driven::efforts_with_rotors(links, in, u, ud, udd, tau);
-    } else {
-      typename Links::JointValues at_joints{};
-      execute<rnea::InverseDynamics>(links.joints(), in, links.positions(u), links.kernel_rates(ud),
-                                     links.kernel_rates(udd), at_joints);
-      const auto actuator_effort = links.actuator_efforts(at_joints);
-      const auto speeds = links.read_drives(ud);
-      const auto accelerations = links.read_drives(udd);
-      links.each_drive([&](auto k) AXIAL_INLINE {
-        const auto drive = links.drives().link(k);
-        links.answer(tau, k, actuator_effort, friction_effort(drive, speeds[k]), drive.rotor() * accelerations[k]);
-      });
-    }
+    const auto& joints = links.joints();
+    const auto q = links.positions(u);
+    const auto qd = links.kernel_rates(ud);
+    const auto qdd = links.kernel_rates(udd);
+    const auto at = joints.read(q);
+    typename Links::JointValues at_joints{};
+    const auto of_rotor =
+        driven::run_joints(links, joints, in, at, joint_screws(joints, in, at), joints.read(qd), joints.read(qdd), ud,
+                           udd, [&](auto i, const auto& effort) AXIAL_INLINE { joints.write(at_joints, i, effort); });
+    const auto actuator_effort = links.actuator_efforts(at_joints);
+    const auto speeds = links.read_drives(ud);
+    const auto accelerations = links.read_drives(udd);
+    links.each_drive([&](auto k) AXIAL_INLINE {
+      const auto drive = links.drives().link(k);
+      links.answer(tau, k, actuator_effort, friction_effort(drive, speeds[k]), drive.rotor() * accelerations[k],
+                   of_rotor(k));
+    });
   }
 
   /// M of the drives.
@@ -109,19 +112,13 @@ struct DrivenKernels {
                                                        const Screws& screws, const W& qd, const V& ud, const Tau& tau,
                                                        A& left) {
     typename Links::JointValues bias{};
-    if constexpr (Links::Scene::template has<RotorDynamics>) {
-      const auto& joints = links.joints();
-      const auto motions =
-          driven::propagate_inward(links, joints, in, q, screws, qd, NoMotion{}, ud, NoMotion{},
-                                   [&](auto i, const auto& effort) AXIAL_INLINE { joints.write(bias, i, effort); });
-      remaining_efforts(links, bias, ud, tau, left);
-      links.each_drive([&](auto k) AXIAL_INLINE {
-        left[k] = static_cast<T>(left[k] - effort_on_rotor(links, joints, in, k, motions));
-      });
-    } else {
-      rnea::efforts(links.joints(), in, q, screws, qd, NoMotion{}, bias);
-      remaining_efforts(links, bias, ud, tau, left);
-    }
+    const auto& joints = links.joints();
+    const auto of_rotor =
+        driven::run_joints(links, joints, in, q, screws, qd, NoMotion{}, ud, NoMotion{},
+                           [&](auto i, const auto& effort) AXIAL_INLINE { joints.write(bias, i, effort); });
+    remaining_efforts(links, bias, ud, tau, left);
+    if constexpr (Links::Scene::template has<RotorDynamics>)
+      links.each_drive([&](auto k) AXIAL_INLINE { left[k] = static_cast<T>(left[k] - of_rotor(k)); });
   }
   /// What the drives' efforts leave besides efforts of the joints and the drives' friction.
   template <class Of, class Values, class V, class Tau, class A>
