@@ -84,7 +84,7 @@ Row<double, N> certified(const Change& change) {
             ranges = articulated_at_rest_sizes(m, r, detail::usual_drive(m, r, motion));
   for (int i = 0; i < N; ++i) {
     motion.range[i].joint_effort.error = 0.0;
-    for (const auto quantity : all_formats)
+    for (const auto quantity : all_quantities<int>)
       ranges.format[i].*quantity = fine;
   }
   change(ranges, motion, r);

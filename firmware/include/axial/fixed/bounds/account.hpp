@@ -1,12 +1,25 @@
 // What a kernel run on bounds finds out, and the scene that it sees.
 #pragma once
 
-#include <axial/fixed/bounds/quantities.hpp>
 #include <axial/fixed/bounds/shared_formats.hpp>
 
 #include <axial/options/begin.hpp>
 
 namespace axial::bounds {
+
+/// The largest size of each quantity of a link, SI; negative until one is noted.
+struct LinkSizes : PerQuantity<double> {
+  constexpr LinkSizes() {
+    for (const auto quantity : all_quantities<double>)
+      this->*quantity = -1.0;
+  }
+};
+
+/// Room that a quantity needs, as a multiple of its norm. Two entries of a matrix' diagonal may have opposite signs,
+/// those of an inertia where parameters are regrouped: their difference is what a turn multiplies.
+template <class Quantity>
+inline constexpr double room_for =
+    std::is_same_v<Quantity, quantity::RotationalInertia> || std::is_same_v<Quantity, quantity::FlowMoment> ? 2.0 : 1.0;
 
 /// What a kernel in bounds finds out: the size that each quantity of each link has to have room for, and how large and
 /// how exact it is at last. Run once to size the formats, and again to add up errors in them.
@@ -21,10 +34,11 @@ struct Account {
 
   /// Formats from the sizes that were noted.
   constexpr void choose_formats() {
+    constexpr const auto &sizes = all_quantities<double>, &formats = all_quantities<int>;
     for (int i = 0; i < N; ++i)
-      for (int k = 0; k < LinkSizes::count; ++k)
-        if (widest[i].of[k] >= 0.0)
-          ranges.format[i].*all_formats[k] = mechanism.format(rounding, all_formats[k], widest[i].of[k]);
+      for (int k = 0; k < axial::detail::AllQuantities::count; ++k)
+        if (const double size = widest[i].*sizes[k]; size >= 0.0)
+          ranges.format[i].*formats[k] = mechanism.format(rounding, formats[k], size);
     for (int i = 0; i < N && !mechanism.steps.shared; ++i)
       if (mechanism.joints[i].effort_format != JointRange::unknown)
         ranges.format[i].joint_effort = mechanism.joints[i].effort_format;

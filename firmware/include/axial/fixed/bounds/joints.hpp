@@ -63,11 +63,10 @@ constexpr void note_description(Account<N>& account) {
     const double travel = m.joints[i].travel,
                  moment = axial::detail::length_of(c.hx, c.hy, c.hz) + m.loads.payload_moment;
     LinkSizes& widest = account.widest[i];
-    widest.of[place_of(quantity::Length{}).index()] = travel > 0.0 ? travel : 1.0;
-    widest.of[place_of(quantity::Mass{}).index()] = magnitude(c.mass) + m.loads.payload_mass;
-    widest.of[place_of(quantity::FirstMoment{}).index()] = 2.0 * moment;
-    widest.of[place_of(quantity::RotationalInertia{}).index()] =
-        2.0 * (axial::detail::norm_of(c) + m.loads.payload_inertia);
+    widest.of(quantity::Length{}) = travel > 0.0 ? travel : 1.0;
+    widest.of(quantity::Mass{}) = magnitude(c.mass) + m.loads.payload_mass;
+    widest.of(quantity::FirstMoment{}) = 2.0 * moment;
+    widest.of(quantity::RotationalInertia{}) = 2.0 * (axial::detail::norm_of(c) + m.loads.payload_inertia);
   }
 }
 

@@ -58,7 +58,7 @@ constexpr Account<N> positions(const Mechanism<N>& m, const WordRounding& r) {
   for (int i = 0; i < N; ++i)
     longest += m.origin_distance(i);
   for (LinkSizes& widest : account.widest)
-    widest.of[place_of(quantity::Length{}).index()] = longest > 1.0 ? longest : 1.0;
+    widest.of(quantity::Length{}) = longest > 1.0 ? longest : 1.0;
   account.choose_formats();
   return account;
 }

@@ -118,16 +118,15 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   }
   /// Notes a bound that a quantity has to have `room` times as much room for; of lengths the description says more.
   template <class Quantity>
-  constexpr void note(Quantity, const Ball& bound, double room = room_for<Quantity>) const {
+  constexpr void note(Quantity quantity, const Ball& bound, double room = room_for<Quantity>) const {
     if (!noting_ || account_->quiet) return;
-    constexpr Place place = place_of(Quantity{});
-    if constexpr (!std::is_same_v<Quantity, quantity::Length>) widen(place, room * bound.size);
-    account_->ranges.range[index_].*place.range = bound;
+    if constexpr (!std::is_same_v<Quantity, quantity::Length>) widen(quantity, room * bound.size);
+    account_->ranges.range[index_].of(quantity) = bound;
   }
   /// Has room for a sum of words that is larger than what is kept of it.
   template <class Quantity>
   constexpr void leave_room(Quantity quantity, double size) const {
-    if (noting_ && !account_->quiet) widen(place_of(quantity), size);
+    if (noting_ && !account_->quiet) widen(quantity, size);
   }
   /// Calls f without noting sizes: another way bounds them better.
   template <class F>
@@ -215,8 +214,9 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   constexpr const LoadRange& loads() const { return mechanism().loads; }
   constexpr bool shared() const { return mechanism().steps.shared; }
   constexpr const TreeLinkConstants<double>& constants() const { return mechanism().links[index_]; }
-  constexpr void widen(const Place& place, double size) const {
-    double& widest = account_->widest[index_].of[place.index()];
+  template <class Quantity>
+  constexpr void widen(Quantity quantity, double size) const {
+    double& widest = account_->widest[index_].of(quantity);
     if (size > widest) widest = size;
   }
   // The mass stays a literal; with a payload it is the sum of one and a word.

@@ -51,10 +51,10 @@ constexpr void note_unit_forces(Account<N>& account) {
     const LinkRange& own = account.ranges.range[i];
     const bool slides = m.links[i].prismatic;
     LinkSizes& widest = account.widest[i];
-    widen(widest.of[place_of(quantity::Moment{}).index()], (slides ? own.first_moment : own.rotational_inertia).size);
-    widen(widest.of[place_of(quantity::Force{}).index()], slides ? carried[i] : own.first_moment.size);
-    widen(widest.of[place_of(quantity::JointInertia{}).index()], slides ? carried[i] : 0.0);
-    if (account.rounding.tabled) widen(widest.of[place_of(quantity::Mass{}).index()], carried[i]);
+    widen(widest.of(quantity::Moment{}), (slides ? own.first_moment : own.rotational_inertia).size);
+    widen(widest.of(quantity::Force{}), slides ? carried[i] : own.first_moment.size);
+    widen(widest.of(quantity::JointInertia{}), slides ? carried[i] : 0.0);
+    if (account.rounding.tabled) widen(widest.of(quantity::Mass{}), carried[i]);
   }
 }
 

@@ -33,88 +33,87 @@ struct LoadRange {
   bool gravity_given = false, tool_given = false;          ///< whether gravity, the tool is a run-time input, words
 };
 
-/// Bounds of the quantities of one link: how large they can be and how exact they are.
-struct LinkRange {
-  /// Bound of a quantity of the link (of a vector its norm), SI.
+/// One value for each quantity that a link keeps.
+template <class T>
+struct PerQuantity {
+  /// Value of a quantity of the link.
   ///@{
-  Ball angular_velocity{}, angular_acceleration{}, linear_acceleration{}, gravity{};
-  Ball moment{}, force{};
-  Ball rotational_inertia{}, first_moment{}, mass{};
-  Ball joint_inertia{}, angular_gain{}, linear_gain{}, joint_effort{}, joint_acceleration{}, length{}, rotation{};
-  Ball linear_velocity{}, axis_acceleration{}, flow_moment{}, flow_momentum{};
-  Ball unit_moment{}, unit_force{}, position_moment{}, position_force{};
+  T angular_velocity{}, angular_acceleration{}, linear_acceleration{}, gravity{};
+  T moment{}, force{};
+  T rotational_inertia{}, first_moment{}, mass{};
+  T joint_inertia{}, angular_gain{}, linear_gain{}, joint_effort{}, joint_acceleration{}, length{};
+  T linear_velocity{}, axis_acceleration{}, flow_moment{}, flow_momentum{};
+  T unit_moment{}, unit_force{}, position_moment{}, position_force{};
   ///@}
+
+  /// Where a quantity stands.
+  ///@{
+  static constexpr auto at(quantity::AngularVelocity) { return &PerQuantity::angular_velocity; }
+  static constexpr auto at(quantity::AngularAcceleration) { return &PerQuantity::angular_acceleration; }
+  static constexpr auto at(quantity::LinearAcceleration) { return &PerQuantity::linear_acceleration; }
+  static constexpr auto at(quantity::Moment) { return &PerQuantity::moment; }
+  static constexpr auto at(quantity::Force) { return &PerQuantity::force; }
+  static constexpr auto at(quantity::RotationalInertia) { return &PerQuantity::rotational_inertia; }
+  static constexpr auto at(quantity::FirstMoment) { return &PerQuantity::first_moment; }
+  static constexpr auto at(quantity::Mass) { return &PerQuantity::mass; }
+  static constexpr auto at(quantity::JointInertia) { return &PerQuantity::joint_inertia; }
+  static constexpr auto at(quantity::AngularGain) { return &PerQuantity::angular_gain; }
+  static constexpr auto at(quantity::LinearGain) { return &PerQuantity::linear_gain; }
+  static constexpr auto at(quantity::JointEffort) { return &PerQuantity::joint_effort; }
+  static constexpr auto at(quantity::JointAcceleration) { return &PerQuantity::joint_acceleration; }
+  static constexpr auto at(quantity::Length) { return &PerQuantity::length; }
+  static constexpr auto at(quantity::GravityAcceleration) { return &PerQuantity::gravity; }
+  static constexpr auto at(quantity::LinearVelocity) { return &PerQuantity::linear_velocity; }
+  static constexpr auto at(quantity::AxisAcceleration) { return &PerQuantity::axis_acceleration; }
+  static constexpr auto at(quantity::FlowMoment) { return &PerQuantity::flow_moment; }
+  static constexpr auto at(quantity::FlowMomentum) { return &PerQuantity::flow_momentum; }
+  static constexpr auto at(quantity::UnitMoment) { return &PerQuantity::unit_moment; }
+  static constexpr auto at(quantity::UnitForce) { return &PerQuantity::unit_force; }
+  static constexpr auto at(quantity::PositionMoment) { return &PerQuantity::position_moment; }
+  static constexpr auto at(quantity::PositionForce) { return &PerQuantity::position_force; }
+  ///@}
+  /// The value of a quantity.
+  ///@{
+  template <class Quantity>
+  constexpr const T& of(Quantity quantity) const {
+    return this->*at(quantity);
+  }
+  template <class Quantity>
+  constexpr T& of(Quantity quantity) {
+    return this->*at(quantity);
+  }
+  ///@}
+};
+/// Exponents of the quantities of one link: value = raw 2^-exponent.
+using LinkFormat = PerQuantity<int>;
+/// Bounds of the quantities of one link, of a vector of its norm (SI): how large they can be and how exact they are.
+struct LinkRange : PerQuantity<Ball> {
+  Ball rotation{};            ///< of the rows of its rotation
   bool turns_across = false;  ///< whether the link turns about more than its joint's axis
   double least = 0.0;         ///< inertia that its joint feels, at least; below it has a status, kg m^2 or kg
   double drive = 0.0;         ///< effort that drives a joint besides the bias, at most
   double share = 0.0;         ///< of a joint in qdd^T M qdd, at most
 };
 
-/// Exponents of the quantities of one link.
-struct LinkFormat {
-  /// Exponent of a quantity of the link: value = raw 2^-exponent.
-  ///@{
-  int angular_velocity = 0, angular_acceleration = 0, linear_acceleration = 0;
-  int moment = 0, force = 0;
-  int rotational_inertia = 0, first_moment = 0, mass = 0;
-  int joint_inertia = 0, angular_gain = 0, linear_gain = 0, joint_effort = 0, joint_acceleration = 0, length = 0,
-      gravity = 0;
-  int linear_velocity = 0, axis_acceleration = 0, flow_moment = 0, flow_momentum = 0;
-  int unit_moment = 0, unit_force = 0, position_moment = 0, position_force = 0;
-  ///@}
-
-  /// The exponent of a quantity.
-  ///@{
-  constexpr int of(quantity::AngularVelocity) const { return angular_velocity; }
-  constexpr int of(quantity::AngularAcceleration) const { return angular_acceleration; }
-  constexpr int of(quantity::LinearAcceleration) const { return linear_acceleration; }
-  constexpr int of(quantity::Moment) const { return moment; }
-  constexpr int of(quantity::Force) const { return force; }
-  constexpr int of(quantity::RotationalInertia) const { return rotational_inertia; }
-  constexpr int of(quantity::FirstMoment) const { return first_moment; }
-  constexpr int of(quantity::Mass) const { return mass; }
-  constexpr int of(quantity::JointInertia) const { return joint_inertia; }
-  constexpr int of(quantity::AngularGain) const { return angular_gain; }
-  constexpr int of(quantity::LinearGain) const { return linear_gain; }
-  constexpr int of(quantity::JointEffort) const { return joint_effort; }
-  constexpr int of(quantity::JointAcceleration) const { return joint_acceleration; }
-  constexpr int of(quantity::Length) const { return length; }
-  constexpr int of(quantity::GravityAcceleration) const { return gravity; }
-  constexpr int of(quantity::LinearVelocity) const { return linear_velocity; }
-  constexpr int of(quantity::AxisAcceleration) const { return axis_acceleration; }
-  constexpr int of(quantity::FlowMoment) const { return flow_moment; }
-  constexpr int of(quantity::FlowMomentum) const { return flow_momentum; }
-  constexpr int of(quantity::UnitMoment) const { return unit_moment; }
-  constexpr int of(quantity::UnitForce) const { return unit_force; }
-  constexpr int of(quantity::PositionMoment) const { return position_moment; }
-  constexpr int of(quantity::PositionForce) const { return position_force; }
-  ///@}
+namespace detail {
+template <class... Quantities>
+struct QuantityList {
+  static constexpr int count = sizeof...(Quantities);
+  template <class T>
+  static constexpr T PerQuantity<T>::*members[] = {PerQuantity<T>::at(Quantities{})...};
 };
-
-/// All exponents of a link, in the order of their declaration.
-inline constexpr int LinkFormat::*all_formats[] = {&LinkFormat::angular_velocity,
-                                                   &LinkFormat::angular_acceleration,
-                                                   &LinkFormat::linear_acceleration,
-                                                   &LinkFormat::moment,
-                                                   &LinkFormat::force,
-                                                   &LinkFormat::rotational_inertia,
-                                                   &LinkFormat::first_moment,
-                                                   &LinkFormat::mass,
-                                                   &LinkFormat::joint_inertia,
-                                                   &LinkFormat::angular_gain,
-                                                   &LinkFormat::linear_gain,
-                                                   &LinkFormat::joint_effort,
-                                                   &LinkFormat::joint_acceleration,
-                                                   &LinkFormat::length,
-                                                   &LinkFormat::gravity,
-                                                   &LinkFormat::linear_velocity,
-                                                   &LinkFormat::axis_acceleration,
-                                                   &LinkFormat::flow_moment,
-                                                   &LinkFormat::flow_momentum,
-                                                   &LinkFormat::unit_moment,
-                                                   &LinkFormat::unit_force,
-                                                   &LinkFormat::position_moment,
-                                                   &LinkFormat::position_force};
+/// Every quantity of a link.
+using AllQuantities =
+    QuantityList<quantity::AngularVelocity, quantity::AngularAcceleration, quantity::LinearAcceleration,
+                 quantity::Moment, quantity::Force, quantity::RotationalInertia, quantity::FirstMoment, quantity::Mass,
+                 quantity::JointInertia, quantity::AngularGain, quantity::LinearGain, quantity::JointEffort,
+                 quantity::JointAcceleration, quantity::Length, quantity::GravityAcceleration, quantity::LinearVelocity,
+                 quantity::AxisAcceleration, quantity::FlowMoment, quantity::FlowMomentum, quantity::UnitMoment,
+                 quantity::UnitForce, quantity::PositionMoment, quantity::PositionForce>;
+}  // namespace detail
+/// All values of a link, in one order whatever they are.
+template <class T>
+inline constexpr const auto& all_quantities = detail::AllQuantities::members<T>;
 
 /// What an analysis is asked for. Formats, and how large quantities are, take one run of a kernel on bounds; errors in
 /// these formats take another, which code that computes has no use for.

@@ -35,7 +35,7 @@ template <int N>
 constexpr LinkFormat coarsest(const LinkFormat (&formats)[N]) {
   LinkFormat shared = formats[0];
   for (const LinkFormat& format : formats)
-    for (const auto quantity : all_formats)
+    for (const auto quantity : all_quantities<int>)
       shared.*quantity = smaller(shared.*quantity, format.*quantity);
   return shared;
 }
