@@ -25,12 +25,12 @@ inline constexpr double room_for =
 /// how exact it is at last. Run once to size the formats, and again to add up errors in them.
 template <int N>
 struct Account {
-  const Mechanism<N>& mechanism;  ///< the robot
-  const WordRounding& rounding;   ///< of the arithmetic
-  bool sizing = true;             ///< whether formats are still to be found
-  bool quiet = false;             ///< whether sizes are left unnoted, for another way bounds them better
-  Ranges<N> ranges{};             ///< what is known by now
-  LinkSizes widest[N] = {};       ///< of each link
+  Mechanism<N> mechanism;        ///< the robot
+  const WordRounding& rounding;  ///< of the arithmetic
+  bool sizing = true;            ///< whether formats are still to be found
+  bool quiet = false;            ///< whether sizes are left unnoted, for another way bounds them better
+  Ranges<N> ranges{};            ///< what is known by now
+  LinkSizes widest[N] = {};      ///< of each link
 
   /// Formats from the sizes that were noted.
   constexpr void choose_formats() {
@@ -54,6 +54,12 @@ struct Account {
     return common;
   }
 };
+
+/// An account of errors in the formats that `ranges` say.
+template <int N>
+constexpr Account<N> account_in_formats(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges) {
+  return {r.tabled ? axial::detail::sharing(m, r, ranges) : m, r, false, false, ranges};
+}
 
 /// What is named by a scene of bounds: everything that costs nothing where it is zero, payload and wrench where they
 /// are there.

@@ -87,11 +87,8 @@ template <int N, class Exponents>
 constexpr DerivativeBounds<N> derive(Account<N>& account, const Exponents& exponents) {
   DerivativeBounds<N> all;
   BoundedEntries<N, Exponents> entries{account.rounding, account.mechanism.steps.shared, exponents, all};
-  with_loads(account.mechanism.loads, [&](auto scene) {
-    const BoundedLinks<decltype(scene), N> links(account);
-    const GivenLoads in = given_loads(account.mechanism.loads, account.rounding);
-    const JointBounds<N> at(account.mechanism, account.rounding);
-    derivatives::run(links, in, at.q, at.qd, at.qdd, entries);
+  with_loads(account, [&entries](const auto& start) {
+    derivatives::run(start.links, start.in, start.at.q, start.at.qd, start.at.qdd, entries);
   });
   return all;
 }
@@ -101,6 +98,13 @@ constexpr DerivativeBounds<N> sizes(Account<N>& account) {
   const DerivativeBounds<N> all = derive(account, NoExponents{});
   account.choose_formats();
   return all;
+}
+template <int N>
+constexpr Ranges<N> slopes(const Mechanism<N>& m, const WordRounding& r, Wanted wanted) {
+  Account<N> account{m, r};
+  sizes(account);
+  if (wanted == Wanted::errors) derive(account, NoExponents{});
+  return account.ranges;
 }
 
 }  // namespace detail
@@ -122,8 +126,7 @@ struct Derived {
 template <int N, class Exponents>
 constexpr Derived<N> derived(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges,
                              const Exponents& exponents) {
-  const Mechanism<N> in_formats = r.tabled ? axial::detail::sharing(m, r, ranges) : m;
-  Account<N> account{in_formats, r, false, false, ranges};
+  auto account = account_in_formats(m, r, ranges);
   const DerivativeBounds<N> entries = detail::derive(account, exponents);
   return {entries, account.ranges};
 }
@@ -139,12 +142,7 @@ constexpr DerivativeBounds<N> derivative_errors(const Mechanism<N>& m, const Wor
 /// Ranges, formats and errors of what the derivatives' recursion keeps.
 template <int N>
 constexpr Ranges<N> derivative_ranges(const Mechanism<N>& m, const WordRounding& r, Wanted wanted = Wanted::errors) {
-  return detail::ranges_by(m, r, wanted, [&r](const Mechanism<N>& of, Wanted part) {
-    bounds::Account<N> account{of, r};
-    bounds::detail::sizes(account);
-    if (part == Wanted::errors) bounds::detail::derive(account, bounds::NoExponents{});
-    return account.ranges;
-  });
+  return detail::ranges_by(bounds::detail::slopes<N>, m, r, wanted);
 }
 
 }  // namespace axial

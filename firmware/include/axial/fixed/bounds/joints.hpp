@@ -70,13 +70,28 @@ constexpr void note_description(Account<N>& account) {
   }
 }
 
-// Calls f with the scene whose loads there are.
-template <class F>
-constexpr auto with_loads(const LoadRange& l, const F& f) {
+// What a kernel of a scene starts from: links that note in `account`, the loads and the joint values there.
+template <class Scene, int N>
+struct KernelStart {
+  BoundedLinks<Scene, N> links;
+  GivenLoads in;
+  JointBounds<N> at;
+  constexpr explicit KernelStart(Account<N>& account)
+      : links(account),
+        in(given_loads(account.mechanism.loads, account.rounding)),
+        at(account.mechanism, account.rounding) {}
+  constexpr auto screws() const { return joint_screws(links, in, at.q); }
+};
+
+// Calls f with what a kernel of the scene starts from whose loads there are.
+template <int N, class F>
+constexpr auto with_loads(Account<N>& account, const F& f) {
+  const LoadRange& l = account.mechanism.loads;
   const bool payload = l.payload_mass > 0.0, wrench = l.tip_force > 0.0 || l.tip_moment > 0.0;
-  if (payload && wrench) return f(BoundedScene<true, true>{});
-  if (payload) return f(BoundedScene<true, false>{});
-  return wrench ? f(BoundedScene<false, true>{}) : f(BoundedScene<false, false>{});
+  if (payload && wrench) return f(KernelStart<BoundedScene<true, true>, N>(account));
+  if (payload) return f(KernelStart<BoundedScene<true, false>, N>(account));
+  if (wrench) return f(KernelStart<BoundedScene<false, true>, N>(account));
+  return f(KernelStart<BoundedScene<false, false>, N>(account));
 }
 
 }  // namespace detail

@@ -64,12 +64,15 @@ constexpr Account<N> positions(const Mechanism<N>& m, const WordRounding& r) {
 }
 
 template <int N>
+constexpr auto frames_of(const KernelStart<NoLoads, N>& start) {
+  return kinematics::frames(start.links, start.in, start.at.q);
+}
+
+template <int N>
 constexpr Ranges<N> poses(const Mechanism<N>& m, const WordRounding& r, Wanted wanted) {
   Account<N> account = positions(m, r);
   if (wanted == Wanted::formats) return account.ranges;
-  const BoundedLinks<NoLoads, N> links(account);
-  const JointBounds<N> at(m, r);
-  const auto frames = kinematics::frames(links, GivenLoads{}, at.q);
+  const auto frames = frames_of(KernelStart<NoLoads, N>(account));
   for (int i = 0; i < N; ++i) {
     const auto& of = frames[i].rotation;
     LinkRange& range = account.ranges.range[i];
@@ -81,9 +84,6 @@ constexpr Ranges<N> poses(const Mechanism<N>& m, const WordRounding& r, Wanted w
   return account.ranges;
 }
 
-}  // namespace detail
-
-namespace detail {
 // The tool as kernels see it: a constant, or words.
 constexpr BoundedPose tool_pose(const LoadRange& l, const WordRounding& r) {
   if (!l.tool_given) return constant_pose(l.tool_offset, r);
@@ -98,11 +98,8 @@ struct ToolError {
 /// Bounds of the tool's pose in the formats that `ranges` say.
 template <int N>
 constexpr ToolError tool_error(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges) {
-  const Mechanism<N> in_formats = r.tabled ? axial::detail::sharing(m, r, ranges) : m;
-  Account<N> account{in_formats, r, false, false, ranges};
-  const BoundedLinks<detail::NoLoads, N> links(account);
-  const detail::JointBounds<N> at(in_formats, r);
-  const auto frames = kinematics::frames(links, GivenLoads{}, at.q);
+  auto account = account_in_formats(m, r, ranges);
+  const auto frames = detail::frames_of(detail::KernelStart<detail::NoLoads, N>(account));
   const Rotation& axes = frames[N - 1].rotation;
   const auto tool = detail::tool_pose(m.loads, r);
   Terms entry;
@@ -120,14 +117,13 @@ constexpr ToolError tool_error(const Mechanism<N>& m, const WordRounding& r, con
 /// Bounds of the tool's Jacobian in the formats that `ranges` say.
 template <int N>
 constexpr JacobianBounds<N> jacobian_bounds(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges) {
-  const Mechanism<N> in_formats = r.tabled ? axial::detail::sharing(m, r, ranges) : m;
-  Account<N> account{in_formats, r, false, false, ranges};
-  const BoundedLinks<detail::NoLoads, N> links(account);
-  const detail::JointBounds<N> at(in_formats, r);
-  const auto frames = kinematics::frames(links, GivenLoads{}, at.q);
+  auto account = account_in_formats(m, r, ranges);
+  const detail::KernelStart<detail::NoLoads, N> start(account);
+  const auto frames = detail::frames_of(start);
   const auto tool = frames[N - 1] * detail::tool_pose(m.loads, r);
   JacobianBounds<N> all;
-  kinematics::columns(links, frames, N - 1, links.link(N - 1).sum(quantity::Length{}, tool.position), all);
+  const auto point = start.links.link(N - 1).sum(quantity::Length{}, tool.position);
+  kinematics::columns(start.links, frames, N - 1, point, all);
   return all;
 }
 
@@ -138,8 +134,7 @@ constexpr JacobianBounds<N> jacobian_bounds(const Mechanism<N>& m, const WordRou
 /// a rotation.
 template <int N>
 constexpr Ranges<N> kinematics_ranges(const Mechanism<N>& m, const WordRounding& r, Wanted wanted = Wanted::errors) {
-  return detail::ranges_by(m, r, wanted,
-                           [&r](const Mechanism<N>& of, Wanted part) { return bounds::detail::poses(of, r, part); });
+  return detail::ranges_by(bounds::detail::poses<N>, m, r, wanted);
 }
 
 }  // namespace axial

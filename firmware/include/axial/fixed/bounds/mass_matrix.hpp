@@ -26,16 +26,9 @@ struct MatrixRows {
 
 namespace detail {
 
-template <class Scene, int N, class Rows>
-constexpr void rows(Account<N>& account, Rows& rows) {
-  const BoundedLinks<Scene, N> links(account);
-  const GivenLoads in = given_loads(account.mechanism.loads, account.rounding);
-  const JointBounds<N> at(account.mechanism, account.rounding);
-  crba::entries(links, in, joint_screws(links, in, at.q), rows);
-}
 template <int N, class Rows>
-constexpr void rows_with_loads(Account<N>& account, Rows& all) {
-  with_loads(account.mechanism.loads, [&](auto scene) { rows<decltype(scene)>(account, all); });
+constexpr void set_rows(Account<N>& account, Rows& rows) {
+  with_loads(account, [&rows](const auto& start) { crba::entries(start.links, start.in, start.screws(), rows); });
 }
 
 // The looped form keeps a joint's unit force, a column of its composite body, in the formats of forces, and adds masses
@@ -64,10 +57,10 @@ constexpr Ranges<N> composite_bodies(const Mechanism<N>& m, const WordRounding& 
   note_description(account);
   const auto none = [](int, int) { return 0; };
   MatrixRows<N, decltype(none)> ignored{r, none};
-  rows_with_loads(account, ignored);
+  set_rows(account, ignored);
   note_unit_forces(account);
   account.choose_formats();
-  if (wanted == Wanted::errors) rows_with_loads(account, ignored);
+  if (wanted == Wanted::errors) set_rows(account, ignored);
   return account.ranges;
 }
 
@@ -77,10 +70,9 @@ constexpr Ranges<N> composite_bodies(const Mechanism<N>& m, const WordRounding& 
 template <int N, class Exponent>
 constexpr Row<double, N> mass_matrix_errors(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges,
                                             const Exponent& exponent) {
-  const Mechanism<N> in_formats = r.tabled ? axial::detail::sharing(m, r, ranges) : m;
-  Account<N> account{in_formats, r, false, false, ranges};
+  auto account = account_in_formats(m, r, ranges);
   MatrixRows<N, Exponent> all{r, exponent};
-  detail::rows_with_loads(account, all);
+  detail::set_rows(account, all);
   Row<double, N> errors;
   for (int i = 0; i < N; ++i)
     errors[i] = all.error[i];
@@ -93,9 +85,7 @@ constexpr Row<double, N> mass_matrix_errors(const Mechanism<N>& m, const WordRou
 template <int N>
 constexpr Ranges<N> composite_body_ranges(const Mechanism<N>& m, const WordRounding& r,
                                           Wanted wanted = Wanted::errors) {
-  return detail::ranges_by(m, r, wanted, [&r](const Mechanism<N>& of, Wanted part) {
-    return bounds::detail::composite_bodies(of, r, part);
-  });
+  return detail::ranges_by(bounds::detail::composite_bodies<N>, m, r, wanted);
 }
 
 }  // namespace axial

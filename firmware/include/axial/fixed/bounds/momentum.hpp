@@ -26,22 +26,20 @@ struct MomentumBounds {
 namespace detail {
 
 // One run of the kernel: momenta in the formats of `moving`, what holds the robot in those of `holding`.
-template <class Scene, int N>
+template <int N>
 constexpr MomentumBounds<N> carry(Account<N>& moving, const Row<Number, N>& holding) {
-  const BoundedLinks<Scene, N> links(moving);
-  const GivenLoads in = given_loads(moving.mechanism.loads, moving.rounding);
-  const JointBounds<N> at(moving.mechanism, moving.rounding);
   MomentumBounds<N> all;
-  momentum::carry(links, in, joint_screws(links, in, at.q), at.qd, holding, all);
+  with_loads(moving, [&](const auto& start) {
+    momentum::carry(start.links, start.in, start.screws(), start.at.qd, holding, all);
+  });
   return all;
 }
-template <class Scene, int N>
+template <int N>
 constexpr Row<Number, N> hold(Account<N>& account) {
-  const BoundedLinks<Scene, N> links(account);
-  const GivenLoads in = given_loads(account.mechanism.loads, account.rounding);
-  const JointBounds<N> at(account.mechanism, account.rounding);
   Row<Number, N> effort{};
-  momentum::hold(links, in, at.q, joint_screws(links, in, at.q), at.qd, effort);
+  with_loads(account, [&effort](const auto& start) {
+    momentum::hold(start.links, start.in, start.at.q, start.screws(), start.at.qd, effort);
+  });
   return effort;
 }
 
@@ -49,12 +47,9 @@ template <int N>
 constexpr MomentumRanges<N> momenta(const Mechanism<N>& m, const WordRounding& r, Wanted wanted) {
   Account<N> account{m, r};
   note_description(account);
-  const auto run = [&account] {
-    return with_loads(account.mechanism.loads, [&account](auto scene) { return carry<decltype(scene)>(account, {}); });
-  };
-  MomentumBounds<N> all = run();
+  MomentumBounds<N> all = carry(account, {});
   account.choose_formats();
-  if (wanted == Wanted::errors) all = run();
+  if (wanted == Wanted::errors) all = carry(account, {});
   MomentumRanges<N> result{account.ranges, {}};
   for (int i = 0; i < N; ++i)
     result.range[i].joint_effort = all.momentum[i].bound, result.slope[i] = all.drift[i].bound;
@@ -67,14 +62,8 @@ constexpr MomentumRanges<N> momenta(const Mechanism<N>& m, const WordRounding& r
 template <int N>
 constexpr Row<Ball, N> drift_bounds(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& motion,
                                     const Ranges<N>& momenta, const int (&exponents)[N]) {
-  const auto in_formats = [&m, &r](const Ranges<N>& ranges) {
-    return r.tabled ? axial::detail::sharing(m, r, ranges) : m;
-  };
-  const Mechanism<N> at_rest = in_formats(motion), moving = in_formats(momenta);
-  Account<N> rest{at_rest, r, false, false, motion}, carried{moving, r, false, false, momenta};
-  const MomentumBounds<N> all = detail::with_loads(m.loads, [&](auto scene) {
-    return detail::carry<decltype(scene)>(carried, detail::hold<decltype(scene)>(rest));
-  });
+  auto rest = account_in_formats(m, r, motion), carried = account_in_formats(m, r, momenta);
+  const MomentumBounds<N> all = detail::carry(carried, detail::hold(rest));
   Row<Ball, N> bounds;
   for (int i = 0; i < N; ++i) {
     bounds[i] = all.drift[i].bound;
@@ -90,9 +79,7 @@ constexpr Row<Ball, N> drift_bounds(const Mechanism<N>& m, const WordRounding& r
 template <int N>
 constexpr MomentumRanges<N> momentum_ranges(const Mechanism<N>& mechanism, const WordRounding& rounding,
                                             Wanted wanted = Wanted::errors) {
-  return detail::ranges_by(mechanism, rounding, wanted, [&rounding](const Mechanism<N>& m, Wanted of) {
-    return bounds::detail::momenta(m, rounding, of);
-  });
+  return detail::ranges_by(bounds::detail::momenta<N>, mechanism, rounding, wanted);
 }
 
 }  // namespace axial

@@ -38,31 +38,25 @@ constexpr NumberSum friction_effort(const BoundedLink<S, N>& link, const Number&
 namespace detail {
 
 // One run of the kernel.
-template <class Scene, int N>
+template <int N>
 constexpr void run(Account<N>& account) {
-  const BoundedLinks<Scene, N> links(account);
-  const GivenLoads in = given_loads(account.mechanism.loads, account.rounding);
-  const JointBounds<N> at(account.mechanism, account.rounding);
-  const auto screws = joint_screws(links, in, at.q);
   Row<ForceVector<BoundedVector, BoundedVector>, N> borne{};
-  rnea::propagate_inward(links, in, at.q, screws, at.qd, at.qdd,
-                         [&](int i, const auto& force, const auto&) { borne[i] = force; });
+  with_loads(account, [&borne](const auto& start) {
+    rnea::propagate_inward(start.links, start.in, start.at.q, start.screws(), start.at.qd, start.at.qdd,
+                           [&](int i, const auto& force, const auto&) { borne[i] = force; });
+  });
   for (int i = 0; i < N; ++i) {
     LinkRange& range = account.ranges.range[i];
     range.moment = borne[i].moment.bound.whole, range.force = borne[i].force.bound.whole;
   }
 }
 template <int N>
-constexpr void run_with_loads(Account<N>& account) {
-  with_loads(account.mechanism.loads, [&account](auto scene) { run<decltype(scene)>(account); });
-}
-template <int N>
 constexpr Ranges<N> newton_euler(const Mechanism<N>& m, const WordRounding& r, Wanted wanted) {
   Account<N> account{m, r};
   note_description(account);
-  run_with_loads(account);
+  run(account);
   account.choose_formats();
-  if (wanted == Wanted::errors) run_with_loads(account);
+  if (wanted == Wanted::errors) run(account);
   return account.ranges;
 }
 
@@ -72,9 +66,8 @@ constexpr Ranges<N> newton_euler(const Mechanism<N>& m, const WordRounding& r, W
 /// Ranges and errors of inverse dynamics in the formats that `ranges` say: of a robot whose joint values are off.
 template <int N>
 constexpr Ranges<N> newton_euler_errors(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges) {
-  const Mechanism<N> in_formats = r.tabled ? detail::sharing(m, r, ranges) : m;
-  bounds::Account<N> account{in_formats, r, false, false, ranges};
-  bounds::detail::run_with_loads(account);
+  auto account = bounds::account_in_formats(m, r, ranges);
+  bounds::detail::run(account);
   return account.ranges;
 }
 
@@ -82,9 +75,7 @@ constexpr Ranges<N> newton_euler_errors(const Mechanism<N>& m, const WordRoundin
 template <int N>
 constexpr Ranges<N> newton_euler_ranges(const Mechanism<N>& mechanism, const WordRounding& rounding,
                                         Wanted wanted = Wanted::errors) {
-  return detail::ranges_by(mechanism, rounding, wanted, [&rounding](const Mechanism<N>& m, Wanted of) {
-    return bounds::detail::newton_euler(m, rounding, of);
-  });
+  return detail::ranges_by(bounds::detail::newton_euler<N>, mechanism, rounding, wanted);
 }
 
 }  // namespace axial

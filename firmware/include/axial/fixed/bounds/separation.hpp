@@ -139,11 +139,9 @@ namespace detail {
 
 template <class Scene, int N>
 constexpr void separate_once(Account<N>& account, const SeparatedFormats<N>& formats, SeparatedBounds<N>& all) {
-  const BoundedLinks<Scene, N> links(account);
-  const GivenLoads in = given_loads(account.mechanism.loads, account.rounding);
-  const JointBounds<N> at(account.mechanism, account.rounding);
-  const CollectedBounds<BoundedLinks<Scene, N>, N> terms{links, formats, all};
-  separation::run(links, in, at.q, joint_screws(links, in, at.q), terms);
+  const KernelStart<Scene, N> start(account);
+  const CollectedBounds<BoundedLinks<Scene, N>, N> terms{start.links, formats, all};
+  separation::run(start.links, start.in, start.at.q, start.screws(), terms);
 }
 template <int N>
 constexpr SeparatedBounds<N> separate(Account<N>& account, const SeparatedFormats<N>& formats) {
@@ -161,7 +159,7 @@ constexpr SeparatedBounds<N> separate(Account<N>& account, const SeparatedFormat
 template <int N>
 constexpr SeparatedBounds<N> separated_bounds(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges,
                                               const SeparatedFormats<N>& formats) {
-  Account<N> account{m, r, false, false, ranges};
+  auto account = account_in_formats(m, r, ranges);
   return detail::separate(account, formats);
 }
 

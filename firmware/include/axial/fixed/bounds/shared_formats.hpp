@@ -85,8 +85,8 @@ constexpr Mechanism<N> sharing(Mechanism<N> m, const WordRounding& r, const Rang
 
 /// Ranges of an analysis: of each link apart, or, where constants come from a table, of links that share their formats.
 template <int N, class Analysis>
-constexpr auto ranges_by(const Mechanism<N>& m, const WordRounding& r, Wanted wanted, Analysis analysis) {
-  return r.tabled ? analysis(sharing(m, r, analysis(m, Wanted::formats)), wanted) : analysis(m, wanted);
+constexpr auto ranges_by(Analysis analysis, const Mechanism<N>& m, const WordRounding& r, Wanted wanted) {
+  return analysis(r.tabled ? sharing(m, r, analysis(m, r, Wanted::formats)) : m, r, wanted);
 }
 
 }  // namespace detail

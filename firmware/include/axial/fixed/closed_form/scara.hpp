@@ -62,7 +62,7 @@ template <class S>
 constexpr bounds::SeparatedBounds<3> scara_terms(const Mechanism<3>& m, const WordRounding& r, const Ranges<3>& ranges,
                                                  const bounds::SeparatedFormats<3>& formats) {
   using Links = bounds::BoundedLinks<bounds::BoundedScene<false, false>, 3>;
-  bounds::Account<3> account{m, r, false, false, ranges};
+  auto account = bounds::account_in_formats(m, r, ranges);
   const Links links(account);
   bounds::SeparatedBounds<3> all;
   separate_into(BoundedScara<S>{ScaraBounds(account)}, bounds::Angle{&r},

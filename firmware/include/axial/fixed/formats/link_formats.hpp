@@ -31,56 +31,41 @@ constexpr auto loaded_mechanism() {
   return all;
 }
 
-template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::NewtonEuler, Wanted wanted) {
-  return newton_euler_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>(), wanted);
-}
+/// What stands for the efforts of a recursion.
+template <class Recursion>
+using EffortRole =
+    std::conditional_t<std::is_same_v<Recursion, recursion::MotionEfforts>, role::MotionEffort,
+                       std::conditional_t<std::is_same_v<Recursion, recursion::Momenta>, role::Momentum, role::Effort>>;
 
-template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::MotionEfforts, Wanted wanted) {
-  return newton_euler_ranges(loaded_mechanism<Scene, Parameters, typename S::Word, role::MotionEffort>(),
-                             rounding_in<Scene, S>(), wanted);
-}
-
-template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::CompositeBodies, Wanted wanted) {
-  return composite_body_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>(),
-                               wanted);
-}
-template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::ArticulatedBodies, Wanted) {
-  return articulated_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
-}
-template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::ArticulatedBodiesAtRest, Wanted wanted) {
-  return articulated_at_rest_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>(),
-                                    usual_drive_of<Scene, typename S::Word>, wanted);
-}
-
-template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::Kinematics, Wanted wanted) {
-  return kinematics_ranges(mechanism_of<Scene, Parameters>, rounding_in<Scene, S>(), wanted);
-}
-
-template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::Separation, Wanted) {
-  return separation_ranges_of(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>());
-}
-
-template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::Momenta, Wanted wanted) {
-  return momentum_ranges(loaded_mechanism<Scene, Parameters, typename S::Word, role::Momentum>(),
-                         rounding_in<Scene, S>(), wanted);
-}
-
-template <class Scene, class Parameters, class S>
-constexpr auto analysed(recursion::Derivatives, Wanted wanted) {
-  return derivative_ranges(loaded_mechanism<Scene, Parameters, typename S::Word>(), rounding_in<Scene, S>(), wanted);
+template <class Scene, class Parameters, class S, class Recursion>
+constexpr auto analysed(Wanted wanted) {
+  using namespace recursion;
+  using Word = typename S::Word;
+  const WordRounding r = rounding_in<Scene, S>();
+  if constexpr (std::is_same_v<Recursion, Kinematics>) {
+    return kinematics_ranges(mechanism_of<Scene, Parameters>, r, wanted);
+  } else {
+    const auto m = loaded_mechanism<Scene, Parameters, Word, EffortRole<Recursion>>();
+    if constexpr (std::is_same_v<Recursion, CompositeBodies>)
+      return composite_body_ranges(m, r, wanted);
+    else if constexpr (std::is_same_v<Recursion, ArticulatedBodies>)
+      return articulated_ranges(m, r);
+    else if constexpr (std::is_same_v<Recursion, ArticulatedBodiesAtRest>)
+      return articulated_at_rest_ranges(m, r, usual_drive_of<Scene, Word>, wanted);
+    else if constexpr (std::is_same_v<Recursion, Separation>)
+      return separation_ranges_of(m, r);
+    else if constexpr (std::is_same_v<Recursion, Momenta>)
+      return momentum_ranges(m, r, wanted);
+    else if constexpr (std::is_same_v<Recursion, Derivatives>)
+      return derivative_ranges(m, r, wanted);
+    else
+      return newton_euler_ranges(m, r, wanted);
+  }
 }
 
 /// Ranges of a scene's recursion in an arithmetic.
 template <class Scene, class Parameters, class S, class Recursion, Wanted wanted = Wanted::errors>
-inline constexpr auto ranges_of = analysed<Scene, Parameters, S>(Recursion{}, wanted);
+inline constexpr auto ranges_of = analysed<Scene, Parameters, S, Recursion>(wanted);
 
 template <class T>
 struct IsVec3 : std::false_type {};

@@ -49,13 +49,12 @@ class BoundsOfTerms {
   }
   /// Efforts, of coefficients `s`.
   static constexpr Row<bounds::Number, n> torque(const bounds::SeparatedBounds<n>& s) {
-    const auto& m = mechanism();
     const WordRounding rounding = rounding_in<Scene, A>();
-    bounds::Account<n> account{m, rounding, false, false, ranges()};
-    const bounds::BoundedLinks<bounds::detail::NoLoads, n> links(account);
-    const bounds::detail::JointBounds<n> at(m, rounding);
+    auto account = bounds::account_in_formats(mechanism(), rounding, ranges());
+    const bounds::detail::KernelStart<bounds::detail::NoLoads, n> start(account);
+    const BoundedTorqueWords<typename scene_of<S>::Robot, A> words{rounding};
     Row<bounds::Number, n> tau{};
-    sum_terms<S, T>(links, BoundedTorqueWords<typename scene_of<S>::Robot, A>{rounding}, s, at.qd, at.qdd, tau);
+    sum_terms<S, T>(start.links, words, s, start.at.qd, start.at.qdd, tau);
     return tau;
   }
 
