@@ -41,11 +41,7 @@ struct RequestedTorque {};  ///< inverse_dynamics() of what to_fixed_request() m
 namespace detail {
 
 template <class Scene, class Word, class Default, class Recursion>
-using RangesFor =
-    std::add_lvalue_reference_t<decltype(ranges_of<Scene, with_rotors<Scene, parameters_of<Scene, Default>>,
-                                                   ArithmeticOf<Scene, Word>, Recursion>)>;
-template <class Scene, class Word, class Default, class Recursion>
-inline constexpr RangesFor<Scene, Word, Default, Recursion> ranges_for =
+inline constexpr auto& ranges_for =
     ranges_of<Scene, with_rotors<Scene, parameters_of<Scene, Default>>, ArithmeticOf<Scene, Word>, Recursion>;
 
 template <int N, class Get>
@@ -68,9 +64,6 @@ template <int N>
 constexpr ErrorBound<N> all_of(const Row<double, N>& errors) {
   return bounds_of(errors, [](double error) { return error; });
 }
-
-template <class S, class T>
-using Bounds = ErrorBound<joint_count<S>>;
 
 /// Refuses what fixed point does not compute: nothing is certified of it.
 template <class S, class Recursion>
@@ -95,16 +88,6 @@ constexpr Separated<S, double> errors_of(const bounds::SeparatedBounds<joint_cou
   return errors;
 }
 
-template <class S, class T>
-constexpr Bounds<S, T> bound_on_efforts() {
-  static_assert((check_bound<S, recursion::NewtonEuler>(), true));
-  if constexpr (has_shared_drives<S>)
-    return all_of(DriveErrors<S, T>::efforts(0.0));
-  else
-    return bounds_of(ranges_for<scene_of<S>, typename T::Word, BaseParameters, recursion::NewtonEuler>,
-                     [](const LinkRange& r) { return r.joint_effort.error; });
-}
-
 }  // namespace detail
 
 /// `error_bound<Scene>(algorithm::inverse_dynamics)`, N m or N per joint; the inputs are taken as the words say. Every
@@ -114,43 +97,27 @@ constexpr Bounds<S, T> bound_on_efforts() {
 /// doc/guides/ranges.md.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::InverseDynamics) {
-  return detail::bound_on_efforts<S, T>();
+  static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
+  return detail::all_of(detail::ErrorsOf<S, T>::efforts(0.0));
 }
 /// Error bounds of the bias torque, N m or N.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Bias) {
-  return detail::bound_on_efforts<S, T>();
+  static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
+  return detail::all_of(detail::ErrorsOf<S, T>::efforts(0.0));
 }
 /// Error bounds of the gravity torque, N m or N.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Gravity) {
-  return detail::bound_on_efforts<S, T>();
+  static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
+  return detail::all_of(detail::ErrorsOf<S, T>::efforts(0.0));
 }
 /// Error bounds of the torque of a real request, N m or N: its conversion into words is in it. The request is inside
 /// the declared limits, as declared.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::RequestedTorque) {
-  if constexpr (detail::has_shared_drives<S>) {
-    return detail::all_of(detail::DriveErrors<S, T>::efforts(0.5));
-  } else {
-    using Scene = scene_of<S>;
-    using R = robot_of<S>;
-    using A = detail::ArithmeticOf<Scene, typename T::Word>;
-    static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
-    auto m = detail::loaded_mechanism<Scene, detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>,
-                                      typename T::Word>();
-    constexpr double angle = (0.5 + detail::power_of_two(-20)) / detail::bam_per_radian;
-    for (int i = 0; i < joint_count<S>; ++i) {
-      const bool turns = R::chain.links[i].type == JointType::revolute;
-      m.joints[i].position_error = turns ? angle : 0.5 * WordRounding::ulp(Positions<R, T>::exponent(i));
-      m.joints[i].speed_error = 0.5 * WordRounding::ulp(Velocities<R, T>::exponent(i));
-      m.joints[i].acceleration_error = 0.5 * WordRounding::ulp(Accelerations<R, T>::exponent(i));
-    }
-    return detail::bounds_of(
-        newton_euler_errors(m, rounding_in<Scene, A>(),
-                            detail::ranges_for<Scene, typename T::Word, BaseParameters, recursion::NewtonEuler>),
-        [](const LinkRange& r) { return r.joint_effort.error; });
-  }
+  static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
+  return detail::all_of(detail::ErrorsOf<S, T>::efforts(0.5));
 }
 /// Error bounds of the SCARA's closed form, N m or N.
 template <class S, class T = Fixed32>
@@ -170,78 +137,33 @@ template <class S, class T = Fixed32>
 /// Error bounds of the mass matrix, one per row: of its entries up to the diagonal, in their SI units.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::MassMatrix) {
-  if constexpr (detail::has_shared_drives<S>) {
-    return detail::all_of(detail::DriveErrors<S, T>::rows());
-  } else {
-    using Scene = scene_of<S>;
-    using Word = typename T::Word;
-    using Parameters = detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>;
-    static_assert((detail::check_bound<S, recursion::CompositeBodies>(), true));
-    const auto errors = bounds::mass_matrix_errors(
-        mechanism_of<Scene, Parameters>, rounding_in<Scene, detail::ArithmeticOf<Scene, Word>>(),
-        detail::ranges_for<Scene, Word, BaseParameters, recursion::CompositeBodies>,
-        [](int i, int j) { return MassMatrixOf<Scene, T>::exponent(i, j); });
-    return detail::bounds_of(errors, [](double error) { return error; });
-  }
+  static_assert((detail::check_bound<S, recursion::CompositeBodies>(), true));
+  return detail::all_of(detail::ErrorsOf<S, T>::rows());
 }
 /// Error bounds of the origins of the links' frames, m.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::ForwardKinematics) {
-  if constexpr (detail::has_shared_drives<S>) {
-    return detail::all_of(detail::DriveErrors<S, T>::origins());
-  } else {
-    static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
-    return detail::bounds_of(detail::ranges_for<scene_of<S>, typename T::Word, FullParameters, recursion::Kinematics>,
-                             [](const LinkRange& r) { return r.length.error; });
-  }
+  static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
+  return detail::all_of(detail::ErrorsOf<S, T>::origins());
 }
 /// Error bounds of the joints' momenta, N m s or N s.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Momentum) {
-  if constexpr (detail::has_shared_drives<S>) {
-    return detail::all_of(detail::DriveErrors<S, T>::momenta());
-  } else {
-    static_assert((detail::check_bound<S, recursion::Momenta>(), true));
-    return detail::bounds_of(detail::ranges_for<scene_of<S>, typename T::Word, BaseParameters, recursion::Momenta>,
-                             [](const LinkRange& r) { return r.joint_effort.error; });
-  }
+  static_assert((detail::check_bound<S, recursion::Momenta>(), true));
+  return detail::all_of(detail::ErrorsOf<S, T>::momenta());
 }
 /// Error bounds of the drifts of the joints' momenta, N m or N.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::MomentumDrift) {
-  if constexpr (detail::has_shared_drives<S>) {
-    return detail::all_of(detail::DriveErrors<S, T>::drifts());
-  } else {
-    using Scene = scene_of<S>;
-    using Word = typename T::Word;
-    static_assert((detail::check_bound<S, recursion::Momenta>(), true));
-    int exponents[joint_count<S>] = {}, least = MomentumRatesOf<Scene, T>::exponent(0);
-    for (int i = 0; i < joint_count<S>; ++i)
-      exponents[i] = MomentumRatesOf<Scene, T>::exponent(i), least = detail::smaller(least, exponents[i]);
-    for (int& exponent : exponents)
-      exponent = Scene::template has<Looped> ? least : exponent;  // links that share formats round at one
-    const auto drifts =
-        bounds::drift_bounds(mechanism_of<Scene, detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>>,
-                             rounding_in<Scene, detail::ArithmeticOf<Scene, Word>>(),
-                             detail::ranges_for<Scene, Word, BaseParameters, recursion::NewtonEuler>,
-                             detail::ranges_for<Scene, Word, BaseParameters, recursion::Momenta>, exponents);
-    return detail::bounds_of(drifts, [](const Ball& drift) { return drift.error; });
-  }
+  static_assert((detail::check_bound<S, recursion::Momenta>(), true));
+  return detail::all_of(detail::ErrorsOf<S, T>::drifts());
 }
 /// Error bounds of the tool's Jacobian, one per column: the norm of its linear part, in m (of a slide's in 1).
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Jacobian) {
-  if constexpr (detail::has_shared_drives<S>) {
-    return detail::all_of(detail::DriveErrors<S, T>::columns());
-  } else {
-    using Scene = scene_of<S>;
-    static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
-    const auto all =
-        bounds::jacobian_bounds(mechanism_of<Scene, detail::with_rotors<Scene, parameters_of<Scene, FullParameters>>>,
-                                rounding_in<Scene, detail::ArithmeticOf<Scene, typename T::Word>>(),
-                                detail::ranges_for<Scene, typename T::Word, FullParameters, recursion::Kinematics>);
-    return detail::bounds_of(all.columns, [](const auto& column) { return column.linear.bound.whole.error; });
-  }
+  static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
+  return detail::bounds_of(detail::ErrorsOf<S, T>::jacobian().columns,
+                           [](const auto& column) { return column.linear.bound.whole.error; });
 }
 /// Error bounds of accelerations, rad/s^2 or m/s^2.
 template <class S, class T = Fixed32>

@@ -8,7 +8,7 @@
 namespace axial::bounds {
 
 /// The largest size of each quantity of a link, SI; negative until one is noted.
-struct LinkSizes : PerQuantity<double> {
+struct LinkSizes : axial::detail::PerQuantity<double> {
   constexpr LinkSizes() {
     for (const auto quantity : all_quantities<double>)
       this->*quantity = -1.0;

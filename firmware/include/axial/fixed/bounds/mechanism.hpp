@@ -33,6 +33,8 @@ struct LoadRange {
   bool gravity_given = false, tool_given = false;          ///< whether gravity, the tool is a run-time input, words
 };
 
+namespace detail {
+
 /// One value for each quantity that a link keeps.
 template <class T>
 struct PerQuantity {
@@ -84,18 +86,6 @@ struct PerQuantity {
   }
   ///@}
 };
-/// Exponents of the quantities of one link: value = raw 2^-exponent.
-using LinkFormat = PerQuantity<int>;
-/// Bounds of the quantities of one link, of a vector of its norm (SI): how large they can be and how exact they are.
-struct LinkRange : PerQuantity<Ball> {
-  Ball rotation{};            ///< of the rows of its rotation
-  bool turns_across = false;  ///< whether the link turns about more than its joint's axis
-  double least = 0.0;         ///< inertia that its joint feels, at least; below it has a status, kg m^2 or kg
-  double drive = 0.0;         ///< effort that drives a joint besides the bias, at most
-  double share = 0.0;         ///< of a joint in qdd^T M qdd, at most
-};
-
-namespace detail {
 template <class... Quantities>
 struct QuantityList {
   static constexpr int count = sizeof...(Quantities);
@@ -110,10 +100,22 @@ using AllQuantities =
                  quantity::JointAcceleration, quantity::Length, quantity::GravityAcceleration, quantity::LinearVelocity,
                  quantity::AxisAcceleration, quantity::FlowMoment, quantity::FlowMomentum, quantity::UnitMoment,
                  quantity::UnitForce, quantity::PositionMoment, quantity::PositionForce>;
+
 }  // namespace detail
+
+/// Exponents of the quantities of one link: value = raw 2^-exponent.
+using LinkFormat = detail::PerQuantity<int>;
+/// Bounds of the quantities of one link, of a vector of its norm (SI): how large they can be and how exact they are.
+struct LinkRange : detail::PerQuantity<Ball> {
+  Ball rotation{};            ///< of the rows of its rotation
+  bool turns_across = false;  ///< whether the link turns about more than its joint's axis
+  double least = 0.0;         ///< inertia that its joint feels, at least; below it has a status, kg m^2 or kg
+  double drive = 0.0;         ///< effort that drives a joint besides the bias, at most
+  double share = 0.0;         ///< of a joint in qdd^T M qdd, at most
+};
 /// All values of a link, in one order whatever they are.
 template <class T>
-inline constexpr const auto& all_quantities = detail::AllQuantities::members<T>;
+inline constexpr auto& all_quantities = detail::AllQuantities::members<T>;
 
 /// What an analysis is asked for. Formats, and how large quantities are, take one run of a kernel on bounds; errors in
 /// these formats take another, which code that computes has no use for.

@@ -102,7 +102,7 @@ constexpr double residual_error(int i, double momentum_error, double drift_error
 template <class S, class T = Fixed32, class Tuning>
 [[nodiscard]] constexpr auto error_bound(algorithm::MomentumObserver<Tuning>) {
   const auto momenta = error_bound<S, T>(algorithm::Momentum{}), drifts = error_bound<S, T>(algorithm::MomentumDrift{});
-  detail::Bounds<S, T> all;
+  ErrorBound<joint_count<S>> all;
   for (int i = 0; i < all.size; ++i)
     all.of[i] = detail::residual_error<S, typename T::Word, Tuning>(i, momenta[i], drifts[i]) *
                 WordRounding::ulp(Residuals<S, T, Tuning>::exponent(i));

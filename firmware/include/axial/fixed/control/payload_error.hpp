@@ -97,22 +97,12 @@ struct PayloadColumnRounding {
   static constexpr const BoundedVector& direction(const BoundedVector& x) { return x; }
   static constexpr const BoundedVector& way(const BoundedVector& x) { return x; }
   ///@}
-  /// The declared limit, shifted down to the coarsest speed's exponent; a robot stands for its speeds.
-  template <class R>
-  static constexpr Number speed(const R&, int i) {
-    return speed_off<R>(i, 0.0);
-  }
-  /// Speeds that are off as a mechanism says.
+  /// The declared limit, shifted down to the coarsest speed's exponent, of a word that is off before.
   template <class R, int N>
   static constexpr Number speed(const SpeedsOf<R, N>& speeds, int i) {
-    return speed_off<R>(i, speeds.error[i]);
-  }
-  /// A speed of a robot whose word is off by so much before it is shifted.
-  template <class R>
-  static constexpr Number speed_off(int i, double error) {
     const bool shifted = F::Speeds::exponent(i) > F::speed_exponent;
-    return word_of({R::chain.links[i].speed_limit, (shifted ? WordRounding::ulp(F::speed_exponent) : 0.0) + error},
-                   F::speed_exponent);
+    const double error = (shifted ? WordRounding::ulp(F::speed_exponent) : 0.0) + speeds.error[i];
+    return word_of({R::chain.links[i].speed_limit, error}, F::speed_exponent);
   }
   /// Gravity in world axes, m/s^2: three constants as words.
   constexpr BoundedVector gravity() const {
@@ -134,50 +124,46 @@ constexpr Rotation axes_of(const Ranges<N>& ranges, int link, const WordRounding
   return {row, row, row};
 }
 
-/// The columns' bounds of drives that joints share: of the joints as far as drives take them, and sums of those.
+/// The columns' bounds by joints, as far as the scene's drives take them.
 template <class S, class Word>
-constexpr auto payload_columns_of_drives() {
-  using Errors = axial::detail::DriveErrors<S, Stored<Word>>;
-  using Joint = axial::detail::JointsOf<S>;
-  using Robot = typename Joint::Robot;
-  constexpr int joints = Robot::chain.size, drives = joint_count<S>;
-  const WordRounding rounding = rounding_in<Joint, axial::detail::ArithmeticOf<Joint, Word>>();
-  const auto m = Errors::kinematic_mechanism();
-  SpeedsOf<Robot, joints> speeds;
-  for (int i = 0; i < joints; ++i)
+constexpr auto payload_columns_of_joints() {
+  using Errors = axial::detail::ErrorsOf<S, Stored<Word>>;
+  using Joint = typename Errors::Joint;
+  constexpr int n = joint_count<Joint>;
+  SpeedsOf<robot_of<Joint>, n> speeds;
+  const auto m = Errors::template mechanism<typename Errors::Full>();
+  for (int i = 0; i < n; ++i)
     speeds.error[i] = m.joints[i].speed_error;
-  const auto columns =
-      jacobian_bounds(m, rounding, axial::detail::ranges_for<Joint, Word, FullParameters, recursion::Kinematics>);
-  PayloadColumnBounds<joints> of_joints;
-  axial::detail::write_payload_columns(PayloadColumnRounding<Joint, Word>{&rounding}, joints, columns.columns,
-                                       axes_of(Errors::joint_ranges(recursion::Kinematics{}), joints - 1, rounding),
-                                       speeds, of_joints);
-  PayloadColumnBounds<drives> all;
-  using F = axial::detail::ColumnRounding<Joint, Stored<Word>>;
-  const auto sum = [&](const auto& from, auto& to, const int(&exponent)[2]) {
-    for (int k = 0; k < drives; ++k) {
-      to[k].mass = Errors::at_actuator(k, exponent[0], 1.0, rounding, [&](int i) { return from[i].mass; });
-      to[k].moment =
-          Errors::at_actuator(k, exponent[1], detail::root3, rounding, [&](int i) { return from[i].moment; });
-    }
-  };
-  sum(of_joints.momentum, all.momentum, F::momentum), sum(of_joints.drift, all.drift, F::drift);
+  PayloadColumnBounds<n> all;
+  const PayloadColumnRounding<Joint, Word> rounding{&Errors::rounding};
+  axial::detail::write_payload_columns(rounding, n, Errors::OfJoints::jacobian().columns,
+                                       axes_of(Errors::joint_ranges(recursion::Kinematics{}), n - 1, Errors::rounding),
+                                       speeds, all);
   return all;
 }
 
-/// The columns' bounds, inside the declared limits.
+/// The columns' bounds, inside the declared limits; of drives that joints share sums of those of the joints.
 template <class S, class Word>
 constexpr auto payload_columns() {
-  using Scene = scene_of<S>;
-  constexpr int n = joint_count<S>;
-  const WordRounding rounding = rounding_in<Scene, axial::detail::ArithmeticOf<Scene, Word>>();
-  constexpr const auto& ranges = axial::detail::ranges_for<Scene, Word, FullParameters, recursion::Kinematics>;
-  const auto columns = jacobian_bounds(
-      mechanism_of<Scene, axial::detail::with_rotors<Scene, parameters_of<Scene, FullParameters>>>, rounding, ranges);
-  PayloadColumnBounds<n> all;
-  axial::detail::write_payload_columns(PayloadColumnRounding<S, Word>{&rounding}, n, columns.columns,
-                                       axes_of(ranges, n - 1, rounding), robot_of<S>{}, all);
-  return all;
+  const auto of_joints = payload_columns_of_joints<S, Word>();
+  if constexpr (!axial::detail::has_shared_drives<S>) {
+    return of_joints;
+  } else {
+    using Errors = axial::detail::DriveErrors<S, Stored<Word>>;
+    using F = axial::detail::ColumnRounding<axial::detail::JointsOf<S>, Stored<Word>>;
+    PayloadColumnBounds<joint_count<S>> all;
+    const auto sum = [](const auto& from, auto& to, const int(&exponent)[2]) {
+      for (int k = 0; k < joint_count<S>; ++k) {
+        const auto at_drive = [&](int which, double components, Ball PayloadRowBound::*part) {
+          return Errors::at_actuator(k, exponent[which], components, Errors::rounding,
+                                     [&](int i) { return from[i].*part; });
+        };
+        to[k] = {at_drive(0, 1.0, &PayloadRowBound::mass), at_drive(1, detail::root3, &PayloadRowBound::moment)};
+      }
+    };
+    sum(of_joints.momentum, all.momentum, F::momentum), sum(of_joints.drift, all.drift, F::drift);
+    return all;
+  }
 }
 
 }  // namespace bounds
@@ -214,12 +200,7 @@ template <class S, class T = Fixed32, class Tuning>
 [[nodiscard]] constexpr auto error_bound(algorithm::PayloadEstimator<Tuning>) {
   using Word = typename T::Word;
   constexpr int n = joint_count<S>;
-  const auto columns = [] {
-    if constexpr (detail::has_shared_drives<S>)
-      return bounds::payload_columns_of_drives<S, Word>();
-    else
-      return bounds::payload_columns<S, Word>();
-  }();
+  const auto columns = bounds::payload_columns<S, Word>();
   const auto residuals = error_bound<S, T>(algorithm::MomentumObserver<Tuning>{});
   constexpr const auto& f = detail::PayloadSums<S, T, Tuning>::formats;
   PayloadEquationBound<n> all;

@@ -20,31 +20,35 @@ constexpr Matrix errors_in(const bounds::EntryBounds<N>& all) {
   return errors;
 }
 
+/// Errors of the entries and of efforts.
+template <class S, class T>
+constexpr auto found_slope_errors() {
+  using Errors = ErrorsOf<S, T>;
+  if constexpr (has_shared_drives<S>) {
+    return DrivenSlopeErrors<S, T>::found();
+  } else {
+    const auto joints = Errors::joint_derivatives(DerivativeExponents<S, T>{});
+    struct {
+      bounds::DerivativeBounds<joint_count<S>> entries;
+      Row<double, joint_count<S>> efforts;
+    } all{joints.entries, Errors::efforts_of(joints.ranges, 0.0)};
+    return all;
+  }
+}
+
 }  // namespace detail
 
 /// Error bounds of efforts, mass matrix and both Jacobians, each where inverse_dynamics_derivatives() has it, in its SI
 /// unit.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr InverseDynamicsDerivatives<S, double> error_bound(algorithm::InverseDynamicsDerivatives) {
-  using Scene = scene_of<S>;
-  using Word = typename T::Word;
   using Result = InverseDynamicsDerivatives<S, double>;
   static_assert((detail::check_bound<S, recursion::Derivatives>(), true));
+  const auto found = detail::found_slope_errors<S, T>();
+  const auto& all = found.entries;
   Result errors{};
-  bounds::DerivativeBounds<joint_count<S>> all;
-  if constexpr (detail::has_shared_drives<S>) {
-    const auto found = detail::DrivenSlopeErrors<S, T>::found();
-    all = found.entries;
-    for (int k = 0; k < joint_count<S>; ++k)
-      errors.tau[k] = found.efforts[k];
-  } else {
-    constexpr const auto& ranges = detail::ranges_for<Scene, Word, BaseParameters, recursion::Derivatives>;
-    all = bounds::derivative_errors(
-        detail::loaded_mechanism<Scene, detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>, Word>(),
-        rounding_in<Scene, detail::ArithmeticOf<Scene, Word>>(), ranges, detail::DerivativeExponents<S, T>{});
-    for (int i = 0; i < joint_count<S>; ++i)
-      errors.tau[i] = ranges.range[i].joint_effort.error;
-  }
+  for (int i = 0; i < joint_count<S>; ++i)
+    errors.tau[i] = found.efforts[i];
   errors.M = detail::errors_in<decltype(Result::M)>(all.mass);
   errors.dtau_dq = detail::errors_in<decltype(Result::dtau_dq)>(all.position);
   errors.dtau_dqd = detail::errors_in<decltype(Result::dtau_dqd)>(all.velocity);

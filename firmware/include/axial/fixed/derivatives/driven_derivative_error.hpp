@@ -24,13 +24,8 @@ class DrivenSlopeErrors {
   using Word = typename T::Word;
   using Errors = DriveErrors<S, T>;
   using Sizes = DriveSizes<S, Word>;
-  using Joint = typename Sizes::Joint;
-  using A = ArithmeticOf<scene_of<S>, Word>;
-  using Parameters = with_rotors<Joint, parameters_of<Joint, BaseParameters>>;
   using Terms = bounds::TermsOf<Sizes::joints * Sizes::joints + 1>;
   static constexpr int size = joint_count<S>;
-  static constexpr WordRounding rounding = rounding_in<Joint, A>();
-  static constexpr const auto& ranges = ranges_of<Joint, Parameters, A, recursion::Derivatives>;
 
   template <class By, class Exponent, class Own>
   static constexpr bounds::EntryBounds<size> jacobian(By by, const bounds::EntryBounds<Sizes::joints>& joints,
@@ -41,16 +36,13 @@ class DrivenSlopeErrors {
       const Ball& entry = joints(i, j);
       Terms& sum = terms[k * size + l];
       all(k, l).error += magnitude(factor) * entry.error;
-      if (magnitude(factor) < 1.0 || magnitude(factor) > 1.0)
-        sum.add_scaled(factor, own(i, j), entry.largest());
-      else
-        sum.add_word(own(i, j));
+      SharedDrives<S, T>::add(sum, factor, own(i, j), entry.largest());
     });
     for (int k = 0; k < size; ++k)
       for (int l = 0; l < size; ++l) {
         Terms& sum = terms[k * size + l];
         if (k == l && std::is_same_v<By, by::Velocity> && Sizes::viscous(k) > 0.0) sum.add_literal();
-        all(k, l).error += sum.rounding(exponent(k, l), rounding);
+        all(k, l).error += sum.rounding(exponent(k, l), SharedDrives<S, T>::rounding);
       }
     return all;
   }
@@ -63,9 +55,9 @@ class DrivenSlopeErrors {
 
   /// All of them.
   static constexpr DrivenSlopeErrors found() {
-    using Own = DerivativeExponents<Joint, T>;
+    using Own = DerivativeExponents<typename Sizes::Joint, T>;
     using Exponents = DerivativeExponents<S, T>;
-    const auto joints = bounds::derived(Errors::motion_mechanism(), rounding, ranges, Own{});
+    const auto joints = Errors::joint_derivatives(Own{});
     const auto mass = Errors::entries_of([&](int i, int j) { return joints.entries.mass(i, j).error; });
     DrivenSlopeErrors all;
     for (int k = 0; k < size; ++k)

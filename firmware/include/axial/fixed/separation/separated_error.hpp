@@ -45,7 +45,7 @@ class BoundsOfTerms {
     if constexpr (shared)
       return detail::DrivenTermErrors<S, T>::terms();
     else
-      return bounds::separated_bounds(mechanism(), rounding_in<Scene, A>(), ranges(), SeparatedExponents<S, T>::all());
+      return detail::JointErrors<S, T>::joint_terms();
   }
   /// Efforts, of coefficients `s`.
   static constexpr Row<bounds::Number, n> torque(const bounds::SeparatedBounds<n>& s) {

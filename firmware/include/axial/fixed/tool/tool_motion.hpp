@@ -114,38 +114,20 @@ struct ToolPose {};        ///< tool of forward_kinematics()
 /// rotation.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr bounds::ToolError error_bound(algorithm::ToolPose) {
-  if constexpr (detail::has_shared_drives<S>) {
-    return detail::DriveErrors<S, T>::tool();
-  } else {
-    using Scene = scene_of<S>;
-    static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
-    return bounds::tool_error(mechanism_of<Scene, detail::with_rotors<Scene, parameters_of<Scene, FullParameters>>>,
-                              rounding_in<Scene, detail::ArithmeticOf<Scene, typename T::Word>>(),
-                              detail::ranges_for<Scene, typename T::Word, FullParameters, recursion::Kinematics>);
-  }
+  static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
+  return detail::ErrorsOf<S, T>::tool();
 }
 
 /// Error bounds of J^T w, N m or N, for a wrench that the robot declares, taken as its words say; the errors of the
 /// Jacobian of scene S are in them.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::TransposeTimes) {
-  using Scene = scene_of<S>;
   using R = robot_of<S>;
-  using Word = typename T::Word;
   using F = InputFormats<detail::described_by<S>, T>;
   static_assert((detail::check_bound<S, recursion::Kinematics>(), detail::check_wrench_efforts<R>(), true));
-  const auto of_product = rounding_of<detail::ArithmeticOf<scene_of<R>, Word>>();
-  const auto columns = [] {
-    if constexpr (detail::has_shared_drives<S>)
-      return detail::DriveErrors<S, T>::jacobian();
-    else
-      return bounds::jacobian_bounds(
-          mechanism_of<Scene, detail::with_rotors<Scene, parameters_of<Scene, FullParameters>>>,
-          rounding_in<Scene, detail::ArithmeticOf<Scene, Word>>(),
-          detail::ranges_for<Scene, Word, FullParameters, recursion::Kinematics>);
-  };
+  const auto of_product = rounding_of<detail::ArithmeticOf<scene_of<R>, typename T::Word>>();
   const auto efforts =
-      bounds::wrench_efforts(columns(),
+      bounds::wrench_efforts(detail::ErrorsOf<S, T>::jacobian(),
                              {F::wrench.moment + WordRounding::ulp(F::tip_moment),
                               F::wrench.force + WordRounding::ulp(F::tip_force), F::tip_moment, F::tip_force},
                              of_product);

@@ -2,7 +2,6 @@
 // their words.
 #pragma once
 
-#include <axial/fixed/links/separated_terms.hpp>
 #include <axial/fixed/transmissions/shared_drives_error.hpp>
 
 #include <axial/options/begin.hpp>
@@ -16,13 +15,10 @@ class DrivenTermErrors {
   using Word = typename T::Word;
   using Scene = scene_of<S>;
   using Sizes = DriveSizes<S, Word>;
-  using Joint = typename Sizes::Joint;
-  using A = ArithmeticOf<Scene, Word>;
   using Shares = driven::TermShares<Scene>;
-  using Parameters = with_rotors<Joint, parameters_of<Joint, BaseParameters>>;
   using Exponents = SeparatedExponents<S, T>;
   static constexpr int n = joint_count<S>;
-  static constexpr WordRounding rounding = rounding_in<Joint, A>();
+  static constexpr const WordRounding& rounding = SharedDrives<S, T>::rounding;
 
   // A coefficient of the drives on its way to its word.
   struct Share {
@@ -31,10 +27,7 @@ class DrivenTermErrors {
 
     constexpr void add(double factor, const bounds::Number& of) {
       bound.size += magnitude(factor) * of.bound.size, bound.error += magnitude(factor) * of.bound.error;
-      if (magnitude(factor) < 1.0 || magnitude(factor) > 1.0)
-        terms.add_scaled(factor, of.exponent, of.bound.largest());
-      else
-        terms.add_word(of.exponent);
+      SharedDrives<S, T>::add(terms, factor, of.exponent, of.bound.largest());
     }
     constexpr bounds::Number stored(int exponent) const {
       return bounds::word_of({bound.size, bound.error + terms.rounding(exponent, rounding)}, exponent);
@@ -44,9 +37,7 @@ class DrivenTermErrors {
  public:
   /// Coefficients as they are stored.
   static constexpr bounds::SeparatedBounds<n> terms() {
-    const auto joints = bounds::separated_bounds(DriveErrors<S, T>::motion_mechanism(), rounding,
-                                                 ranges_of<Joint, Parameters, A, recursion::Separation>,
-                                                 SeparatedExponents<Joint, T>::all());
+    const auto joints = DriveErrors<S, T>::joint_terms();
     Share inertias[n][n] = {}, rates[n * n * n] = {};  // GCC 12 leaves out initialisers of members in three dimensions
     Shares::each_inertia(
         [&](const driven::Share& share) { inertias[share.k][share.l].add(share.factor, joints.A[share.i][share.j]); });
