@@ -5,8 +5,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// The exponent of a column of constants, by what it holds. Turns of the model are sines and cosines like a joint's.
 struct ColumnExponents {
@@ -89,7 +88,6 @@ constexpr auto ranges_by(Analysis analysis, const Mechanism<N>& m, const WordRou
   return analysis(r.tabled ? sharing(m, r, analysis(m, r, Wanted::formats)) : m, r, wanted);
 }
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

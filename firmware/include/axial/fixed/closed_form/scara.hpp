@@ -9,8 +9,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace closed_form {
+namespace axial::closed_form {
 namespace detail {
 
 /// How the closed form rounds on bounds. Formats of what is common stand with the first link, those of efforts with
@@ -93,7 +92,6 @@ struct ScaraRounding<S, Stored<Word>>
 };
 
 }  // namespace detail
-}  // namespace closed_form
-}  // namespace axial
+}  // namespace axial::closed_form
 
 #include <axial/options/end.hpp>

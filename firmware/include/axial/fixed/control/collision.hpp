@@ -7,8 +7,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 template <class S, class Word, class Tuning>
 struct ResidualValue<S, Stored<Word>, Tuning> {
@@ -22,7 +21,6 @@ struct ResidualValue<S, Stored<Word>, Tuning> {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

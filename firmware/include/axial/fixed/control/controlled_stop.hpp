@@ -6,8 +6,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// A positive factor as a word below 2^31 and a shift: x times it is (x word) >> shift.
 struct StopFactor {
@@ -109,7 +108,6 @@ struct StopStep<S, Stored<Word>, Stop> {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

@@ -8,8 +8,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 template <class Word>
 struct Blend<Stored<Word>> {
@@ -20,7 +19,6 @@ struct Blend<Stored<Word>> {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

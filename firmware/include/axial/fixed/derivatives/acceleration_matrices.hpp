@@ -3,7 +3,7 @@
 
 #include <axial/derivatives/forward_dynamics_derivatives.hpp>
 #include <axial/fixed/derivatives/derivatives.hpp>
-#include <axial/fixed/formats/joint_sizes.hpp>
+#include <axial/fixed/formats/drive_formats.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -55,35 +55,25 @@ template <class S, class Word, class By, class Equations = MotionEquations<S, Wo
 inline constexpr auto right_hand_sides = RightHandSides<S, Word, By, Equations>::chosen();
 
 /// Exponents of the entries by their sizes, as fine as they are computed at most.
+///@{
+template <class S, class Word>
+constexpr int acceleration_exponent(by::Effort, int i, int j) {
+  return joint_rounding<Word>.exponent(joint_mobilities<S, Word>.of[i] * joint_mobilities<S, Word>.of[j]);
+}
 template <class S, class Word, class By>
-struct AccelerationFormat {
-  static constexpr int size = joint_count<S>;
-  int of[size][size] = {};
-
-  static constexpr AccelerationFormat chosen() {
-    constexpr const auto& mobile = joint_mobilities<S, Word>;
-    AccelerationFormat format;
-    for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j)
-        format.of[i][j] = exponent(By{}, mobile, i, j);
-    return format;
-  }
-
- private:
-  static constexpr int exponent(by::Effort, const PerJoint<size>& mobile, int i, int j) {
-    return joint_rounding<Word>.exponent(mobile.of[i] * mobile.of[j]);
-  }
-  template <class Any>
-  static constexpr int exponent(Any, const PerJoint<size>& mobile, int i, int j) {
-    double drive = 0.0;
-    for (int k = 0; k < size; ++k)
-      drive += mobile.of[k] * entries_of<S, Word>(By{})(k, j).size;
-    const int computed = exponents_of<S, Word, role::Acceleration>.of[i] + right_hand_sides<S, Word, By>.scale[j];
-    return drive > 0.0 ? smaller(joint_rounding<Word>.exponent(mobile.of[i] * drive), computed) : computed;
-  }
-};
+constexpr int acceleration_exponent(By by, int i, int j) {
+  constexpr const auto& mobile = joint_mobilities<S, Word>;
+  double drive = 0.0;
+  for (int k = 0; k < joint_count<S>; ++k)
+    drive += mobile.of[k] * entries_of<S, Word>(by)(k, j).size;
+  const int computed = exponents_of<S, Word, role::Acceleration>.of[i] + right_hand_sides<S, Word, By>.scale[j];
+  return drive > 0.0 ? smaller(joint_rounding<Word>.exponent(mobile.of[i] * drive), computed) : computed;
+}
+///@}
 template <class S, class Word, class By>
-inline constexpr auto acceleration_format = AccelerationFormat<S, Word, By>::chosen();
+inline constexpr auto acceleration_format = entry_exponents<joint_count<S>>([](int i, int j) {
+  return acceleration_exponent<S, Word>(By{}, i, j);
+});
 
 }  // namespace detail
 

@@ -5,8 +5,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// Stands for bounds that nobody asked for.
 struct NoBounds {
@@ -178,7 +177,6 @@ struct DerivativeSolve {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

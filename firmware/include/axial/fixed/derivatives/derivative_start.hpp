@@ -6,8 +6,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// First joint whose acceleration is beyond what it declares, -1 for none: where the equations at `x` tell, by more
 /// than a 256th, which is what Jacobians may be off for; else as the plain answer has it.
@@ -88,7 +87,6 @@ struct DerivativeStart<S, T, true> {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

@@ -9,8 +9,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// Errors of what derivatives of forward dynamics are computed from.
 template <class S, class T>
@@ -114,7 +113,6 @@ inline constexpr auto looped_columns = LoopedColumns<S, T>::made();
 template <class S, class T>
 inline constexpr auto derivative_units = DerivativeUnits<S, T>::made();
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

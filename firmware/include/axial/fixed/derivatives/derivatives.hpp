@@ -73,20 +73,9 @@ constexpr const auto& entries_of(by::Velocity) {
 
 /// Exponents of the entries by their sizes.
 template <class S, class Word, class By>
-struct JointMatrixFormat {
-  static constexpr int size = joint_count<S>;
-  int of[size][size] = {};
-
-  static constexpr JointMatrixFormat chosen() {
-    JointMatrixFormat format;
-    for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j)
-        format.of[i][j] = joint_rounding<Word>.exponent(entries_of<S, Word>(By{})(i, j).size);
-    return format;
-  }
-};
-template <class S, class Word, class By>
-inline constexpr JointMatrixFormat<S, Word, By> joint_matrix_format = JointMatrixFormat<S, Word, By>::chosen();
+inline constexpr auto joint_matrix_format = entry_exponents<joint_count<S>>([](int i, int j) {
+  return joint_rounding<Word>.exponent(entries_of<S, Word>(By{})(i, j).size);
+});
 
 /// The format that one step writes all entries in, and doublings of each from there into its own. An entry beyond
 /// `most_doublings` is less than that format's unit: it is 0.

@@ -7,8 +7,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// The elimination (L^T D L, Featherstone 2008, section 6.5) of M in the units of DriveUnits, whose bounds hold every
 /// word, and solutions by it.
@@ -105,7 +104,6 @@ class DriveSolve {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

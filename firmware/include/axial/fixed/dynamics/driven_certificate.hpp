@@ -9,8 +9,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// What of a certificate no state changes: unknowns in words of answers, each equation in a unit in which entries of
 /// M^-1 are below 1 as far as mobilities tell.
@@ -151,7 +150,6 @@ class DrivenCertificate {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

@@ -7,8 +7,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// A linear system of up to 8 unknowns in words, each unknown and each equation in a unit of its own. Where enclose()
 /// answers true the exact solution is within `bound` of x + `correction`, for the x that leaves `residual`.
@@ -81,7 +80,6 @@ struct Enclosure {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

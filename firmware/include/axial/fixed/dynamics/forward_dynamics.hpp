@@ -10,8 +10,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// An articulated body, of which ranges are proved; the split one unless named. Composite bodies where joints share
 /// drives.
@@ -22,7 +21,6 @@ struct RouteOver<S, Stored<Word>> {
                                                                                : Route::split_articulated_body;
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

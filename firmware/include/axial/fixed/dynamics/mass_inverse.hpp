@@ -6,8 +6,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// What of a mass matrix no state changes: how its words become a matrix of accelerations and efforts, each joint's in
 /// a unit of its own, below 2^29, and how far that can be off.
@@ -157,7 +156,6 @@ struct MassInverse {
   std::int32_t refined_[N][N] = {};
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

@@ -12,33 +12,10 @@ namespace axial {
 namespace detail {
 /// Exponents of the entries: |M_ij| <= sqrt(M_ii M_jj), whatever the configuration.
 template <class S, class Word>
-struct MassMatrixFormat {
-  static constexpr int size = joint_count<S>;
-  int of[size][size] = {};
-
-  static constexpr MassMatrixFormat chosen() {
-    if constexpr (shares_drives_in<typename scene_of<S>::Robot>) {
-      return by([](int k) { return DriveSizes<S, Word>::inertia(k); });
-    } else {
-      const auto ranges =
-          composite_body_ranges(mechanism_of<scene_of<S>, FullParameters>, joint_rounding<Word>, Wanted::formats);
-      return by([&](int i) { return ranges.range[i].joint_inertia.size; });
-    }
-  }
-  template <class Diagonal>
-  static constexpr MassMatrixFormat by(const Diagonal& diagonal) {
-    MassMatrixFormat format;
-    double most[size] = {};
-    for (int i = 0; i < size; ++i)
-      most[i] = diagonal(i);
-    for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j)
-        format.of[i][j] = joint_rounding<Word>.exponent(square_root(most[i] * most[j]));
-    return format;
-  }
-};
-template <class S, class Word>
-inline constexpr MassMatrixFormat<S, Word> mass_matrix_format = MassMatrixFormat<S, Word>::chosen();
+inline constexpr auto mass_matrix_format = entry_exponents<joint_count<S>>([](int i, int j) {
+  using Sizes = SizesOf<S, Word>;
+  return joint_rounding<Word>.exponent(square_root(Sizes::inertia(i) * Sizes::inertia(j)));
+});
 
 /// The least exponent of the entries.
 template <class S, class Word>

@@ -8,8 +8,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace aba {
+namespace axial::aba {
 
 /// Joint accelerations of one solve as words, each at the exponent of its link.
 template <class Links>
@@ -178,7 +177,6 @@ struct SplitAnswer<Arithmetic<Word, nearest, high, checked>> {
   using Over = std::conditional_t<(Links::halvings() > 0), AnswerMagnified, AnswerInRanges>;
 };
 
-}  // namespace aba
-}  // namespace axial
+}  // namespace axial::aba
 
 #include <axial/options/end.hpp>

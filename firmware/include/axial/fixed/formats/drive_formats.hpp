@@ -1,4 +1,5 @@
-// Joints that share drives in fixed point: how far drives move joints, and how large what they answer can be.
+// How large M and its inverse can be; joints that share drives: how far drives move them, and how large what they
+// answer can be.
 #pragma once
 
 #include <axial/fixed/bounds/mass_matrix.hpp>
@@ -69,6 +70,50 @@ struct WithinDrives<Scene<JointCoordinates<R>, Features...>> {
 template <class S>
 using JointsOf = typename WithinDrives<typename SceneOfJoints<scene_of<S>>::type>::type;
 
+/// One number for each of N joints or drives.
+template <int N, class Get>
+constexpr PerJoint<N> per_joint(const Get& get) {
+  PerJoint<N> all;
+  for (int i = 0; i < N; ++i)
+    all.of[i] = get(i);
+  return all;
+}
+/// An exponent for each entry of a matrix.
+template <int N>
+struct EntryExponents {
+  int of[N][N] = {};
+};
+template <int N, class Exponent>
+constexpr EntryExponents<N> entry_exponents(const Exponent& exponent) {
+  EntryExponents<N> all;
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j < N; ++j)
+      all.of[i][j] = exponent(i, j);
+  return all;
+}
+
+/// Square roots of the largest (M^-1)_ii of joints: |(M^-1)_ij| is at most the product of two.
+template <class S, class Word>
+inline constexpr auto joint_mobilities = [] {
+  constexpr int size = joint_count<S>;
+  const ForwardErrorAnalysis<size> analysis(mechanism_of<scene_of<S>, FullParameters>, joint_rounding<Word>,
+                                            free_ranges_of<S, Word>, motion_ranges_of<S, Word>);
+  return per_joint<size>([&](int i) { return analysis.mobility(i); });
+}();
+/// The largest M_ii of joints.
+template <class S, class Word>
+inline constexpr auto joint_inertias = [] {
+  const auto ranges =
+      composite_body_ranges(mechanism_of<scene_of<S>, FullParameters>, joint_rounding<Word>, Wanted::formats);
+  return per_joint<joint_count<S>>([&](int i) { return ranges.range[i].joint_inertia.size; });
+}();
+/// Sizes of joints that share no drives, as DriveSizes has them of drives.
+template <class S, class Word>
+struct JointSizes {
+  static constexpr double inertia(int i) { return joint_inertias<S, Word>.of[i]; }
+  static constexpr double mobility(int i) { return joint_mobilities<S, Word>.of[i]; }
+};
+
 /// Square roots of the largest (M^-1)(k, k) of the drives.
 template <class S, class Word>
 constexpr auto found_mobilities();
@@ -121,9 +166,7 @@ struct DriveSizes {
   ///@}
   /// Size of M(k, k): |M_ij| <= sqrt(M_ii M_jj).
   static constexpr double inertia(int k) {
-    const auto ranges =
-        composite_body_ranges(mechanism_of<Joint, FullParameters>, joint_rounding<Word>, Wanted::formats);
-    const double root = actuator_effort(k, [&](int i) { return square_root(ranges.range[i].joint_inertia.size); });
+    const double root = actuator_effort(k, [](int i) { return square_root(joint_inertias<Joint, Word>.of[i]); });
     return root * root + rotor(k);
   }
   /// Square root of the largest (M^-1)(k, k).
@@ -149,11 +192,12 @@ constexpr auto found_mobilities() {
   const DriveMobility<Sizes::joints> found(
       mechanism_of<Joint, FullParameters>, Sizes::g, [](int i) { return motion.range[i].turns_across; },
       [](int k) { return Sizes::rotor(k); });
-  PerJoint<joint_count<S>> all;
-  for (int k = 0; k < joint_count<S>; ++k)
-    all.of[k] = found.of(k);
-  return all;
+  return per_joint<joint_count<S>>([&found](int k) { return found.of(k); });
 }
+/// Sizes of what drives answer, or joints where each has its own.
+template <class S, class Word>
+using SizesOf =
+    std::conditional_t<shares_drives_in<typename scene_of<S>::Robot>, DriveSizes<S, Word>, JointSizes<S, Word>>;
 
 }  // namespace detail
 

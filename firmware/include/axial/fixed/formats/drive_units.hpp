@@ -3,12 +3,10 @@
 
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/fixed/formats/drive_formats.hpp>
-#include <axial/fixed/formats/joint_sizes.hpp>
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// What of M udd = left in words no state changes. A drive is a joint where joints share none. M'(k, l) = M(k, l) /
 /// 2^(scale[k] + scale[l]) is at most 1, in words of 30 bits behind the point; 1 <= mobility' = mobility 2^scale bounds
@@ -18,8 +16,7 @@ namespace detail {
 template <class S, class Word>
 struct DriveUnits {
   using T = Stored<Word>;
-  using Sizes =
-      std::conditional_t<shares_drives_in<typename scene_of<S>::Robot>, DriveSizes<S, Word>, JointSizes<S, Word>>;
+  using Sizes = SizesOf<S, Word>;
   using Answers = FreeAccelerations<subject_of<S, T>, T>;
   static constexpr int size = joint_count<S>, bits = 30;
   static constexpr int most_gain_bits = 18;  ///< of which gains leave words enough behind the point
@@ -83,7 +80,6 @@ struct DriveUnits {
 template <class S, class Word>
 inline constexpr auto drive_units = DriveUnits<S, Word>::chosen();
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

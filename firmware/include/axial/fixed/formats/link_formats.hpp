@@ -12,9 +12,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-
-namespace detail {
+namespace axial::detail {
 
 /// The arithmetic of a scene over words of a type.
 template <class Scene, class Word>
@@ -223,7 +221,6 @@ struct Formats {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

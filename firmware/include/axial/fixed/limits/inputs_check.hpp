@@ -7,8 +7,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 constexpr std::uint64_t square(std::int32_t x) { return integer::detail::as_unsigned(integer::multiply(x, x)); }
 
@@ -146,7 +145,6 @@ constexpr Status check_fixed_inputs(const Inputs<S, Stored<Word>>& in) {
   return {within ? Status::Code::ok : Status::Code::input_limit, -1};
 }
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

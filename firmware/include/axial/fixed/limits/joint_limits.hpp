@@ -7,8 +7,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// A limit as an integer; units of rounding are allowed, so that the limit itself is inside.
 constexpr std::int64_t shared_limit(double limit, double unit) {
@@ -120,7 +119,6 @@ struct SharedLimits {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

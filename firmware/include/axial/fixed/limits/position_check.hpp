@@ -8,8 +8,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 template <class S, class Word, class Q, int... I>
 AXIAL_INLINE constexpr int first_slide_outside(const Q& q, std::integer_sequence<int, I...>) {
@@ -45,7 +44,6 @@ struct PositionCheck<S, Stored<Word>> {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

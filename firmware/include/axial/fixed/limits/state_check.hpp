@@ -7,8 +7,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// Joints that are looked at together: two bits each in a word.
 inline constexpr int joints_a_word = 15;
@@ -104,7 +103,6 @@ struct StateCheck<S, Stored<Word>> {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

@@ -115,10 +115,6 @@ struct LinkFormats : Formats<Scene, Parameters, S, Recursion> {
   template <class, class>
   using Values = FormattedValues;
 };
-
-}  // namespace detail
-
-namespace detail {
 /// The recursions that go from joints to drives by a sum.
 template <class Scene, class Recursion>
 constexpr void check_shared_drives() {

@@ -2,7 +2,6 @@
 // doc/guides/ranges.md.
 #pragma once
 
-#include <axial/fixed/balls/split_ball.hpp>
 #include <axial/fixed/bounds/newton_euler.hpp>
 #include <axial/fixed/bounds/shared_formats.hpp>
 #include <axial/fixed/ranges/composite_bodies.hpp>

@@ -1,7 +1,6 @@
 // Ranges of composite bodies: what everything outboard of a link can weigh about it. doc/guides/ranges.md is the proof.
 #pragma once
 
-#include <axial/fixed/balls/split_ball.hpp>
 #include <axial/fixed/bounds/shared_formats.hpp>
 
 #include <axial/options/begin.hpp>

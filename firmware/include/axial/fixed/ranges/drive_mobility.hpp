@@ -6,8 +6,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// Of what nothing that resists is known.
 inline constexpr double unknown_mobility = 1e60;
@@ -105,7 +104,6 @@ class DriveMobility {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

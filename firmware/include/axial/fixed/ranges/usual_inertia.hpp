@@ -9,8 +9,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// One number per joint, SI.
 template <int N>
@@ -82,7 +81,6 @@ constexpr PerJoint<N> usual_inertia(const Mechanism<N>& m) {
   return least;
 }
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

@@ -6,8 +6,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// Words with the exponent InputFormats::sine_cosine.
 template <class S, class Word>
@@ -24,7 +23,6 @@ struct PairsOf<S, Stored<Word>> {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

@@ -7,8 +7,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// Whether the processor puts products together from halves, and has eight registers for them.
 inline constexpr bool has_few_registers = AXIAL_LONG_MULTIPLY == 0;
@@ -23,7 +22,6 @@ struct StagesOver<Arithmetic<Word, nearest, high, checked>> {
                                 (Links::halvings() > 0 || Links::second_solve());  ///< as in recursion/stages.hpp
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

@@ -8,8 +8,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace separation {
+namespace axial::separation {
 
 /// How the torque's words stand: coefficients at their exponents, products of two rates in the format of their limits.
 template <class Robot, class A>
@@ -116,7 +115,6 @@ struct TorqueOf<S, Stored<Word>> {
   }
 };
 
-}  // namespace separation
-}  // namespace axial
+}  // namespace axial::separation
 
 #include <axial/options/end.hpp>

@@ -7,8 +7,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// Errors of accelerations of drives of a scene S, over words T. With |v| = sqrt(v^T M v), |v[k]| <= mobility[k] |v|
 /// and |M^-1 f| <= sum mobility |f|; words of M that are off by e change M by at most the sum of mobility e mobility,
@@ -73,7 +72,6 @@ class DrivenForwardError {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

@@ -6,8 +6,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// Where each joint has a drive of its own: joint values are off by `word` units of their words.
 template <class S, class T>
@@ -142,7 +141,6 @@ struct JointErrors {
   }
 };
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

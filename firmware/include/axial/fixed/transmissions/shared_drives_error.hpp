@@ -6,8 +6,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// Where joints share drives: what G makes of words of drives, and of words of joints.
 template <class S, class T>
@@ -212,7 +211,6 @@ inline constexpr bool has_shared_drives = shares_drives_in<typename scene_of<S>:
 template <class S, class T>
 using ErrorsOf = std::conditional_t<has_shared_drives<S>, DriveErrors<S, T>, JointErrors<S, T>>;
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

@@ -6,8 +6,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 template <class T>
 struct Ieee;
@@ -150,7 +149,6 @@ constexpr T from_angle(std::int32_t raw) {
   return assembled<T>(n.negative, radians << shift, -61 - n.shift - shift);
 }
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>

@@ -6,8 +6,7 @@
 
 #include <axial/options/begin.hpp>
 
-namespace axial {
-namespace detail {
+namespace axial::detail {
 
 /// x / 2^shift, rounded down, for 0 <= shift < 64; the same instructions for every shift.
 AXIAL_INLINE constexpr std::int64_t wide_shifted_by(std::int64_t x, int shift) {
@@ -79,7 +78,6 @@ AXIAL_INLINE constexpr int wide_bits(std::int64_t x) {
   return (above & wide) | (below & ~wide);
 }
 
-}  // namespace detail
-}  // namespace axial
+}  // namespace axial::detail
 
 #include <axial/options/end.hpp>
