@@ -44,25 +44,19 @@ template <class Scene, class Word, class Default, class Recursion>
 inline constexpr auto& ranges_for =
     ranges_of<Scene, with_rotors<Scene, parameters_of<Scene, Default>>, ArithmeticOf<Scene, Word>, Recursion>;
 
-template <int N, class Get>
-constexpr ErrorBound<N> bounds_of(const Ranges<N>& ranges, Get get) {
-  ErrorBound<N> bound;
-  for (int i = 0; i < N; ++i)
-    bound.of[i] = get(ranges.range[i]);
-  return bound;
-}
-
-template <int N, class V, class Get>
-constexpr ErrorBound<N> bounds_of(const Row<V, N>& values, Get get) {
-  ErrorBound<N> bound;
-  for (int i = 0; i < N; ++i)
-    bound.of[i] = get(values[i]);
-  return bound;
-}
-
 template <int N>
-constexpr ErrorBound<N> all_of(const Row<double, N>& errors) {
-  return bounds_of(errors, [](double error) { return error; });
+constexpr ErrorBound<N> bounds_of(const Row<double, N>& errors) {
+  ErrorBound<N> bound;
+  for (int i = 0; i < N; ++i)
+    bound.of[i] = errors[i];
+  return bound;
+}
+template <int N>
+constexpr ErrorBound<N> bounds_of(const Ranges<N>& ranges, Ball LinkRange::*quantity) {
+  ErrorBound<N> bound;
+  for (int i = 0; i < N; ++i)
+    bound.of[i] = (ranges.range[i].*quantity).error;
+  return bound;
 }
 
 /// Refuses what fixed point does not compute: nothing is certified of it.
@@ -98,33 +92,32 @@ constexpr Separated<S, double> errors_of(const bounds::SeparatedBounds<joint_cou
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::InverseDynamics) {
   static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
-  return detail::all_of(detail::ErrorsOf<S, T>::efforts(0.0));
+  return detail::bounds_of(detail::ErrorsOf<S, T>::efforts(0.0));
 }
 /// Error bounds of the bias torque, N m or N.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Bias) {
   static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
-  return detail::all_of(detail::ErrorsOf<S, T>::efforts(0.0));
+  return detail::bounds_of(detail::ErrorsOf<S, T>::efforts(0.0));
 }
 /// Error bounds of the gravity torque, N m or N.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Gravity) {
   static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
-  return detail::all_of(detail::ErrorsOf<S, T>::efforts(0.0));
+  return detail::bounds_of(detail::ErrorsOf<S, T>::efforts(0.0));
 }
 /// Error bounds of the torque of a real request, N m or N: its conversion into words is in it. The request is inside
 /// the declared limits, as declared.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::RequestedTorque) {
   static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
-  return detail::all_of(detail::ErrorsOf<S, T>::efforts(0.5));
+  return detail::bounds_of(detail::ErrorsOf<S, T>::efforts(0.5));
 }
 /// Error bounds of the SCARA's closed form, N m or N.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::ClosedForm) {
   using A = detail::ArithmeticOf<scene_of<S>, typename T::Word>;
-  return detail::bounds_of(closed_form::detail::ScaraTable<S, A>::value,
-                           [](const LinkRange& r) { return r.joint_effort.error; });
+  return detail::bounds_of(closed_form::detail::ScaraTable<S, A>::value, &LinkRange::joint_effort);
 }
 /// Error bounds of the SCARA's separated terms in closed form, each where Separated has it, in its SI unit.
 template <class S, class T = Fixed32>
@@ -138,43 +131,42 @@ template <class S, class T = Fixed32>
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::MassMatrix) {
   static_assert((detail::check_bound<S, recursion::CompositeBodies>(), true));
-  return detail::all_of(detail::ErrorsOf<S, T>::rows());
+  return detail::bounds_of(detail::ErrorsOf<S, T>::rows());
 }
 /// Error bounds of the origins of the links' frames, m.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::ForwardKinematics) {
   static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
-  return detail::all_of(detail::ErrorsOf<S, T>::origins());
+  return detail::bounds_of(detail::ErrorsOf<S, T>::origins());
 }
 /// Error bounds of the joints' momenta, N m s or N s.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Momentum) {
   static_assert((detail::check_bound<S, recursion::Momenta>(), true));
-  return detail::all_of(detail::ErrorsOf<S, T>::momenta());
+  return detail::bounds_of(detail::ErrorsOf<S, T>::momenta());
 }
 /// Error bounds of the drifts of the joints' momenta, N m or N.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::MomentumDrift) {
   static_assert((detail::check_bound<S, recursion::Momenta>(), true));
-  return detail::all_of(detail::ErrorsOf<S, T>::drifts());
+  return detail::bounds_of(detail::ErrorsOf<S, T>::drifts());
 }
 /// Error bounds of the tool's Jacobian, one per column: the norm of its linear part, in m (of a slide's in 1).
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::Jacobian) {
   static_assert((detail::check_bound<S, recursion::Kinematics>(), true));
-  return detail::bounds_of(detail::ErrorsOf<S, T>::jacobian().columns,
-                           [](const auto& column) { return column.linear.bound.whole.error; });
+  return detail::bounds_of(detail::ErrorsOf<S, T>::columns());
 }
 /// Error bounds of accelerations, rad/s^2 or m/s^2.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::ForwardDynamics) {
   if constexpr (detail::has_shared_drives<S>) {
-    return detail::all_of(detail::DrivenForwardError<S, T>::accelerations());
+    return detail::bounds_of(detail::DrivenForwardError<S, T>::accelerations());
   } else {
     static_assert((detail::check_bound<S, recursion::ArticulatedBodiesAtRest>(), true));
     return detail::bounds_of(
         detail::ranges_for<scene_of<S>, typename T::Word, FullParameters, recursion::ArticulatedBodiesAtRest>,
-        [](const LinkRange& r) { return r.joint_acceleration.error; });
+        &LinkRange::joint_acceleration);
   }
 }
 

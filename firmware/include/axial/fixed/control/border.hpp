@@ -18,20 +18,12 @@ struct Converted {
 
 namespace detail {
 
-template <class Role>
-constexpr Status::Code limit_code() {
-  using Code = Status::Code;
-  if constexpr (std::is_same_v<Role, role::Position>) return Code::position_limit;
-  if constexpr (std::is_same_v<Role, role::Velocity>) return Code::speed_limit;
-  if constexpr (std::is_same_v<Role, role::Acceleration>) return Code::acceleration_limit;
-  return Code::effort_limit;
-}
-
-/// Declared range of a role's value: real, and raw.
+/// Declared range of a role's value: real, and raw; what is said of a value beyond it.
 template <class T, class Word>
 struct RoleRange {
   T low, high;
   Word raw_low, raw_high;
+  Status::Code beyond;
 };
 
 template <class S, class T, class Word, class Role>
@@ -40,14 +32,18 @@ constexpr auto role_range(int i) {
   const auto& real = limits_of<robot_of<S>, T>.joints[i];
   const auto& raw = fixed_limits_of<S, Word>.joints[i];
   using Range = RoleRange<T, RoleWord>;
+  using Code = Status::Code;
+  const auto either_way = [](const T& most, const auto& word, Code beyond) {
+    return Range{-most, most, Word(-word.raw), word.raw, beyond};
+  };
   if constexpr (std::is_same_v<Role, role::Position>)
-    return Range{real.position_min, real.position_max, raw.min, raw.max};
+    return Range{real.position_min, real.position_max, raw.min, raw.max, Code::position_limit};
   else if constexpr (std::is_same_v<Role, role::Velocity>)
-    return Range{-real.speed, real.speed, Word(-raw.speed.raw), raw.speed.raw};
+    return either_way(real.speed, raw.speed, Code::speed_limit);
   else if constexpr (std::is_same_v<Role, role::Acceleration>)
-    return Range{-real.acceleration, real.acceleration, Word(-raw.acceleration.raw), raw.acceleration.raw};
+    return either_way(real.acceleration, raw.acceleration, Code::acceleration_limit);
   else
-    return Range{-real.effort, real.effort, Word(-raw.effort.raw), raw.effort.raw};
+    return either_way(real.effort, raw.effort, Code::effort_limit);
 }
 
 /// Joint i's value in its role's format, the nearest within the declared range.
@@ -68,7 +64,7 @@ constexpr Status::Code convert(typename Values::Value& to, int i, const T& x) {
     to = {raw < range.raw_low ? range.raw_low : raw > range.raw_high ? range.raw_high : raw};
   }
   if (!is_finite(x)) return Status::Code::not_finite;
-  return under || over ? limit_code<typename Traits::Role>() : Status::Code::ok;
+  return under || over ? range.beyond : Status::Code::ok;
 }
 
 }  // namespace detail

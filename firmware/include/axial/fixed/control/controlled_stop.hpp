@@ -83,8 +83,7 @@ struct StopStep<S, Stored<Word>, Stop> {
     return {static_cast<Word>((kept ^ sign) - sign)};
   }
   static constexpr T gained(int i, const T& v, const T& a) {
-    const std::int64_t sum = v.raw + joints.of[i].speed.times(a.raw);
-    return {raw_within(sum)};
+    return {nearest_word<Word>(v.raw + joints.of[i].speed.times(a.raw))};
   }
   static constexpr Fixed32 moved(int i, const Fixed32& q, const T& v, const T& next) {
     const auto way = joints.of[i].position.times(static_cast<std::int32_t>((std::int64_t{v.raw} + next.raw) >> 1));
@@ -95,17 +94,9 @@ struct StopStep<S, Stored<Word>, Stop> {
     return {(there_raw & ~beyond) | (end & beyond)};
   }
   static constexpr T rate(int i, const T& v, const T& next) {
-    return {raw_within(joints.of[i].acceleration.times(next.raw - v.raw))};
+    return {nearest_word<Word>(joints.of[i].acceleration.times(next.raw - v.raw))};
   }
   static constexpr bool is_moving(const T& v) { return v.raw != 0; }
-
- private:
-  static constexpr Word raw_within(std::int64_t x) {
-    constexpr std::int64_t most = (std::numeric_limits<Word>::max)();
-    const std::int64_t over = x - most, under = -most - x;
-    const std::int64_t cut = x - (over & ~(over >> 63));
-    return static_cast<Word>(cut + (under & ~(under >> 63)));
-  }
 };
 
 }  // namespace axial::detail

@@ -12,6 +12,15 @@
 namespace axial {
 namespace detail {
 
+/// x, or the nearest number that a word holds; no branch.
+template <class Word>
+constexpr Word nearest_word(std::int64_t x) {
+  constexpr std::int64_t most = (std::numeric_limits<Word>::max)();
+  const std::int64_t over = x - most, under = -most - x;
+  const std::int64_t cut = x - (over & ~(over >> 63));
+  return static_cast<Word>(cut + (under & ~(under >> 63)));
+}
+
 /// Words of the scene, which gives efforts their formats.
 template <class S, class Word>
 struct LimitsFor<S, Stored<Word>> {

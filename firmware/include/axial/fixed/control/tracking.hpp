@@ -27,15 +27,6 @@ struct ConvertedGains {
 
 namespace detail {
 
-/// x, or the nearest number that a word holds; no branch.
-template <class Word>
-constexpr Word nearest_word(std::int64_t x) {
-  constexpr std::int64_t most = (std::numeric_limits<Word>::max)();
-  const std::int64_t over = x - most, under = -most - x;
-  const std::int64_t cut = x - (over & ~(over >> 63));
-  return static_cast<Word>(cut + (under & ~(under >> 63)));
-}
-
 /// An error times a gain, in the effort's units, to nearest.
 constexpr std::int64_t gained(std::int32_t error, std::int32_t gain, int exponent) {
   return (integer::multiply(error, gain) + (std::int64_t{1} << (exponent - 1))) >> exponent;

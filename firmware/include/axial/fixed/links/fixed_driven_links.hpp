@@ -101,12 +101,9 @@ struct FixedDrivenLinks {
     FixedValues<Scene, S>::write(values, k, detail::lazy_sum(actuator_effort<K::value>(at), own...));
   }
   /// What drive K feels of values of the joints with their formats: a lazy sum.
-  template <int K, int I = 0, class Values>
+  template <int K, class Values>
   AXIAL_INLINE static constexpr auto actuator_effort(const Values& values) {
-    if constexpr (I == size)
-      return Zero{};
-    else
-      return add(literal<S>([] { return matrix.ratio[I][K]; }) * values[Index<I>{}], actuator_effort<K, I + 1>(values));
+    return sum<size>([&](auto i) AXIAL_INLINE { return ratio<S, decltype(i)::value, K>() * values[i]; });
   }
   /// A sum that waits for its rounding.
   template <class X, class Y>
@@ -121,7 +118,9 @@ struct FixedDrivenLinks {
   /// A component of a Jacobian's column by drive K, from those by joints: one format for all.
   template <int K, class Get>
   AXIAL_INLINE static constexpr Value column_part(const Get& get) {
-    return {round_to<-column_headroom<Scene>>(column_sum<K, 0>(get)).raw};
+    const auto all =
+        sum<size>([&](auto i) AXIAL_INLINE { return ratio<S, decltype(i)::value, K>() * Fx<0, S>{get(i).raw}; });
+    return {round_to<-column_headroom<Scene>>(all).raw};
   }
   /// Calls f(k) for every drive.
   template <class F>
@@ -130,42 +129,41 @@ struct FixedDrivenLinks {
   }
 
  private:
+  // G(I, K) as a literal of an arithmetic.
+  template <class Scalar, int I, int K>
+  AXIAL_INLINE static constexpr auto ratio() {
+    return literal<Scalar>([] { return matrix.ratio[I][K]; });
+  }
+  // The lazy sum of term(i) from i to count - 1.
+  template <int count, int i = 0, class Term>
+  AXIAL_INLINE static constexpr auto sum(const Term& term) {
+    if constexpr (i == count)
+      return Zero{};
+    else
+      return add(term(Index<i>{}), sum<count, i + 1>(term));
+  }
   template <int I, class U>
   AXIAL_INLINE static constexpr std::int32_t position(const U& u) {
     using P = detail::PositionArithmetic;
     if constexpr (JointRobot::chain.links[I].type == JointType::revolute) {
-      constexpr auto unit = [] { return detail::bam_per_radian; };
-      const auto turned = round_to<0>(row_of<I, 0>(u, literal<P>(unit)));
+      const auto turned = round_to<0>(row_of<I>(u, literal<P>([] { return detail::bam_per_radian; })));
       return turned_by(Bam<P>{turned.raw}, [] { return matrix.offset[I]; }).raw;
     } else {
       constexpr int exponent = Positions<JointRobot, Value>::exponent(I);
-      return round_to<exponent>(detail::lazy_sum(row_of<I, 0>(u, One{}), literal<P>([] { return matrix.offset[I]; })))
-          .raw;
+      return round_to<exponent>(add(row_of<I>(u, One{}), literal<P>([] { return matrix.offset[I]; }))).raw;
     }
   }
   // Row I of G times positions of drives, in units of 1 / unit.
-  template <int I, int K, class U, class Unit>
+  template <int I, class U, class Unit>
   AXIAL_INLINE static constexpr auto row_of(const U& u, Unit unit) {
     using P = detail::PositionArithmetic;
-    if constexpr (K == capacity)
-      return Zero{};
-    else
-      return detail::lazy_sum((literal<P>([] { return matrix.ratio[I][K]; }) * unit) * Fx<U::exponent(K), P>{u[K].raw},
-                              row_of<I, K + 1>(u, unit));
+    return sum<capacity>([&](auto k) AXIAL_INLINE {
+      return (ratio<P, I, decltype(k)::value>() * unit) * Fx<U::exponent(k), P>{u[k].raw};
+    });
   }
-  template <int I, int K = 0, class U>
+  template <int I, class U>
   AXIAL_INLINE static constexpr auto row(const U& u) {
-    if constexpr (K == capacity)
-      return Zero{};
-    else
-      return add(literal<S>([] { return matrix.ratio[I][K]; }) * u[Index<K>{}], row<I, K + 1>(u));
-  }
-  template <int K, int I, class Get>
-  AXIAL_INLINE static constexpr auto column_sum(const Get& get) {
-    if constexpr (I == size)
-      return Zero{};
-    else
-      return add(literal<S>([] { return matrix.ratio[I][K]; }) * Fx<0, S>{get(I).raw}, column_sum<K, I + 1>(get));
+    return sum<capacity>([&](auto k) AXIAL_INLINE { return ratio<S, I, decltype(k)::value>() * u[k]; });
   }
   template <class F, int... I>
   AXIAL_INLINE static constexpr void each(const F& f, std::integer_sequence<int, I...>) {

@@ -99,27 +99,22 @@ struct FixedTable {
   }
 };
 
-template <class Row, class Formats, int... I>
-constexpr auto fixed_rows(std::integer_sequence<int, I...>) {
-  struct Table {
-    Row links[sizeof...(I)];
-  };
-  return Table{{FixedTable<Formats>::template row<Row>(FixedTable<Formats>::links[I])...}};
+template <class Row, int size>
+struct FixedRows {
+  Row links[size];
+};
+template <class Row, class Get, int... I>
+constexpr FixedRows<Row, sizeof...(I)> fixed_rows(const Get& get, std::integer_sequence<int, I...>) {
+  return {{get(I)...}};
 }
 template <class Row, class Formats>
 inline constexpr auto fixed_table =
-    fixed_rows<Row, Formats>(std::make_integer_sequence<int, FixedTable<Formats>::size>{});
-
-template <class Formats, int... I>
-constexpr auto fixed_drive_rows(std::integer_sequence<int, I...>) {
-  struct Table {
-    DriveConstants<TableWord> links[sizeof...(I)];
-  };
-  return Table{{FixedTable<Formats>::drive_row(FixedTable<Formats>::drives[I])...}};
-}
+    fixed_rows<Row>([](int i) { return FixedTable<Formats>::template row<Row>(FixedTable<Formats>::links[i]); },
+                    std::make_integer_sequence<int, FixedTable<Formats>::size>{});
 template <class Formats>
-inline constexpr auto fixed_drives =
-    fixed_drive_rows<Formats>(std::make_integer_sequence<int, FixedTable<Formats>::size>{});
+inline constexpr auto fixed_drives = fixed_rows<DriveConstants<TableWord>>(
+    [](int i) { return FixedTable<Formats>::drive_row(FixedTable<Formats>::drives[i]); },
+    std::make_integer_sequence<int, FixedTable<Formats>::size>{});
 
 }  // namespace detail
 

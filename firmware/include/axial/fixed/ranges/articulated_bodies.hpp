@@ -105,10 +105,10 @@ class ArticulatedAnalysis {
     own.moment.size = square_root(b.inertia) * root + given, own.force.size = square_root(b.mass) * root + given;
     own.joint_effort.size = given + square_root(own.joint_inertia.size * outboard_[i]);
     // |K| <= sqrt(|I^c|) sqrt(s) / (s + rotor) for s = I_ss, s >= least.
-    const double least = larger_of(c.prismatic ? c.mass : c.jzz, own.least - rotor(i));
+    const double least = larger(c.prismatic ? c.mass : c.jzz, own.least - rotor(i));
     const double steep = least > rotor(i) ? square_root(least) / (least + rotor(i)) : 0.5 / square_root(rotor(i));
-    own.angular_gain.size = larger_of(square_root(b.inertia) * steep, 1.0);
-    own.linear_gain.size = larger_of(square_root(b.mass) * steep, 1.0);
+    own.angular_gain.size = larger(square_root(b.inertia) * steep, 1.0);
+    own.linear_gain.size = larger(square_root(b.mass) * steep, 1.0);
   }
   // Joint accelerations are held below twice what the drive gives the least inertia; those of links follow, or from
   // sum of a_k^T I_k a_k <= G.
@@ -126,18 +126,16 @@ class ArticulatedAnalysis {
     const bool alike = p >= 0 && m_.links[p].prismatic == c.prismatic;
     // What is held at the format may exceed it 2^8-fold before that goes unseen (saturated()): half of it is used.
     const double usual = free + (alike ? up.joint_acceleration.size : 0.0);
-    const double joint = larger_of(least_of(rigorous, usual), rigorous / 128.0);
+    const double joint = larger(detail::least(rigorous, usual), rigorous / 128.0);
     own.joint_acceleration.size = joint;
-    own.angular_acceleration.size = least_of(turn + (c.prismatic ? 0.0 : joint), spins);
+    own.angular_acceleration.size = detail::least(turn + (c.prismatic ? 0.0 : joint), spins);
     own.linear_acceleration.size = carried + (c.prismatic ? joint : 0.0);
     if (!(c.mass > 0.0)) return;
     const double centre = length_of(c.hx, c.hy, c.hz) / c.mass;
-    own.linear_acceleration.size =
-        least_of(own.linear_acceleration.size, whole_ / square_root(c.mass) + centre * own.angular_acceleration.size);
+    own.linear_acceleration.size = detail::least(own.linear_acceleration.size,
+                                                 whole_ / square_root(c.mass) + centre * own.angular_acceleration.size);
   }
   constexpr double energy_share(int i) const { return square_root(all_.range[i].share); }
-  static constexpr double least_of(double a, double b) { return a < b ? a : b; }
-  static constexpr double larger_of(double a, double b) { return a > b ? a : b; }
 
   // What the motion at hand adds in the classical form.
   constexpr void add(int i, const Ranges<N>& moving) {
@@ -150,8 +148,7 @@ class ArticulatedAnalysis {
     own.moment.size += more.moment.size + m_.joints[i].travel * more.force.size, own.force.size += more.force.size;
     if (const int format = m_.joints[i].effort_format; format != JointRange::unknown) {  // any word may be given
       const double given = r_.capacity() * power_of_two(-format);
-      own.joint_effort.size =
-          larger_of(own.joint_effort.size, given + square_root(own.joint_inertia.size * outboard_[i]));
+      own.joint_effort.size = larger(own.joint_effort.size, given + square_root(own.joint_inertia.size * outboard_[i]));
     }
     own.joint_effort.size += slides ? more.force.size : more.moment.size;
     own.joint_acceleration.size += slides ? more.linear_acceleration.size : more.angular_acceleration.size;
@@ -164,8 +161,8 @@ class ArticulatedAnalysis {
     double linear = own.linear_acceleration.size, angular = own.angular_acceleration.size;
     if (p >= 0) {
       const LinkRange& up = all_.range[p];
-      linear = larger_of(linear, up.linear_acceleration.size + m_.origin_distance(i) * up.angular_acceleration.size);
-      angular = larger_of(angular, up.angular_acceleration.size);
+      linear = larger(linear, up.linear_acceleration.size + m_.origin_distance(i) * up.angular_acceleration.size);
+      angular = larger(angular, up.angular_acceleration.size);
     }
     if (p < 0 && moving != nullptr) linear += m_.loads.gravity_across + m_.loads.gravity_along;
     format.angular_velocity = moving == nullptr ? 0 : moving->format[i].angular_velocity;

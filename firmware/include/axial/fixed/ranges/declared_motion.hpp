@@ -58,7 +58,6 @@ class DeclaredMotion {
         all_.range[i].angular_gain.size * up.angular_acceleration.size + all_.range[i].linear_gain.size * carried;
     to.joint_acceleration.size = pull + least(carries, to.joint_effort.size / all_.range[i].least);
   }
-  static constexpr double least(double a, double b) { return a < b ? a : b; }
 };
 
 /// What formats take each joint to feel at least: a 256th of what it feels usually where that is more than its own link

@@ -39,7 +39,6 @@ class DriveMobility {
   Speed links_[N] = {};
   double rows_[2 * N] = {}, drives_[N] = {};
 
-  static constexpr double least(double a, double b) { return a < b ? a : b; }
   constexpr double by_rotors(int i) const {
     double sum = 0.0;
     for (int k = 0; k < g_.drives; ++k)

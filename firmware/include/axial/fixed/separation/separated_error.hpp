@@ -65,16 +65,6 @@ class DrivenTermErrors {
     }
     return all;
   }
-  /// The drives as links by themselves, with the formats of their efforts.
-  ///@{
-  static constexpr const auto& mechanism() { return mechanism_of<Scene, FullParameters>; }
-  static constexpr Ranges<n> ranges() {
-    Ranges<n> all{};
-    for (int k = 0; k < n; ++k)
-      all.format[k].joint_effort = Exponents::rest(k);
-    return all;
-  }
-  ///@}
 };
 
 }  // namespace detail
@@ -105,9 +95,10 @@ template <class S, class T>
 class BoundsOfTerms {
   using Scene = scene_of<S>;
   using A = detail::ArithmeticOf<Scene, typename T::Word>;
-  using Parameters = detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>;
   static constexpr int n = joint_count<S>;
   static constexpr bool shared = detail::has_shared_drives<S>;
+  using Parameters =
+      std::conditional_t<shared, FullParameters, detail::with_rotors<Scene, parameters_of<Scene, BaseParameters>>>;
 
  public:
   /// Coefficients, by the kernel on bounds.
@@ -117,30 +108,28 @@ class BoundsOfTerms {
     else
       return detail::JointErrors<S, T>::joint_terms();
   }
-  /// Efforts, of coefficients `s`.
-  static constexpr Row<bounds::Number, n> torque(const bounds::SeparatedBounds<n>& s) {
+  /// Errors of efforts, of coefficients `s`.
+  static constexpr Row<double, n> torque(const bounds::SeparatedBounds<n>& s) {
     const WordRounding rounding = rounding_in<Scene, A>();
-    auto account = bounds::account_in_formats(mechanism(), rounding, ranges());
+    auto account = bounds::account_in_formats(mechanism_of<Scene, Parameters>, rounding, ranges());
     const bounds::detail::KernelStart<bounds::detail::NoLoads, n> start(account);
     const BoundedTorqueWords<typename scene_of<S>::Robot, A> words{rounding};
     Row<bounds::Number, n> tau{};
     sum_terms<S, T>(start.links, words, s, start.at.qd, start.at.qdd, tau);
-    return tau;
+    Row<double, n> errors{};
+    for (int i = 0; i < n; ++i)
+      errors[i] = tau[i].bound.error;
+    return errors;
   }
 
  private:
-  // Of the links, or of drives by themselves.
-  static constexpr const auto& mechanism() {
-    if constexpr (shared)
-      return detail::DrivenTermErrors<S, T>::mechanism();
-    else
-      return mechanism_of<Scene, Parameters>;
-  }
+  // Drives are links by themselves, with the formats of their efforts.
   static constexpr Ranges<n> ranges() {
-    if constexpr (shared)
-      return detail::DrivenTermErrors<S, T>::ranges();
-    else
-      return detail::ranges_of<Scene, Parameters, A, recursion::Separation>;
+    if constexpr (!shared) return detail::ranges_of<Scene, Parameters, A, recursion::Separation>;
+    Ranges<n> all{};
+    for (int k = 0; k < n; ++k)
+      all.format[k].joint_effort = SeparatedExponents<S, T>::rest(k);
+    return all;
   }
 };
 
@@ -157,7 +146,7 @@ template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::SeparatedTorque) {
   using Terms = separation::BoundsOfTerms<S, T>;
   static_assert((detail::check_bound<S, recursion::Separation>(), true));
-  return detail::bounds_of(Terms::torque(Terms::terms()), [](const bounds::Number& x) { return x.bound.error; });
+  return detail::bounds_of(Terms::torque(Terms::terms()));
 }
 
 }  // namespace axial

@@ -128,6 +128,15 @@ struct JointErrors {
   static constexpr auto jacobian() {
     return bounds::jacobian_bounds(mechanism<Full>(), rounding, ranges<recursion::Kinematics, Full>);
   }
+  /// Errors of the linear part of its columns.
+  static constexpr auto columns() { return columns_of(jacobian()); }
+  template <int N>
+  static constexpr auto columns_of(const bounds::JacobianBounds<N>& all) {
+    Row<double, N> errors{};
+    for (int i = 0; i < N; ++i)
+      errors[i] = all.columns[i].linear.bound.whole.error;
+    return errors;
+  }
   static constexpr int length_format() { return ranges<recursion::Kinematics, Full>.format[0].length; }
   /// Bounds of separated terms as the joints have them.
   static constexpr auto joint_terms() {

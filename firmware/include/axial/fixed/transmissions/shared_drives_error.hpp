@@ -202,6 +202,8 @@ struct DriveErrors : JointErrors<S, T, SharedDrives<S, T>> {
   }
   /// Bounds of the Jacobian of the scene.
   static constexpr auto jacobian() { return by_drives(Joints::jacobian(), Joints::length_format(), rounding); }
+  /// Errors of the linear part of its columns.
+  static constexpr auto columns() { return Joints::columns_of(jacobian()); }
 };
 
 /// Whether joints of a scene's robot share drives.

@@ -39,20 +39,20 @@ template <class Word>
 
 namespace detail {
 // Double words for sums of products, and words for sums of their upper words; wider where nothing may wrap unseen.
+template <class Type, class Bits, class Upper>
+struct WiderWords {
+  using type = Type;
+  using bits = Bits;
+  using upper = Upper;
+};
 template <class Word, bool checked>
 struct Widened;
 template <>
-struct Widened<std::int32_t, false> {
-  using type = std::int64_t;
-  using bits = std::uint64_t;
-  using upper = std::uint32_t;
-};
+struct Widened<std::int32_t, false> : WiderWords<std::int64_t, std::uint64_t, std::uint32_t> {};
 template <>
-struct Widened<std::int16_t, false> {
-  using type = std::int32_t;
-  using bits = std::uint32_t;
-  using upper = std::uint16_t;
-};
+struct Widened<std::int16_t, false> : WiderWords<std::int32_t, std::uint32_t, std::uint16_t> {};
+template <>
+struct Widened<std::int16_t, true> : WiderWords<std::int64_t, std::uint64_t, std::uint64_t> {};
 #ifdef __SIZEOF_INT128__
 template <>
 struct Widened<std::int32_t, true> {
@@ -61,12 +61,6 @@ struct Widened<std::int32_t, true> {
   using upper = std::uint64_t;
 };
 #endif
-template <>
-struct Widened<std::int16_t, true> {
-  using type = std::int64_t;
-  using bits = std::uint64_t;
-  using upper = std::uint64_t;
-};
 }  // namespace detail
 
 /// Results that did not fit their format, counted by arithmetics that check. For tests on a host.

@@ -10,9 +10,7 @@ namespace axial {
 
 namespace detail {
 inline constexpr double bam_per_radian = 683565275.5764316;  // 2^32 / (2 pi)
-}
 
-namespace detail {
 // A double word at exponent A as a word at E.
 template <int E, int A, class S>
 AXIAL_INLINE constexpr typename S::Word rounded_word(typename S::Bits x) {
