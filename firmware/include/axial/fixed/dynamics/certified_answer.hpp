@@ -36,6 +36,28 @@ AXIAL_INLINE constexpr void set_shifted_column(const Shifts& c, System& system, 
   system.shift[j] = drive + c.drive_shift[j] + bits - c.widest - down;
 }
 
+/// Writes the corrected answer and its bound: x(i) is what was answered in units of the system, `down(i)` bits finer
+/// than the answer's words. `known` says whether there is one; true where every bound is below its `tight`.
+template <int size, class Answer, class System, class X, class Down>
+AXIAL_INLINE constexpr bool publish_in_words(Answer& answer, const System& system, const std::int64_t (&tight)[size],
+                                             bool known, const X& x, const Down& down) {
+  constexpr std::int64_t most = (std::numeric_limits<std::int32_t>::max)();
+  constexpr int finest = 31;
+  bool all_tight = known;
+  for (int i = 0; i < size; ++i) {
+    const int own = down(i), right = own < 0 ? 0 : own > finest ? finest : own;
+    const int left = own < 0 ? smaller(-own, finest) : 0;
+    const std::int64_t bound = ((system.bound[i] >> right) + (right > 0 ? 2 : 0)) * (std::int64_t{1} << left);
+    const std::int64_t value = ((x(i) + system.correction[i]) >> right) * (std::int64_t{1} << left);
+    const bool bound_fits = is_less_wide(bound, most), value_fits = is_less_wide(wide_magnitude(value), most);
+    const bool fits = bound_fits & value_fits & known;
+    answer.bound.values[i] = {static_cast<std::int32_t>(select_wide(fits, bound, most))};
+    answer.values[i] = {static_cast<std::int32_t>(select_wide(fits, value, answer.values[i].raw))};
+    all_tight = all_tight & fits & !is_less_wide(tight[i], system.bound[i]);
+  }
+  return all_tight;
+}
+
 /// Whether the plain solve came to an answer, which may be beyond what is declared.
 AXIAL_INLINE constexpr bool is_answer(Status::Code plain) {
   return (plain == Status::Code::ok) | (plain == Status::Code::rescaled) | (plain == Status::Code::acceleration_limit);

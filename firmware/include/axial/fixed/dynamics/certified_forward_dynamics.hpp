@@ -117,26 +117,14 @@ AXIAL_INLINE constexpr bool requested(const CertifiedDynamics<S, T>& answer, typ
   return inside;
 }
 
-/// The corrected answer and its bound; `known` says whether there is one.
+/// The corrected answer and its bound, of a system in words of requests.
 template <class S, class T, class System>
 AXIAL_INLINE constexpr bool publish(CertifiedDynamics<S, T>& answer, const System& system,
                                     const typename Certificate<S, T>::Requests& x, bool known) {
   using C = Certificate<S, T>;
-  constexpr std::int64_t most = (std::numeric_limits<std::int32_t>::max)();
-  bool tight = known;
-  for (int i = 0; i < C::size; ++i) {
-    constexpr int finest = 31;
-    const int down = C::Requests::exponent(i) - C::Answers::exponent(i);
-    const int right = down < 0 ? 0 : down > finest ? finest : down, left = down < 0 ? smaller(-down, finest) : 0;
-    const std::int64_t bound = ((system.bound[i] >> right) + (right > 0 ? 2 : 0)) * (std::int64_t{1} << left);
-    const std::int64_t value = ((x[i].raw + system.correction[i]) >> right) * (std::int64_t{1} << left);
-    const bool bound_fits = is_less_wide(bound, most), value_fits = is_less_wide(wide_magnitude(value), most);
-    const bool fits = bound_fits & value_fits & known;
-    answer.bound.values[i] = {static_cast<std::int32_t>(select_wide(fits, bound, most))};
-    answer.values[i] = {static_cast<std::int32_t>(select_wide(fits, value, answer[i].raw))};
-    tight = tight & fits & !is_less_wide(certificate_of<S, T>.tight[i], system.bound[i]);
-  }
-  return tight;
+  return publish_in_words<C::size>(
+      answer, system, certificate_of<S, T>.tight, known, [&x](int i) AXIAL_INLINE { return x[i].raw; },
+      [](int i) AXIAL_INLINE { return C::Requests::exponent(i) - C::Answers::exponent(i); });
 }
 
 /// The system at a state: columns by the structure; what the mass matrix makes of them, and of x, by inverse dynamics,

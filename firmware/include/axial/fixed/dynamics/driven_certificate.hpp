@@ -90,7 +90,8 @@ class DrivenCertificate {
       set_inverse(system, given, solve, j);
     set_residual(system, given, solve, x);
     const bool answered = is_answer(result.status.code), known = system.enclose() & answered;
-    const bool tight = publish(result, system, x, known);
+    const bool tight = publish_in_words<size>(
+        result, system, c.tight, known, [&x](int k) AXIAL_INLINE { return x[k]; }, [](int) AXIAL_INLINE { return 0; });
     result.status = certified_status(result.status, true, tight);
     return result;
   }
@@ -133,20 +134,6 @@ class DrivenCertificate {
       for (int l = 0; l < size; ++l)
         system.residual_error[k] += spread(k, l, x[l]);
     }
-  }
-  template <class System>
-  AXIAL_INLINE static constexpr bool publish(CertifiedDynamics<S, T>& result, const System& system,
-                                             const std::int32_t (&x)[size], bool known) {
-    constexpr std::int64_t most = (std::numeric_limits<std::int32_t>::max)();
-    bool tight = known;
-    for (int k = 0; k < size; ++k) {
-      const std::int64_t bound = system.bound[k], value = x[k] + system.correction[k];
-      const bool fits = is_less_wide(bound, most) & is_less_wide(wide_magnitude(value), most) & known;
-      result.bound.values[k] = {static_cast<std::int32_t>(select_wide(fits, bound, most))};
-      result.values[k] = {static_cast<std::int32_t>(select_wide(fits, value, result.values[k].raw))};
-      tight = tight & fits & !is_less_wide(c.tight[k], bound);
-    }
-    return tight;
   }
 };
 

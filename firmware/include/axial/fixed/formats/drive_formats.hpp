@@ -70,14 +70,6 @@ struct WithinDrives<Scene<JointCoordinates<R>, Features...>> {
 template <class S>
 using JointsOf = typename WithinDrives<typename SceneOfJoints<scene_of<S>>::type>::type;
 
-/// One number for each of N joints or drives.
-template <int N, class Get>
-constexpr PerJoint<N> per_joint(const Get& get) {
-  PerJoint<N> all;
-  for (int i = 0; i < N; ++i)
-    all.of[i] = get(i);
-  return all;
-}
 /// An exponent for each entry of a matrix.
 template <int N>
 struct EntryExponents {
@@ -109,7 +101,7 @@ inline constexpr auto joint_inertias = [] {
 }();
 /// Sizes of joints that share no drives, as DriveSizes has them of drives.
 template <class S, class Word>
-struct JointSizes {
+struct JointSizes : MotionSizes<S, Word> {
   static constexpr double inertia(int i) { return joint_inertias<S, Word>.of[i]; }
   static constexpr double mobility(int i) { return joint_mobilities<S, Word>.of[i]; }
 };

@@ -79,6 +79,13 @@ inline constexpr double excess_of = excess_of_drive(mechanism_of<scene_of<S>, Fu
                                                     motion_ranges_of<S, Word>, usual_drive_of<S, Word>);
 ///@}
 
+/// Effort, momentum and its rate at joints that share no drives, at most.
+template <class S, class Word>
+struct MotionSizes {
+  static constexpr double effort(int i) { return motion_ranges_of<S, Word>.range[i].joint_effort.size; }
+  static constexpr double momentum(int i) { return momentum_ranges_of<S, Word>.range[i].joint_effort.size; }
+  static constexpr double momentum_rate(int i) { return momentum_ranges_of<S, Word>.slope[i].size + effort(i); }
+};
 /// Sizes of what drives of joints that share them answer: drive_formats.hpp.
 template <class S, class Word>
 struct DriveSizes;
@@ -92,12 +99,7 @@ struct RoleExponent {
   static constexpr int fitting(double size) {
     return fitting_exponent(is_bounded(size) ? size : 1.0, joint_rounding<Word>.capacity());
   }
-  static constexpr double motion_effort(int i) {
-    if constexpr (shared)
-      return DriveSizes<S, Word>::effort(i);
-    else
-      return motion_ranges_of<S, Word>.range[i].joint_effort.size;
-  }
+  using Sizes = std::conditional_t<shared, DriveSizes<S, Word>, MotionSizes<S, Word>>;
   /// Accelerations that efforts can give, over the declared ones, at most: what is beyond has a status.
   static constexpr double largest_excess = 16384.0;
 
@@ -108,7 +110,7 @@ struct RoleExponent {
   static constexpr int of(role::Velocity, int i) { return fitting(link(i).speed_limit); }
   static constexpr int of(role::Acceleration, int i) { return fitting(link(i).acceleration_limit); }
   static constexpr int of(role::Effort, int i) {
-    const double declared = link(i).effort_limit, own = motion_effort(i);
+    const double declared = link(i).effort_limit, own = Sizes::effort(i);
     return joint_rounding<Word>.exponent(is_bounded(declared) && declared > own ? declared : own);
   }
   /// Where formats are those of the declared motion: as fine as motions allow, up to what a difference of both has bits
@@ -119,48 +121,28 @@ struct RoleExponent {
       return of(role::Effort{}, i);
     } else {
       if (free_ranges_of<S, Word>.halvings == 0) return of(role::Effort{}, i);
-      return smaller(joint_rounding<Word>.exponent(motion_effort(i)), of(role::Effort{}, i) + finest);
+      return smaller(joint_rounding<Word>.exponent(Sizes::effort(i)), of(role::Effort{}, i) + finest);
     }
   }
   static constexpr int of(role::FreeAcceleration, int i) {
     const double declared = link(i).acceleration_limit * largest_excess;
     if constexpr (shared) {
-      const double free = DriveSizes<S, Word>::mobility(i) * DriveSizes<S, Word>::energy();
+      const double free = Sizes::mobility(i) * Sizes::energy();
       return joint_rounding<Word>.exponent(declared < free ? declared : free);
     } else {
       const double free = excess_of<S, Word> * free_ranges_of<S, Word>.range[i].joint_acceleration.size;
       return joint_rounding<Word>.exponent(free_ranges_of<S, Word>.halvings > 0 && declared < free ? declared : free);
     }
   }
-  static constexpr int of(role::Momentum, int i) {
-    if constexpr (shared)
-      return joint_rounding<Word>.exponent(DriveSizes<S, Word>::momentum(i));
-    else
-      return joint_rounding<Word>.exponent(momentum_ranges_of<S, Word>.range[i].joint_effort.size);
-  }
-  static constexpr int of(role::MomentumRate, int i) {
-    if constexpr (shared) {
-      return joint_rounding<Word>.exponent(DriveSizes<S, Word>::momentum_rate(i));
-    } else {
-      const double slope = momentum_ranges_of<S, Word>.slope[i].size;
-      return joint_rounding<Word>.exponent(slope + motion_effort(i));
-    }
-  }
+  static constexpr int of(role::Momentum, int i) { return joint_rounding<Word>.exponent(Sizes::momentum(i)); }
+  static constexpr int of(role::MomentumRate, int i) { return joint_rounding<Word>.exponent(Sizes::momentum_rate(i)); }
 };
 
 template <class S, class Word, class Role>
-constexpr auto role_exponents() {
+inline constexpr auto exponents_of = [] {
   check_limits<S, Word>();
-  constexpr int size = joint_count<S>;
-  struct Table {
-    int of[size] = {};
-  } table;
-  for (int i = 0; i < size; ++i)
-    table.of[i] = RoleExponent<S, Word>::of(Role{}, i);
-  return table;
-}
-template <class S, class Word, class Role>
-inline constexpr auto exponents_of = role_exponents<S, Word, Role>();
+  return per_joint<joint_count<S>>([](int i) { return RoleExponent<S, Word>::of(Role{}, i); });
+}();
 
 }  // namespace detail
 

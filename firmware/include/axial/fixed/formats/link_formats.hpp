@@ -215,9 +215,10 @@ struct Formats {
       ++all;
     return all;
   }
-  /// What drives joint i at most without halvings, as a raw value.
-  static constexpr std::int64_t drive_limit(int i, int exponent) {
-    return static_cast<std::int64_t>(Table::value.range[i].drive * power_of_two(exponent));
+  /// What drives joint I at most without halvings, as a raw value at an exponent.
+  template <int I>
+  static constexpr std::int64_t drive_limit(int exponent) {
+    return static_cast<std::int64_t>(Table::value.range[I].drive * power_of_two(exponent));
   }
 };
 

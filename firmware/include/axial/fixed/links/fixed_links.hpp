@@ -87,24 +87,13 @@ struct Forms<Named, Stored<Word>> {
 template <class Scene, class Parameters, class S, class Recursion>
 struct LinkFormats : Formats<Scene, Parameters, S, Recursion> {
   using Base = Formats<Scene, Parameters, S, Recursion>;
-  struct FormattedValues : FixedValues<Scene, S> {
-    /// Whether forward dynamics solves twice.
-    static constexpr bool second_solve() { return Base::second_solve(); }
-    /// Halvings of a drive that forward dynamics solves for first, see fixed/dynamics/split_answer.hpp.
-    static constexpr int halvings() { return Base::halvings(); }
-    /// Halvings that declared efforts in a declared motion need.
-    static constexpr int usual_halvings() { return Base::usual_halvings(); }
+  struct FormattedValues : FixedValues<Scene, S>, Base {
     /// Efforts to fill: what a motion needs has words of its own.
     AXIAL_INLINE static constexpr auto no_efforts() {
       if constexpr (std::is_same_v<Recursion, recursion::MotionEfforts>)
         return Joints<Scene, Stored<typename S::Word>, role::MotionEffort>{};
       else
         return FixedValues<Scene, S>::no_efforts();
-    }
-    /// What drives joint I at most without halvings, as a raw value at an exponent.
-    template <int I>
-    static constexpr std::int64_t drive_limit(int exponent) {
-      return Base::drive_limit(I, exponent);
     }
     /// A pose, or a motion, of kinematics as words.
     template <class V>

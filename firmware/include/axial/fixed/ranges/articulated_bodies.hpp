@@ -2,8 +2,8 @@
 // doc/guides/ranges.md.
 #pragma once
 
+#include <axial/fixed/bounds/account.hpp>
 #include <axial/fixed/bounds/newton_euler.hpp>
-#include <axial/fixed/bounds/shared_formats.hpp>
 #include <axial/fixed/ranges/composite_bodies.hpp>
 #include <axial/fixed/ranges/usual_inertia.hpp>
 
@@ -34,10 +34,7 @@ constexpr double least_inertia(const TreeLinkConstants<double>& c) {
 /// What each joint feels whatever the position. What feels nothing was refused (links/fixed_links.hpp).
 template <int N>
 constexpr PerJoint<N> least_inertias(const Mechanism<N>& m) {
-  PerJoint<N> least;
-  for (int i = 0; i < N; ++i)
-    least.of[i] = least_joint_inertia(m, i) > 0.0 ? least_joint_inertia(m, i) : 1.0;
-  return least;
+  return per_joint<N>([&m](int i) { return least_joint_inertia(m, i) > 0.0 ? least_joint_inertia(m, i) : 1.0; });
 }
 
 inline constexpr double unknown_size = 1e300;
@@ -180,40 +177,36 @@ class ArticulatedAnalysis {
 /// Efforts that forward dynamics leaves to the joints: the declared ones, or those of the declared motion, and the
 /// bias.
 template <int N>
-struct GivenEfforts {
-  double all[N] = {};
-};
-template <int N>
-constexpr GivenEfforts<N> given_efforts(const Mechanism<N>& m, const Ranges<N>& newton_euler, bool with_bias) {
-  GivenEfforts<N> given;
+constexpr PerJoint<N> given_efforts(const Mechanism<N>& m, const Ranges<N>& newton_euler, bool with_bias) {
+  PerJoint<N> given;
   for (int i = 0; i < N; ++i) {
     const double motion = newton_euler.range[i].joint_effort.size;
-    given.all[i] = m.joints[i].effort < unknown_size ? m.joints[i].effort : motion;
-    if (with_bias) given.all[i] += motion;
+    given.of[i] = m.joints[i].effort < unknown_size ? m.joints[i].effort : motion;
+    if (with_bias) given.of[i] += motion;
   }
   return given;
 }
 
 /// What drives the joints without halvings: the declared efforts and as much again as gravity needs.
 template <int N>
-constexpr GivenEfforts<N> usual_drive(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& newton_euler) {
+constexpr PerJoint<N> usual_drive(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& newton_euler) {
   Mechanism<N> still = m;
   for (JointRange& joint : still.joints)
     joint.speed = joint.acceleration = 0.0;
   const Ranges<N> rest = newton_euler_ranges(still, r, Wanted::formats);
-  GivenEfforts<N> drive = given_efforts(m, newton_euler, false);
+  PerJoint<N> drive = given_efforts(m, newton_euler, false);
   for (int i = 0; i < N; ++i)
-    drive.all[i] += rest.range[i].joint_effort.size;
+    drive.of[i] += rest.range[i].joint_effort.size;
   return drive;
 }
 
 /// How far efforts within the declared ones and the bias can drive the joints beyond what formats are made for.
 template <int N>
-constexpr double excess_of_drive(const Mechanism<N>& m, const Ranges<N>& newton_euler, const GivenEfforts<N>& alone) {
-  const GivenEfforts<N> all = given_efforts(m, newton_euler, true);
+constexpr double excess_of_drive(const Mechanism<N>& m, const Ranges<N>& newton_euler, const PerJoint<N>& alone) {
+  const PerJoint<N> all = given_efforts(m, newton_euler, true);
   double excess = 1.0;
   for (int i = 0; i < N; ++i)
-    excess = all.all[i] > excess * alone.all[i] ? all.all[i] / alone.all[i] : excess;
+    excess = all.of[i] > excess * alone.of[i] ? all.of[i] / alone.of[i] : excess;
   return excess;
 }
 
@@ -223,7 +216,7 @@ constexpr double excess_of_drive(const Mechanism<N>& m, const Ranges<N>& newton_
 template <int N>
 constexpr Ranges<N> articulated_ranges(const Mechanism<N>& m, const WordRounding& r) {
   const Ranges<N> motion = newton_euler_ranges(m, r, Wanted::formats);
-  return detail::ArticulatedAnalysis<N>(m, r, detail::given_efforts(m, motion, true).all, detail::least_inertias(m),
+  return detail::ArticulatedAnalysis<N>(m, r, detail::given_efforts(m, motion, true).of, detail::least_inertias(m),
                                         &motion)
       .ranges();
 }

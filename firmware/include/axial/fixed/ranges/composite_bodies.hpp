@@ -1,7 +1,7 @@
 // Ranges of composite bodies: what everything outboard of a link can weigh about it. doc/guides/ranges.md is the proof.
 #pragma once
 
-#include <axial/fixed/bounds/shared_formats.hpp>
+#include <axial/fixed/bounds/account.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -35,9 +35,9 @@ class ForwardErrorAnalysis {
       efforts_ += speed_[i].joint * (motion.range[i].joint_effort.error + 3.0 * store(&LinkFormat::joint_effort, i));
     const double solved = left > 0.0 ? (efforts_ + forces_ + relative_ * square_root(energy)) / left : unknown_size;
     for (int i = 0; i < N; ++i)
-      errors_.all[i] = answer(i, solved);
+      errors_.of[i] = answer(i, solved);
   }
-  constexpr double of(int i) const { return errors_.all[i]; }
+  constexpr double of(int i) const { return errors_.of[i]; }
   /// Square root of the largest (M^-1)_ii, from above where D is proved.
   constexpr double mobility(int i) const { return speed_[i].joint; }
 
@@ -58,7 +58,7 @@ class ForwardErrorAnalysis {
   Speed speed_[N] = {};
   Change change_[N] = {};
   double relative_ = 0.0, forces_ = 0.0, efforts_ = 0.0, accelerations_[N] = {};
-  GivenEfforts<N> errors_{};
+  PerJoint<N> errors_{};
 
   constexpr double store(int LinkFormat::*quantity, int i) const { return r_.store(all_.format[i].*quantity); }
   static constexpr double reciprocal_error = 9.4e-10;  // of a mantissa of 31 bits, and the product with it
@@ -166,7 +166,7 @@ inline constexpr std::int32_t second_solve_tolerance = 1024;
 /// Fills in the errors of the joint accelerations of the split form, the drive being halved as often as the
 /// declared efforts and the bias may need (excess_of_drive).
 template <int N>
-constexpr void certify_forward(const Mechanism<N>& m, const WordRounding& r, const detail::GivenEfforts<N>& drive,
+constexpr void certify_forward(const Mechanism<N>& m, const WordRounding& r, const detail::PerJoint<N>& drive,
                                Ranges<N>& ranges) {
   const Ranges<N> motion = newton_euler_ranges(m, r);
   Ranges<N> first = ranges;  // a halved drive in the formats is the whole one in coarser ones
@@ -188,18 +188,18 @@ constexpr void certify_forward(const Mechanism<N>& m, const WordRounding& r, con
 /// halvings. Errors are not filled in.
 template <int N>
 constexpr Ranges<N> articulated_at_rest_sizes(const Mechanism<N>& m, const WordRounding& r,
-                                              const detail::GivenEfforts<N>& drive) {
+                                              const detail::PerJoint<N>& drive) {
   const auto least = detail::least_inertias(m);
-  const Ranges<N> ranges = detail::ArticulatedAnalysis<N>(m, r, drive.all, least, nullptr).ranges();
+  const Ranges<N> ranges = detail::ArticulatedAnalysis<N>(m, r, drive.of, least, nullptr).ranges();
   if (!declared_formats_pay(m, r, ranges)) return ranges;
   const auto usual = detail::resisting(m, least);
-  return fitted_to_declared_motion(m, r, detail::ArticulatedAnalysis<N>(m, r, drive.all, usual, nullptr).ranges());
+  return fitted_to_declared_motion(m, r, detail::ArticulatedAnalysis<N>(m, r, drive.of, usual, nullptr).ranges());
 }
 
 /// Ranges and errors of the split form.
 template <int N>
 constexpr Ranges<N> articulated_at_rest_ranges(const Mechanism<N>& m, const WordRounding& r,
-                                               const detail::GivenEfforts<N>& drive, Wanted wanted) {
+                                               const detail::PerJoint<N>& drive, Wanted wanted) {
   Ranges<N> ranges = articulated_at_rest_sizes(m, r, drive);
   if (wanted == Wanted::errors) certify_forward(m, r, drive, ranges);
   return ranges;

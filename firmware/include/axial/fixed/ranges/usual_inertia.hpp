@@ -11,11 +11,19 @@
 
 namespace axial::detail {
 
-/// One number per joint, SI.
-template <int N>
+/// One number per joint or drive; SI where it is none of words.
+template <int N, class Number = double>
 struct PerJoint {
-  double of[N] = {};
+  Number of[N] = {};
 };
+/// What `get` has for each.
+template <int N, class Get>
+constexpr auto per_joint(const Get& get) {
+  PerJoint<N, decltype(get(0))> all;
+  for (int i = 0; i < N; ++i)
+    all.of[i] = get(i);
+  return all;
+}
 
 using PlainInertia = ArticulatedInertia<Sym3<double>, Mat3<Vec3<double>>, Sym3<double>>;
 

@@ -67,12 +67,7 @@ constexpr auto wrench_effort_exponents() {
   const auto efforts =
       bounds::wrench_efforts(jacobian_with_any_tool<R, Word>(),
                              {most * r.ulp(F::tip_moment), most * r.ulp(F::tip_force), F::tip_moment, F::tip_force}, r);
-  struct Table {
-    int of[joint_count<R>] = {};
-  } table;
-  for (int i = 0; i < joint_count<R>; ++i)
-    table.of[i] = r.exponent(efforts[i].bound.largest());
-  return table;
+  return per_joint<joint_count<R>>([&](int i) { return r.exponent(efforts[i].bound.largest()); });
 }
 template <class R, class Word>
 inline constexpr auto exponents_of<R, Word, role::WrenchEffort> = wrench_effort_exponents<R, Word>();
