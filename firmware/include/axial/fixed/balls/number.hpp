@@ -58,17 +58,17 @@ constexpr const NumberSum& term_of(const NumberSum& x) { return x; }
 /// Zero adds nothing.
 constexpr NumberSum term_of(Zero) { return {{}, {}, 0.0, true}; }
 
+namespace detail {
+template <class X>
+inline constexpr bool is_bounded = std::is_same_v<X, Number> || std::is_same_v<X, NumberSum>;
+}  // namespace detail
+
 /// Opposite numbers have the same bounds.
-///@{
-constexpr Number operator-(Number x) {
+template <class X, std::enable_if_t<detail::is_bounded<X>, int> = 0>
+constexpr X operator-(X x) {
   x.constant = -x.constant;
   return x;
 }
-constexpr NumberSum operator-(NumberSum x) {
-  x.constant = -x.constant;
-  return x;
-}
-///@}
 
 /// An exact product; of two literals a literal.
 constexpr NumberSum operator*(const Number& a, const Number& b) {
@@ -79,9 +79,6 @@ constexpr NumberSum operator*(const Number& a, const Number& b) {
   return product;
 }
 namespace detail {
-template <class X>
-inline constexpr bool is_bounded = std::is_same_v<X, Number> || std::is_same_v<X, NumberSum>;
-
 // Where a sum is rounded each literal is, even beside another.
 constexpr void accumulate(NumberSum& sum, const NumberSum& x) {
   sum.bound = sum.bound + x.bound, sum.is_literal = false;
@@ -141,19 +138,17 @@ constexpr SinCos<Number> sincos(const Angle& angle) {
 }  // namespace axial::bounds
 
 namespace axial {
-/// Structural scalars meet numbers in bounds as they meet any other number.
-template <>
-struct NumberTraits<bounds::Number> {
+/// Structural scalars meet numbers and sums in bounds as they meet any other number.
+template <class X>
+struct NumberTraits<X, std::enable_if_t<bounds::detail::is_bounded<X>>> {
   static constexpr bool is_number = true;  ///< kernels compute with it
   /// A constant of the model.
-  static constexpr bounds::Number constant(double value) { return bounds::literal_of(value); }
-};
-/// Structural scalars meet sums in bounds as they meet any other number.
-template <>
-struct NumberTraits<bounds::NumberSum> {
-  static constexpr bool is_number = true;  ///< kernels compute with it
-  /// A constant of the model as a sum.
-  static constexpr bounds::NumberSum constant(double value) { return bounds::term_of(bounds::literal_of(value)); }
+  static constexpr X constant(double value) {
+    if constexpr (std::is_same_v<X, bounds::Number>)
+      return bounds::literal_of(value);
+    else
+      return bounds::term_of(bounds::literal_of(value));
+  }
 };
 }  // namespace axial
 

@@ -83,12 +83,6 @@ constexpr Mechanism<N> sharing(Mechanism<N> m, const WordRounding& r, const Rang
   return m;
 }
 
-/// Ranges of an analysis: of each link apart, or, where constants come from a table, of links that share their formats.
-template <int N, class Analysis>
-constexpr auto ranges_by(Analysis analysis, const Mechanism<N>& m, const WordRounding& r, Wanted wanted) {
-  return analysis(r.tabled ? sharing(m, r, analysis(m, r, Wanted::formats)) : m, r, wanted);
-}
-
 }  // namespace axial::detail
 
 namespace axial::bounds {

@@ -92,20 +92,6 @@ constexpr DerivativeBounds<N> derive(Account<N>& account, const Exponents& expon
   });
   return all;
 }
-template <int N>
-constexpr DerivativeBounds<N> sizes(Account<N>& account) {
-  note_description(account);
-  const DerivativeBounds<N> all = derive(account, NoExponents{});
-  account.choose_formats();
-  return all;
-}
-template <int N>
-constexpr Ranges<N> slopes(const Mechanism<N>& m, const WordRounding& r, Wanted wanted) {
-  Account<N> account{m, r};
-  sizes(account);
-  if (wanted == Wanted::errors) derive(account, NoExponents{});
-  return account.ranges;
-}
 
 }  // namespace detail
 
@@ -113,7 +99,8 @@ constexpr Ranges<N> slopes(const Mechanism<N>& m, const WordRounding& r, Wanted 
 template <int N>
 constexpr DerivativeBounds<N> derivative_sizes(const Mechanism<N>& m, const WordRounding& r) {
   Account<N> account{m, r};
-  return detail::sizes(account);
+  detail::note_description(account);
+  return detail::derive(account, NoExponents{});
 }
 /// What is derived in the formats of `ranges`: errors of the entries, and of efforts and all else that the recursion
 /// keeps.
@@ -142,7 +129,8 @@ constexpr DerivativeBounds<N> derivative_errors(const Mechanism<N>& m, const Wor
 /// Ranges, formats and errors of what the derivatives' recursion keeps.
 template <int N>
 constexpr Ranges<N> derivative_ranges(const Mechanism<N>& m, const WordRounding& r, Wanted wanted = Wanted::errors) {
-  return detail::ranges_by(bounds::detail::slopes<N>, m, r, wanted);
+  return bounds::detail::ranges_by(
+      m, r, wanted, [](bounds::Account<N>& account) { bounds::detail::derive(account, bounds::NoExponents{}); });
 }
 
 }  // namespace axial

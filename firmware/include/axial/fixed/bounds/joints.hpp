@@ -70,6 +70,21 @@ constexpr void note_description(Account<N>& account) {
   }
 }
 
+// Ranges of what `run` runs on an account: once for sizes, which give formats, and again for errors in them. Of each
+// link apart, or, where constants come from a table, of links that share their formats.
+template <int N, class Run>
+constexpr Ranges<N> ranges_by(const Mechanism<N>& m, const WordRounding& r, Wanted wanted, const Run& run) {
+  const auto found = [&](const Mechanism<N>& of, Wanted part) {
+    Account<N> account{of, r};
+    note_description(account);
+    run(account);
+    account.choose_formats();
+    if (part == Wanted::errors) run(account);
+    return account.ranges;
+  };
+  return found(r.tabled ? axial::detail::sharing(m, r, found(m, Wanted::formats)) : m, wanted);
+}
+
 // What a kernel of a scene starts from: links that note in `account`, the loads and the joint values there.
 template <class Scene, int N>
 struct KernelStart {

@@ -134,7 +134,8 @@ constexpr JacobianBounds<N> jacobian_bounds(const Mechanism<N>& m, const WordRou
 /// a rotation.
 template <int N>
 constexpr Ranges<N> kinematics_ranges(const Mechanism<N>& m, const WordRounding& r, Wanted wanted = Wanted::errors) {
-  return detail::ranges_by(bounds::detail::poses<N>, m, r, wanted);
+  using bounds::detail::poses;
+  return poses(r.tabled ? detail::sharing(m, r, poses(m, r, Wanted::formats)) : m, r, wanted);
 }
 
 }  // namespace axial

@@ -52,16 +52,11 @@ constexpr void note_unit_forces(Account<N>& account) {
 }
 
 template <int N>
-constexpr Ranges<N> composite_bodies(const Mechanism<N>& m, const WordRounding& r, Wanted wanted) {
-  Account<N> account{m, r};
-  note_description(account);
+constexpr void run_bodies(Account<N>& account) {
   const auto none = [](int, int) { return 0; };
-  MatrixRows<N, decltype(none)> ignored{r, none};
+  MatrixRows<N, decltype(none)> ignored{account.rounding, none};
   set_rows(account, ignored);
-  note_unit_forces(account);
-  account.choose_formats();
-  if (wanted == Wanted::errors) set_rows(account, ignored);
-  return account.ranges;
+  if (account.sizing) note_unit_forces(account);
 }
 
 }  // namespace detail
@@ -85,7 +80,7 @@ constexpr Row<double, N> mass_matrix_errors(const Mechanism<N>& m, const WordRou
 template <int N>
 constexpr Ranges<N> composite_body_ranges(const Mechanism<N>& m, const WordRounding& r,
                                           Wanted wanted = Wanted::errors) {
-  return detail::ranges_by(bounds::detail::composite_bodies<N>, m, r, wanted);
+  return bounds::detail::ranges_by(m, r, wanted, bounds::detail::run_bodies<N>);
 }
 
 }  // namespace axial

@@ -43,19 +43,6 @@ constexpr Row<Number, N> hold(Account<N>& account) {
   return effort;
 }
 
-template <int N>
-constexpr MomentumRanges<N> momenta(const Mechanism<N>& m, const WordRounding& r, Wanted wanted) {
-  Account<N> account{m, r};
-  note_description(account);
-  MomentumBounds<N> all = carry(account, {});
-  account.choose_formats();
-  if (wanted == Wanted::errors) all = carry(account, {});
-  MomentumRanges<N> result{account.ranges, {}};
-  for (int i = 0; i < N; ++i)
-    result.range[i].joint_effort = all.momentum[i].bound, result.slope[i] = all.drift[i].bound;
-  return result;
-}
-
 }  // namespace detail
 
 /// Bounds of the drifts, at `exponents`, of momenta and efforts in the formats that their ranges say.
@@ -79,7 +66,12 @@ constexpr Row<Ball, N> drift_bounds(const Mechanism<N>& m, const WordRounding& r
 template <int N>
 constexpr MomentumRanges<N> momentum_ranges(const Mechanism<N>& mechanism, const WordRounding& rounding,
                                             Wanted wanted = Wanted::errors) {
-  return detail::ranges_by(bounds::detail::momenta<N>, mechanism, rounding, wanted);
+  bounds::MomentumBounds<N> all;
+  const auto run = [&all](bounds::Account<N>& account) { all = bounds::detail::carry(account, {}); };
+  MomentumRanges<N> result{bounds::detail::ranges_by(mechanism, rounding, wanted, run), {}};
+  for (int i = 0; i < N; ++i)
+    result.range[i].joint_effort = all.momentum[i].bound, result.slope[i] = all.drift[i].bound;
+  return result;
 }
 
 }  // namespace axial

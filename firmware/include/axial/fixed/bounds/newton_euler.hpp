@@ -50,15 +50,6 @@ constexpr void run(Account<N>& account) {
     range.moment = borne[i].moment.bound.whole, range.force = borne[i].force.bound.whole;
   }
 }
-template <int N>
-constexpr Ranges<N> newton_euler(const Mechanism<N>& m, const WordRounding& r, Wanted wanted) {
-  Account<N> account{m, r};
-  note_description(account);
-  run(account);
-  account.choose_formats();
-  if (wanted == Wanted::errors) run(account);
-  return account.ranges;
-}
 
 }  // namespace detail
 }  // namespace bounds
@@ -75,7 +66,7 @@ constexpr Ranges<N> newton_euler_errors(const Mechanism<N>& m, const WordRoundin
 template <int N>
 constexpr Ranges<N> newton_euler_ranges(const Mechanism<N>& mechanism, const WordRounding& rounding,
                                         Wanted wanted = Wanted::errors) {
-  return detail::ranges_by(bounds::detail::newton_euler<N>, mechanism, rounding, wanted);
+  return bounds::detail::ranges_by(mechanism, rounding, wanted, bounds::detail::run<N>);
 }
 
 }  // namespace axial

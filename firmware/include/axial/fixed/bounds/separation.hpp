@@ -9,6 +9,10 @@
 #include <axial/options/begin.hpp>
 
 namespace axial {
+namespace detail {
+constexpr int outermost(int i, int j, int k) { return i > j ? (i > k ? i : k) : (j > k ? j : k); }
+}  // namespace detail
+
 namespace bounds {
 
 /// What a joint's unit rate gives to its own link: the axis, a constant of the model.
@@ -123,9 +127,9 @@ struct CollectedBounds {
  private:
   template <class V>
   constexpr Number kept(int i, int j, int k, const V& value) const {
-    const int outermost = i > j ? (i > k ? i : k) : (j > k ? j : k);
-    links.link(outermost).leave_room(quantity::JointInertia{}, term_of(value).bound.size);
-    return stored(value, formats.coefficient[outermost]);
+    const int last = axial::detail::outermost(i, j, k);
+    links.link(last).leave_room(quantity::JointInertia{}, term_of(value).bound.size);
+    return stored(value, formats.coefficient[last]);
   }
   template <class V>
   constexpr Number stored(const V& value, int exponent) const {
@@ -169,11 +173,9 @@ constexpr SeparatedBounds<N> separated_bounds(const Mechanism<N>& m, const WordR
 /// holds every coefficient of which this joint is the outermost.
 template <int N>
 constexpr Ranges<N> separation_ranges_of(const Mechanism<N>& m, const WordRounding& r) {
-  bounds::Account<N> account{m, r};
-  bounds::detail::note_description(account);
-  bounds::detail::separate(account, bounds::SeparatedFormats<N>{});
-  account.choose_formats();
-  return account.ranges;
+  return bounds::detail::ranges_by(m, r, Wanted::formats, [](bounds::Account<N>& account) {
+    bounds::detail::separate(account, bounds::SeparatedFormats<N>{});
+  });
 }
 
 }  // namespace axial

@@ -42,17 +42,14 @@ struct DerivativeSolve {
     for (int j = 0; j < size; ++j) {
       std::int32_t column[size] = {};
       const int drive = unit_response<2>(links, screws, structure, j, column);
-      set_column<S, T>(system, j, column, drive);
-      const bool above = is_less(-1, system.shift[j]), below = is_less(system.shift[j], 64);
-      system.proved = system.proved & above & below;
+      set_column(certificate_of<S, T>, j, column, drive);
     }
   }
   /// B by an elimination of M, of which `columns` are solutions for unit efforts.
   constexpr void set_columns(const std::int32_t (&columns)[size][size]) {
     constexpr const auto& looped = looped_columns<S, T>;
     for (int j = 0; j < size; ++j) {
-      set_shifted_column<size>(looped, system, j, columns[j], looped.drive[j]);
-      system.proved = system.proved & is_less(-1, system.shift[j]) & is_less(system.shift[j], 64);
+      set_column(looped, j, columns[j], looped.drive[j]);
     }
   }
   /// Refines B by M and bounds what it lacks.
@@ -139,6 +136,12 @@ struct DerivativeSolve {
   }
 
  private:
+  template <class Shifts>
+  AXIAL_INLINE constexpr void set_column(const Shifts& c, int j, const std::int32_t* column, int drive) {
+    set_shifted_column<size>(c, system, j, column, drive);
+    const bool above = is_less(-1, system.shift[j]), below = is_less(system.shift[j], 64);
+    system.proved = system.proved & above & below;
+  }
   AXIAL_INLINE static constexpr std::int64_t in_equation(int i, std::int64_t effort) {
     constexpr const auto& units = derivative_units<S, T>;
     const std::int64_t raised = effort * (std::int64_t{1} << units.effort_up[i]);

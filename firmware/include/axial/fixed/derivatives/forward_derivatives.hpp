@@ -26,12 +26,8 @@ AXIAL_INLINE constexpr int first_beyond(const CertifiedDynamics<S, T>& answer, c
   using C = Certificate<S, T>;
   int first = -1;
   for (int i = 0; i < C::size; ++i) {
-    constexpr int finest = 31;
-    const int up = C::Requests::exponent(i) - C::Answers::exponent(i);
-    const std::int64_t plain = up > 0 ? std::int64_t{answer[i].raw} * (std::int64_t{1} << smaller(up, finest))
-                                      : std::int64_t{answer[i].raw >> smaller(-up, finest)};
-    const std::int64_t most = certificate_of<S, T>.inside[i];
-    const std::int64_t raw = select_wide(solve.known, std::int64_t{x[i].raw} + solve.correction[i], plain);
+    const std::int64_t most = certificate_of<S, T>.inside[i], corrected = std::int64_t{x[i].raw} + solve.correction[i];
+    const std::int64_t raw = select_wide(solve.known, corrected, in_requests(answer, i));
     const std::int64_t room = select_wide(solve.known, (most >> 8) + solve.bound[i], 0);
     first = first_found(first, is_less_wide(most + room, wide_magnitude(raw)), i);
   }

@@ -17,6 +17,12 @@ struct CertifiedDynamics : ForwardDynamics<S, T> {
 
 namespace detail {
 
+/// An error in words, from above; the largest that is of use where it is more.
+constexpr std::int32_t rounded_up(double x) {
+  constexpr double most = 1073741823.0;
+  return x < most ? static_cast<std::int32_t>(x) + 1 : static_cast<std::int32_t>(most);
+}
+
 /// Column j of the approximate inverse from such an answer: accelerations inside the limits, for their words have 31
 /// bits there. `c` has the shifts of a Certificate.
 template <int size, class Shifts, class System>

@@ -63,10 +63,6 @@ struct Certificate {
       drive_shift[i] = Needs::exponent(i) - efforts[i];
     }
   }
-  static constexpr std::int32_t rounded_up(double x) {
-    constexpr double most = 1073741823.0;
-    return x < most ? static_cast<std::int32_t>(x) + 1 : static_cast<std::int32_t>(most);
-  }
 };
 template <class S, class T>
 inline constexpr auto certificate_of = Certificate<S, T>::made();
@@ -93,10 +89,13 @@ AXIAL_INLINE constexpr int unit_response(const Links& links, const Screws& screw
   return start + magnified;
 }
 
-/// Column j of the approximate inverse of a scene's mass matrix.
-template <class S, class T, class System>
-AXIAL_INLINE constexpr void set_column(System& system, int j, const std::int32_t* answer, int drive) {
-  set_shifted_column<joint_count<S>>(certificate_of<S, T>, system, j, answer, drive);
+/// What was answered for joint i, in the words of requests.
+template <class S, class T>
+AXIAL_INLINE constexpr std::int64_t in_requests(const CertifiedDynamics<S, T>& answer, int i) {
+  using C = Certificate<S, T>;
+  const int up = C::Requests::exponent(i) - C::Answers::exponent(i);
+  return up > 0 ? std::int64_t{answer[i].raw} * (std::int64_t{1} << (up > 31 ? 31 : up))
+                : std::int64_t{answer[i].raw >> (up < -31 ? 31 : -up)};
 }
 
 /// The answer in the words of requests, held within what is declared; false where it was beyond.
@@ -105,10 +104,7 @@ AXIAL_INLINE constexpr bool requested(const CertifiedDynamics<S, T>& answer, typ
   using C = Certificate<S, T>;
   bool inside = true;
   for (int i = 0; i < C::size; ++i) {
-    const int up = C::Requests::exponent(i) - C::Answers::exponent(i);
-    const std::int64_t most = certificate_of<S, T>.inside[i];
-    const std::int64_t raw = up > 0 ? std::int64_t{answer[i].raw} * (std::int64_t{1} << (up > 31 ? 31 : up))
-                                    : std::int64_t{answer[i].raw >> (up < -31 ? 31 : -up)};
+    const std::int64_t most = certificate_of<S, T>.inside[i], raw = in_requests(answer, i);
     const bool below = is_less_wide(raw, -most), above = is_less_wide(most, raw);
     const auto held = static_cast<std::int32_t>(select_wide(below, -most, select_wide(above, most, raw)));
     x.values[i] = {held};
@@ -147,7 +143,7 @@ AXIAL_INLINE constexpr void fill(Enclosure<joint_count<S>>& system, const Positi
     if (k >= 0 && k < C::size) {
       std::int32_t column[C::size] = {};
       const int drive = unit_response(links, screws, structure, k, column);
-      set_column<S, T>(system, k, column, drive);
+      set_shifted_column<C::size>(c, system, k, column, drive);
       for (int i = 0; i < C::size; ++i)
         moving.values[i] = {system.inverse[i][k]};
     }

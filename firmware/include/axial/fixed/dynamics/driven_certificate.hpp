@@ -18,7 +18,6 @@ struct DrivenEquations {
   using Units = DriveUnits<S, typename T::Word>;
   using Sizes = DriveSizes<S, typename T::Word>;
   static constexpr int size = Units::size;
-  static constexpr double largest = 1073741823.0;
 
   int unit[size] = {};                                  ///< exponent of each equation
   int column_shift[size] = {}, widest = 0;              ///< of solutions to words of answers
@@ -38,21 +37,16 @@ struct DrivenEquations {
       c.column_shift[k] = own - (Units::bits - u.gain_bits[k] + u.scale[k]);
       c.widest = k == 0 || c.column_shift[k] > c.widest ? c.column_shift[k] : c.widest;
       c.drive_shift[k] = c.unit[k] - (Units::bits - u.scale[k]);
-      c.bias[k] = above(efforts[k] * power_of_two(c.unit[k]));
+      c.bias[k] = rounded_up(efforts[k] * power_of_two(c.unit[k]));
       c.tight[k] = static_cast<std::int64_t>(Sizes::drive(k).acceleration_limit * power_of_two(own) / 128.0);
     }
     for (int k = 0; k < size; ++k)
       for (int l = 0; l < size; ++l) {
         const int exponent = MassMatrixOf<S, T>::exponent(k, l);
         c.product[k][l] = smaller(exponent + Units::Answers::exponent(l) - c.unit[k], 63);
-        c.mass[k][l] = above((k > l ? errors[k][l] : errors[l][k]) * power_of_two(exponent));
+        c.mass[k][l] = rounded_up((k > l ? errors[k][l] : errors[l][k]) * power_of_two(exponent));
       }
     return c;
-  }
-
- private:
-  static constexpr std::int32_t above(double x) {
-    return x < largest ? static_cast<std::int32_t>(x) + 1 : static_cast<std::int32_t>(largest);
   }
 };
 template <class S, class T>

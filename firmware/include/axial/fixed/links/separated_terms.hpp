@@ -16,8 +16,6 @@ inline constexpr auto separation_ranges = separation_ranges_of(mechanism_of<scen
                                                                WordRounding{8 * static_cast<int>(sizeof(Word)), true,
                                                                             false, 0.0});
 
-constexpr int outermost(int i, int j, int k) { return i > j ? (i > k ? i : k) : (j > k ? j : k); }
-
 /// value = raw 2^-exponent of the words of Separated<S, Stored<Word>>. Joints beyond the outermost one of its indices
 /// have no part in a coefficient, so that joint's body gives the format.
 template <class S, class Word, bool shared = shares_drives_in<typename scene_of<S>::Robot>>
