@@ -72,20 +72,16 @@ constexpr VectorSum vector_of(const Vec3<Zero, Zero, Z>& v) {
 
 namespace detail {
 template <class V>
-struct IsVector : std::false_type {};
-template <>
-struct IsVector<BoundedVector> : std::true_type {};
-template <>
-struct IsVector<VectorSum> : std::true_type {};
+inline constexpr bool is_bounded_vector = std::is_same_v<V, BoundedVector> || std::is_same_v<V, VectorSum>;
+template <class V>
+inline constexpr bool is_vector = is_bounded_vector<V>;
 template <class X, class Y, class Z>
-struct IsVector<Vec3<X, Y, Z>> : std::true_type {};
+inline constexpr bool is_vector<Vec3<X, Y, Z>> = true;
 
 // At least one of two vectors is in bounds.
 template <class U, class V>
-using if_vectors = std::enable_if_t<IsVector<U>::value && IsVector<V>::value &&
-                                        (std::is_same_v<U, BoundedVector> || std::is_same_v<U, VectorSum> ||
-                                         std::is_same_v<V, BoundedVector> || std::is_same_v<V, VectorSum>),
-                                    int>;
+using if_vectors =
+    std::enable_if_t<is_vector<U> && is_vector<V> && (is_bounded_vector<U> || is_bounded_vector<V>), int>;
 
 // Bounds are tightened where a sum is rounded.
 constexpr void accumulate(VectorSum& sum, const VectorSum& v) {

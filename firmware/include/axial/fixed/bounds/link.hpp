@@ -106,7 +106,7 @@ class BoundedLink : public axial::detail::LinkAccess<BoundedLink<SceneType, N>, 
   /// Rounds a sum into the format of a quantity.
   template <class Quantity, class First, class... Terms>
   constexpr auto sum(Quantity quantity, const First& first, const Terms&... terms) const {
-    if constexpr (detail::IsVector<First>::value) {
+    if constexpr (detail::is_vector<First>) {
       VectorSum sum = vector_of(first);
       (detail::accumulate(sum, vector_of(terms)), ...);
       return rounded(quantity, sum);

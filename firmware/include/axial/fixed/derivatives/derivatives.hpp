@@ -109,31 +109,34 @@ AXIAL_INLINE constexpr typename S::Word doubled_word(typename S::Word x, unsigne
 }
 }  // namespace detail
 
+/// Words of a matrix of N joints.
+template <int N, class T>
+struct SquareWords {
+  static constexpr int size = N;  ///< number of joints
+  T values[N * N];                ///< row by row; zero where the matrix is initialised by {}
+
+  AXIAL_INLINE constexpr T& operator()(int i, int j) { return values[i * N + j]; }              ///< entry (i, j)
+  AXIAL_INLINE constexpr const T& operator()(int i, int j) const { return values[i * N + j]; }  ///< entry (i, j)
+};
+
 /// Matrix of joints in fixed point: entry (i, j) = raw 2^-exponent(i, j).
 template <class S, class Word, class By>
-struct JointMatrix<S, Stored<Word>, By> {
-  static constexpr int size = joint_count<S>;  ///< number of joints
-  Stored<Word> values[size * size];            ///< row by row; zero where the matrix is initialised by {}
-
+struct JointMatrix<S, Stored<Word>, By> : SquareWords<joint_count<S>, Stored<Word>> {
   /// Exponent of entry (i, j).
   [[nodiscard]] static constexpr int exponent(int i, int j) {
     return detail::joint_matrix_format<S, Word, By>.of[i][j];
   }
-  /// Entry (i, j).
-  AXIAL_INLINE constexpr Stored<Word>& operator()(int i, int j) { return values[i * size + j]; }
-  /// Entry (i, j).
-  AXIAL_INLINE constexpr const Stored<Word>& operator()(int i, int j) const { return values[i * size + j]; }
   /// Rounds into the format of entry (I, J).
   template <int I, int J, class V>
   AXIAL_INLINE constexpr void set(Index<I>, Index<J>, const V& value) {
-    if constexpr (!is_zero_v<V>) values[I * size + J] = {round_to<exponent(I, J)>(value).raw};
+    if constexpr (!is_zero_v<V>) (*this)(I, J) = {round_to<exponent(I, J)>(value).raw};
   }
   /// Rounds into a format that all entries share, and moves on into that of entry (i, j).
   template <class V>
   AXIAL_INLINE constexpr void set(int i, int j, const V& value) {
     const auto shared = round_to<detail::entry_doublings<S, Word, By>.exponent>(value);
-    const unsigned char doublings = detail::entry_doublings<S, Word, By>.of[i * size + j];
-    values[i * size + j] = {detail::doubled_word<typename V::Arithmetic>(shared.raw, doublings)};
+    const unsigned char doublings = detail::entry_doublings<S, Word, By>.of[i * joint_count<S> + j];
+    (*this)(i, j) = {detail::doubled_word<typename V::Arithmetic>(shared.raw, doublings)};
   }
 };
 

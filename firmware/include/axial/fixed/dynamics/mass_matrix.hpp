@@ -19,13 +19,9 @@ inline constexpr auto mass_matrix_format = entry_exponents<joint_count<S>>([](in
 
 /// The least exponent of the entries.
 template <class S, class Word>
-inline constexpr int least_entry = [] {
-  int least = mass_matrix_format<S, Word>.of[0][0];
-  for (const auto& row : mass_matrix_format<S, Word>.of)
-    for (const int exponent : row)
-      least = smaller(least, exponent);
-  return least;
-}();
+inline constexpr int least_entry = bounds::least_exponent<joint_count<S>>([](int i, int j) {
+  return mass_matrix_format<S, Word>.of[i][j];
+});
 
 /// How far entries, each in its format, are from exponent E: in either direction.
 template <class S, class Word, int E>

@@ -70,6 +70,13 @@ struct WithinDrives<Scene<JointCoordinates<R>, Features...>> {
 template <class S>
 using JointsOf = typename WithinDrives<typename SceneOfJoints<scene_of<S>>::type>::type;
 
+/// The least power of two that x does not exceed, none below 1.
+constexpr int bits_up_to(double x) {
+  int e = 0;
+  while (power_of_two(e) < x)
+    ++e;
+  return e;
+}
 /// An exponent for each entry of a matrix.
 template <int N>
 struct EntryExponents {
@@ -203,10 +210,7 @@ inline constexpr int column_headroom = [] {
       const double sum = Sizes::actuator_effort(k, [](int) { return 1.0; });
       most = sum > most ? sum : most;
     }
-    int bits = 0;
-    for (double room = 1.0; room < most; room *= 2.0)
-      ++bits;
-    return bits;
+    return detail::bits_up_to(most);
   } else {
     return 0;
   }

@@ -43,12 +43,6 @@ struct DriveUnits {
   }
 
  private:
-  static constexpr int bits_of(double x) {
-    int e = 0;
-    while (power_of_two(e) < x)
-      ++e;
-    return e;
-  }
   constexpr void resist(int k) {
     constexpr double room = 1.0 + 1.0 / 4096.0;
     const double inertia = room * Sizes::inertia(k);
@@ -58,7 +52,7 @@ struct DriveUnits {
     mobility[k] = Sizes::mobility(k) * power_of_two(scale[k]);
     resisted = resisted && mobility[k] < power_of_two(most_gain_bits - 1);
     if (!resisted) return;
-    gain_bits[k] = bits_of(2.0 * mobility[k]), norm_bits[k] = bits_of(size * mobility[k]);
+    gain_bits[k] = bits_up_to(2.0 * mobility[k]), norm_bits[k] = bits_up_to(size * mobility[k]);
     const double half = power_of_two(bits - 1) / (mobility[k] * mobility[k]);
     least[k] = half > 1.0 ? static_cast<std::int32_t>(half) : 1;
   }

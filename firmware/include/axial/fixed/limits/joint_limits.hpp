@@ -48,7 +48,7 @@ struct SharedLimits {
     const auto qd = Links::rates(ud);
     const auto qdd = Links::rates(udd);  // or nothing
     First first;
-    each([&](auto i) {
+    Links::each_joint([&](auto i) {
       constexpr const Limit& limit = limits[i];
       const bool there = is_there(position<decltype(i)::value>(u), limit);
       const bool slow = inside(qd, i, limit.speed), gentle = inside(qdd, i, limit.acceleration);
@@ -62,7 +62,7 @@ struct SharedLimits {
   /// Status of positions alone; with `slides_only` no more than formats need.
   static constexpr Status of_position(const Positions<robot_of<S>, T>& u, bool slides_only = false) {
     First first;
-    each([&](auto i) {
+    Links::each_joint([&](auto i) {
       constexpr const Limit& limit = limits[i];
       constexpr bool slides = Declared::chain.links[i].type == JointType::prismatic;
       const bool looked_at = slides | !slides_only;
@@ -108,14 +108,6 @@ struct SharedLimits {
       }
     });
     return sum;
-  }
-  template <class F, int... I>
-  static constexpr void each_of(const F& f, std::integer_sequence<int, I...>) {
-    (f(Index<I>{}), ...);
-  }
-  template <class F>
-  static constexpr void each(const F& f) {
-    each_of(f, std::make_integer_sequence<int, size>{});
   }
 };
 

@@ -122,6 +122,11 @@ struct FixedDrivenLinks {
         sum<size>([&](auto i) AXIAL_INLINE { return ratio<S, decltype(i)::value, K>() * Fx<0, S>{get(i).raw}; });
     return {round_to<-column_headroom<Scene>>(all).raw};
   }
+  /// Calls f(i) for every joint.
+  template <class F>
+  AXIAL_INLINE static constexpr void each_joint(const F& f) {
+    each(f, std::make_integer_sequence<int, size>{});
+  }
   /// Calls f(k) for every drive.
   template <class F>
   AXIAL_INLINE static constexpr void each_drive(const F& f) {
@@ -168,10 +173,6 @@ struct FixedDrivenLinks {
   template <class F, int... I>
   AXIAL_INLINE static constexpr void each(const F& f, std::integer_sequence<int, I...>) {
     (f(Index<I>{}), ...);
-  }
-  template <class F>
-  AXIAL_INLINE static constexpr void each_joint(const F& f) {
-    each(f, std::make_integer_sequence<int, size>{});
   }
 };
 

@@ -11,12 +11,17 @@
 namespace axial {
 namespace detail {
 
+template <class X, class... Any>
+inline constexpr bool is_one_of = (std::is_same_v<X, Any> || ...);
+template <class Recursion>
+inline constexpr bool is_articulated =
+    is_one_of<Recursion, recursion::ArticulatedBodies, recursion::ArticulatedBodiesAtRest>;
+
 /// Formats of an articulated body need a joint that its own link or rotor resists.
 template <class Scene, class Recursion>
 constexpr bool resisted_by_themselves() {
   bool all = true;
-  if constexpr (std::is_same_v<Recursion, recursion::ArticulatedBodies> ||
-                std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>)
+  if constexpr (is_articulated<Recursion>)
     for (int i = 0; i < Scene::Robot::chain.size; ++i)
       all = all && least_joint_inertia(mechanism_of<Scene, FullParameters>, i) > 0.0;
   return all;
@@ -25,8 +30,7 @@ constexpr bool resisted_by_themselves() {
 /// Formats of articulated bodies hold for bodies that have the inertia that they say, which regrouped ones have not.
 template <class Scene, class Recursion>
 constexpr bool has_own_parameters() {
-  return !Scene::template has<BaseParameters> || !(std::is_same_v<Recursion, recursion::ArticulatedBodies> ||
-                                                   std::is_same_v<Recursion, recursion::ArticulatedBodiesAtRest>);
+  return !Scene::template has<BaseParameters> || !is_articulated<Recursion>;
 }
 
 /// What formats of articulated bodies refuse (macros: static_assert takes a literal only).
@@ -49,9 +53,8 @@ constexpr void check_resistance() {
 /// The recursions whose quantities have room for one format all along an arm.
 template <class Recursion>
 inline constexpr bool has_looped_form =
-    std::is_same_v<Recursion, recursion::NewtonEuler> || std::is_same_v<Recursion, recursion::CompositeBodies> ||
-    std::is_same_v<Recursion, recursion::Kinematics> || std::is_same_v<Recursion, recursion::Momenta> ||
-    std::is_same_v<Recursion, recursion::BaseForce> || std::is_same_v<Recursion, recursion::Derivatives>;
+    is_one_of<Recursion, recursion::NewtonEuler, recursion::CompositeBodies, recursion::Kinematics, recursion::Momenta,
+              recursion::BaseForce, recursion::Derivatives>;
 /// The recursion by which a refusal is said, so that each is said once: one for all of articulated bodies, and one for
 /// all that have every form.
 template <class Recursion>
@@ -107,11 +110,9 @@ struct LinkFormats : Formats<Scene, Parameters, S, Recursion> {
 /// The recursions that go from joints to drives by a sum.
 template <class Scene, class Recursion>
 constexpr void check_shared_drives() {
-  static_assert(
-      std::is_same_v<Recursion, recursion::NewtonEuler> || std::is_same_v<Recursion, recursion::CompositeBodies> ||
-          std::is_same_v<Recursion, recursion::Kinematics> || std::is_same_v<Recursion, recursion::Momenta> ||
-          std::is_same_v<Recursion, recursion::Separation> || std::is_same_v<Recursion, recursion::Derivatives>,
-      "axial: joints that share drives have no formats of this recursion in fixed point");
+  static_assert(is_one_of<Recursion, recursion::NewtonEuler, recursion::CompositeBodies, recursion::Kinematics,
+                          recursion::Momenta, recursion::Separation, recursion::Derivatives>,
+                "axial: joints that share drives have no formats of this recursion in fixed point");
 }
 }  // namespace detail
 

@@ -124,12 +124,11 @@ class BoundsOfTerms {
 
  private:
   // Drives are links by themselves, with the formats of their efforts.
-  static constexpr Ranges<n> ranges() {
-    if constexpr (!shared) return detail::ranges_of<Scene, Parameters, A, recursion::Separation>;
-    Ranges<n> all{};
-    for (int k = 0; k < n; ++k)
-      all.format[k].joint_effort = SeparatedExponents<S, T>::rest(k);
-    return all;
+  static constexpr const Ranges<n>& ranges() {
+    if constexpr (shared)
+      return detail::DriveFormats<Scene, Parameters, A>::Table::value;
+    else
+      return detail::ranges_of<Scene, Parameters, A, recursion::Separation>;
   }
 };
 

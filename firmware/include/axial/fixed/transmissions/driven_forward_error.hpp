@@ -1,5 +1,6 @@
 // The certified error of forward dynamics of joints that share drives: what errors of M and of the bias do to the exact
-// solution, by the energy norm and mobilities, and what the solve in words leaves (fixed/dynamics/drive_solve.hpp).
+// solution, by the energy norm and mobilities, and what the solve in words leaves
+// (fixed/dynamics/driven_forward_dynamics.hpp).
 #pragma once
 
 #include <axial/fixed/formats/drive_units.hpp>

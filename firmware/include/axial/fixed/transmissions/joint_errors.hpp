@@ -98,11 +98,9 @@ struct JointErrors {
   /// Errors of the momenta's drifts, N m or N.
   static constexpr auto drifts() {
     using Rates = MomentumRatesOf<Joint, T>;
-    int exponents[joints] = {}, least = Rates::exponent(0);
-    for (int i = 0; i < joints; ++i)
-      exponents[i] = Rates::exponent(i), least = smaller(least, exponents[i]);
-    for (int& exponent : exponents)
-      exponent = Joint::template has<Looped> ? least : exponent;  // links that share formats round at one
+    int exponents[joints] = {};
+    for (int i = 0; i < joints; ++i)  // links that share formats round at one
+      exponents[i] = Joint::template has<Looped> ? shared_exponent<Rates>() : Rates::exponent(i);
     const auto found = bounds::drift_bounds(mechanism<Base>(), rounding, ranges<recursion::NewtonEuler>,
                                             ranges<recursion::Momenta>, exponents);
     return Drives::template answers<role::MomentumRate>([&](int i) { return found[i]; }, 0.0);
