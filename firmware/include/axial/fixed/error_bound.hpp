@@ -12,8 +12,7 @@
 
 namespace axial {
 
-/// The largest error of each result of an algorithm, for every state inside the declared limits: SI units of the
-/// result.
+/// The largest error of each result of an algorithm, for every state inside the declared limits, in its SI unit.
 template <int N>
 struct ErrorBound {
   static constexpr int size = N;  ///< number of results

@@ -59,8 +59,7 @@ constexpr double double_angle_error(const Number& cos, const Number& sin, const 
   const double step = square.rounding(cos.exponent, r);
   return hypotenuse(2.0 * e * (1.0 + e) + step, root2 * e * (1.0 + e) + step);
 }
-// One sum of an entry of the plane: a difference of two times one product of sine and cosine, and the couple times
-// another.
+// One sum of an entry of the plane: a difference and the couple, each times a product of sine and cosine.
 constexpr double plane_rounding(const Number& cos, int exponent, double norm, const WordRounding& r) {
   Terms terms;
   if (cos.is_literal)

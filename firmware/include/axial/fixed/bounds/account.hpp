@@ -141,8 +141,7 @@ constexpr Account<N> account_in_formats(const Mechanism<N>& m, const WordRoundin
   return {r.tabled ? axial::detail::sharing(m, r, ranges) : m, r, false, false, ranges};
 }
 
-/// What is named by a scene of bounds: everything that costs nothing where it is zero, payload and wrench where they
-/// are there.
+/// What a scene of bounds names: all that costs nothing where it is zero, payload and wrench where there are any.
 template <bool payload, bool wrench>
 struct BoundedScene {
   /// Whether the kernel sees a feature.

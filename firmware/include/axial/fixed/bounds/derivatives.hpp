@@ -102,8 +102,7 @@ constexpr DerivativeBounds<N> derivative_sizes(const Mechanism<N>& m, const Word
   detail::note_description(account);
   return detail::derive(account, NoExponents{});
 }
-/// What is derived in the formats of `ranges`: errors of the entries, and of efforts and all else that the recursion
-/// keeps.
+/// What is derived in the formats of `ranges`: errors of the entries, and of all that the recursion keeps.
 template <int N>
 struct Derived {
   DerivativeBounds<N> entries{};  ///< each rounded into its exponent

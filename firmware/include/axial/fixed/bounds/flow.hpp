@@ -239,8 +239,7 @@ constexpr auto kept_by(const Link& link,
   }
   return carried;
 }
-/// A joint's columns as the looped form keeps them: those of its inertia as unit forces, a slide's row as that of what
-/// turns.
+/// A joint's columns as the looped form keeps them: of its inertia as unit forces, a slide's row as what turns.
 template <class Link>
 constexpr auto kept_by(const Link& link,
                        derivatives::Columns<BoundedForce, BoundedVector, BoundedForce, BoundedForce> columns) {

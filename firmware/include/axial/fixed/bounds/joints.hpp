@@ -83,8 +83,7 @@ constexpr Vec3<Number> loaded_differences(const BoundedLink<Scene, N>& link, con
 
 namespace detail {
 
-// Joint values as the kernel reads them: words with the exponents of the declared limits, in the looped form moved to
-// the coarsest of them.
+// Joint values as the kernel reads them: words at the exponents of the declared limits, looped at the coarsest.
 template <int N>
 class JointBounds {
  public:

@@ -9,8 +9,7 @@
 namespace axial {
 namespace bounds {
 
-/// Rows of a mass matrix in bounds: the largest error of the entries up to the diagonal, each rounded into its
-/// exponent.
+/// Rows of a mass matrix in bounds: the largest error of the entries up to the diagonal, each in its exponent.
 template <int N, class Exponent>
 struct MatrixRows {
   const WordRounding& rounding;  ///< of the arithmetic

@@ -169,8 +169,7 @@ constexpr double norm_of(const TreeLinkConstants<double>& c) {
 }
 constexpr double length_of(double x, double y, double z) { return square_root(x * x + y * y + z * z); }
 
-/// What has no limit was refused (formats/joint_formats.hpp); something finite stands for it, so that nothing more is
-/// said.
+/// What has no limit was refused (formats/joint_formats.hpp); something finite stands for it, to say no more.
 constexpr JointRange joint_range(const LinkParameters& p) {
   const auto finite = [](double limit) { return is_bounded(limit) ? limit : 1.0; };
   JointRange r{finite(p.speed_limit), finite(p.acceleration_limit), magnitude(p.d), p.effort_limit};

@@ -25,8 +25,7 @@ constexpr BoundedVector base_angular_acceleration(const BoundedLinks<S, N>&, con
 }
 ///@}
 
-/// Friction at any speed: viscous, and the larger of the two directions' dry effort, a literal that is rounded into the
-/// format of the effort.
+/// Friction at any speed: viscous, and the larger dry effort of both directions, a literal in the effort's format.
 template <class S, int N>
 constexpr NumberSum friction_effort(const BoundedLink<S, N>& link, const Number& qd) {
   const Number forward = link.template drive<&DriveConstants<double>::coulomb_forward>();

@@ -12,8 +12,7 @@
 namespace axial::closed_form {
 namespace detail {
 
-/// How the closed form rounds on bounds. Formats of what is common stand with the first link, those of efforts with
-/// each.
+/// How the closed form rounds on bounds. The first link has the formats of what is common, each its effort's.
 class ScaraBounds : public bounds::BoundedLink<bounds::BoundedScene<false, false>, 3> {
   using Link = bounds::BoundedLink<bounds::BoundedScene<false, false>, 3>;
 

@@ -78,8 +78,7 @@ struct JointColumnRounding {
   static constexpr To<drift[1]> drift_across{};
 };
 
-/// Of drives that joints share: sums of a column of G over the columns of the joints, with the bits that a Jacobian's
-/// columns need more.
+/// Of drives that joints share: sums of the joints' columns by G, with the bits that a Jacobian's need more.
 template <class S, class Word>
 struct DriveColumnRounding {
   using OfJoints = JointColumnRounding<JointsOf<S>, Word>;  ///< what is summed

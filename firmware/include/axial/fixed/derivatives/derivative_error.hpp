@@ -99,8 +99,7 @@ constexpr auto found_slope_errors() {
 
 }  // namespace detail
 
-/// Error bounds of efforts, mass matrix and both Jacobians, each where inverse_dynamics_derivatives() has it, in its SI
-/// unit.
+/// Error bounds of efforts, M and both Jacobians, each where inverse_dynamics_derivatives() has it, in its SI unit.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr InverseDynamicsDerivatives<S, double> error_bound(algorithm::InverseDynamicsDerivatives) {
   using Result = InverseDynamicsDerivatives<S, double>;

@@ -173,8 +173,7 @@ struct DerivativeUnits {
     return static_cast<std::int32_t>(words < largest ? words : largest);
   }
 };
-/// How solutions of M's elimination become columns of an approximate inverse, as a Certificate says it of the
-/// structure's.
+/// How solutions of M's elimination become columns of an approximate inverse, as in a Certificate.
 template <class S, class T>
 struct LoopedColumns {
   using Units = DriveUnits<S, typename T::Word>;

@@ -12,8 +12,7 @@ namespace axial {
 /// Derivatives of forward dynamics, and how far each can be from the exact one.
 template <class S, class T, class... Wanted>
 struct CertifiedDerivatives : ForwardDynamicsDerivatives<S, T, Wanted...> {
-  /// Bounds of the results, each in the format of its own; the largest word where nothing is known. Its status says
-  /// nothing.
+  /// Bounds of the results in their formats; the largest word where nothing is known. Its status says nothing.
   ForwardDynamicsDerivatives<S, T, Wanted...> bound{};
 };
 
@@ -34,8 +33,7 @@ AXIAL_INLINE constexpr int first_beyond(const CertifiedDynamics<S, T>& answer, c
   return first;
 }
 
-/// Results of inverse dynamics that those of forward dynamics need; a function in the looped form, which calls it
-/// twice.
+/// Results of inverse dynamics that those of forward dynamics need; looped, a function that is called twice.
 template <class S, class T, class Result, bool apart = scene_of<S>::template has<Looped>>
 AXIAL_INLINE constexpr auto slopes_for(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                        const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in) {

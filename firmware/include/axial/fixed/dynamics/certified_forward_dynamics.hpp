@@ -16,8 +16,7 @@ namespace axial {
 
 namespace detail {
 
-/// What a scene's enclosure is made of that no state changes, in words: accelerations in those of requests, efforts in
-/// those of motions.
+/// What of an enclosure no state changes: accelerations in words of requests, efforts in words of motions.
 template <class S, class T>
 struct Certificate {
   using Scene = scene_of<S>;
@@ -123,8 +122,7 @@ AXIAL_INLINE constexpr bool publish(CertifiedDynamics<S, T>& answer, const Syste
       [](int i) AXIAL_INLINE { return C::Requests::exponent(i) - C::Answers::exponent(i); });
 }
 
-/// The system at a state: columns by the structure; what the mass matrix makes of them, and of x, by inverse dynamics,
-/// which is there once.
+/// The system at a state: columns by the structure, and what M makes of them and of x by one inverse dynamics.
 template <class S, class T>
 AXIAL_INLINE constexpr void fill(Enclosure<joint_count<S>>& system, const Positions<robot_of<S>, T>& q,
                                  const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,

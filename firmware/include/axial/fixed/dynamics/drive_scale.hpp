@@ -47,8 +47,7 @@ constexpr int room_of(int doublings, int down, int finer) {
   const int wanted = doublings - down;
   return wanted < 0 ? 0 : smaller(wanted, 30 - finer);
 }
-/// The part of so many doublings that `divided` has bits for on the way from an exponent to one that is lower by
-/// `down`.
+/// How many of the doublings `divided` has bits for on the way to an exponent that is lower by `down`.
 template <int doublings>
 constexpr int magnification_limit(int down, int finer) {
   return smaller(down + room_of(doublings, down, finer), doublings);
@@ -96,8 +95,7 @@ constexpr int doublings_of() {
   return Links::halvings() > 0 ? detail::doublings_after(Links::halvings()) : detail::most_doublings;
 }
 
-/// (tau - bias) / 2^shift of all joints, in the formats of the links for a drive that is halved `Links::halvings()`
-/// times.
+/// (tau - bias) / 2^shift of all joints, in the links' formats for a drive that is halved `Links::halvings()` times.
 template <class Links, class Tau, class Bias>
 AXIAL_INLINE constexpr auto drive_over(const Links& links, const Tau& tau, const Bias& bias, int shift) {
   return map_links(links, [&](auto i) AXIAL_INLINE {

@@ -13,8 +13,7 @@
 
 namespace axial::detail {
 
-/// The elimination (L^T D L, Featherstone 2008, section 6.5) of M in the units of DriveUnits, whose bounds hold every
-/// word, and solutions by it.
+/// M eliminated (L^T D L, Featherstone 2008, section 6.5) in DriveUnits, whose bounds hold every word, and solutions.
 template <class S, class Word>
 class DriveSolve {
  public:
@@ -163,8 +162,7 @@ struct DrivenSystem {
   }
 };
 
-/// The status of an answer of drives: the first that is lost, or whose word does not hold its acceleration, or that is
-/// beyond trust.
+/// The status of an answer of drives: the first that is lost, or that no word holds, or that is beyond trust.
 template <class S, class Word>
 AXIAL_INLINE constexpr Status driven_status(const std::int32_t* x, int lost, int spilt) {
   int beyond = -1;

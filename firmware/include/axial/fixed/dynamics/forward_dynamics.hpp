@@ -12,8 +12,7 @@
 
 namespace axial::detail {
 
-/// An articulated body, of which ranges are proved; the split one unless named. Composite bodies where joints share
-/// drives.
+/// An articulated body, of proved ranges, split unless named; composite bodies where joints share drives.
 template <class S, class Word>
 struct RouteOver<S, Stored<Word>> {
   static constexpr Route value = shares_drives_in<typename scene_of<S>::Robot> ? Route::composite_body

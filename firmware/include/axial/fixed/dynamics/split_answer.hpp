@@ -53,8 +53,7 @@ AXIAL_INLINE constexpr bool is_beyond_trust(std::int32_t raw) {
   else
     return false;
 }
-/// The status of a solve that lost joint `lost` (-1: none), or where it lost none, the name of the first joint whose
-/// answer is beyond trust.
+/// The status of a solve that lost joint `lost`, or where that is -1, names the first joint beyond trust.
 template <class Links>
 AXIAL_INLINE constexpr Status answered_status(int lost, bool scaled, int beyond) {
   const Status plain = status_of<Links>(lost, scaled);

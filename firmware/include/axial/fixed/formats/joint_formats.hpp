@@ -113,8 +113,7 @@ struct RoleExponent {
     const double declared = link(i).effort_limit, own = Sizes::effort(i);
     return joint_rounding<Word>.exponent(is_bounded(declared) && declared > own ? declared : own);
   }
-  /// Where formats are those of the declared motion: as fine as motions allow, up to what a difference of both has bits
-  /// for.
+  /// In formats of the declared motion as fine as motions allow, up to what a difference of both has bits for.
   static constexpr int of(role::MotionEffort, int i) {
     constexpr int finest = 24;
     if constexpr (shared) {

@@ -55,8 +55,7 @@ template <class Recursion>
 inline constexpr bool has_looped_form =
     is_one_of<Recursion, recursion::NewtonEuler, recursion::CompositeBodies, recursion::Kinematics, recursion::Momenta,
               recursion::BaseForce, recursion::Derivatives>;
-/// The recursion by which a refusal is said, so that each is said once: one for all of articulated bodies, and one for
-/// all that have every form.
+/// The recursion by which a refusal is said once: one for articulated bodies, one for all that have every form.
 template <class Recursion>
 using said_as = std::conditional_t<
     std::is_same_v<Recursion, recursion::BaseForce> || std::is_same_v<Recursion, recursion::Separation>, Recursion,

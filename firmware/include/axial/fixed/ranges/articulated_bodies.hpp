@@ -106,8 +106,7 @@ class ArticulatedAnalysis {
     own.angular_gain.size = larger(square_root(b.inertia) * steep, 1.0);
     own.linear_gain.size = larger(square_root(b.mass) * steep, 1.0);
   }
-  // Joint accelerations are held below twice what the drive gives the least inertia; those of links follow, or from
-  // sum of a_k^T I_k a_k <= G.
+  // Joint accelerations are below twice the drive over the least inertia; links' follow, or sum a_k^T I_k a_k <= G.
   constexpr void move(int i) {
     const auto& c = m_.links[i];
     LinkRange& own = all_.range[i];
@@ -173,8 +172,7 @@ class ArticulatedAnalysis {
   }
 };
 
-/// Efforts that forward dynamics leaves to the joints: the declared ones, or those of the declared motion, and the
-/// bias.
+/// Efforts that forward dynamics leaves to the joints: declared, or of the declared motion, and the bias.
 template <int N>
 constexpr PerJoint<N> given_efforts(const Mechanism<N>& m, const Ranges<N>& newton_euler, bool with_bias) {
   PerJoint<N> given;

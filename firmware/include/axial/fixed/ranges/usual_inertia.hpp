@@ -12,8 +12,7 @@
 
 namespace axial {
 
-/// Mass, first moment and inertia (norms) of all that a link carries: about its own origin, and behind its joint's
-/// shift.
+/// Mass, first moment and inertia (norms) of all that a link carries, about a point.
 struct CompositeRange {
   double mass = 0.0, moment = 0.0, inertia = 0.0;  ///< kg, kg m, kg m^2
 

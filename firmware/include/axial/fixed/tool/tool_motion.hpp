@@ -105,8 +105,7 @@ struct TransposeTimes {};  ///< transpose_times() of jacobian()
 struct ToolPose {};        ///< tool of forward_kinematics()
 }  // namespace algorithm
 
-/// Error bounds of the tool's pose, declared or (RuntimeTool) as its words say: of its origin and of each entry of its
-/// rotation.
+/// Error bounds of the tool's origin and of each entry of its rotation, declared or (RuntimeTool) as its words say.
 template <class S, class T = Fixed32>
 [[nodiscard]] constexpr bounds::ToolError error_bound(algorithm::ToolPose) {
   static_assert((detail::check_bound<S, recursion::Kinematics>(), true));

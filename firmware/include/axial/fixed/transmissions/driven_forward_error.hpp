@@ -53,8 +53,7 @@ class DrivenForwardError {
       normed = u.norm_bits[k] > normed ? u.norm_bits[k] : normed;
     }
     const double unit = WordRounding::ulp(Units::bits);
-    // An entry of M' is rounded once into its word; each pivot takes a rounded product of it, by a gain that is
-    // rounded.
+    // An entry of M' is rounded once into its word; each pivot takes a rounded product by a rounded gain.
     eliminated_ = gains * unit * mobile * mobile;
     // Some word of the right-hand side has its first bit set, so that its norm is 2^-(normed + 1) at least.
     substituted_ *= unit * power_of_two(normed + 1);

@@ -43,8 +43,7 @@ struct OwnDrives {
   }
 };
 
-/// Errors of a scene S over words T, whose joints `Drives` move; `word` is what words are off by themselves in units, 0
-/// or half of one.
+/// Errors of a scene S over words T, whose joints `Drives` move; `word`: what words are off by, 0 or half a unit.
 template <class S, class T, class Drives = OwnDrives<S, T>>
 struct JointErrors {
   using OfJoints = JointErrors;

@@ -22,8 +22,7 @@ namespace axial::integer {
 
 namespace detail {
 
-/// 2^k - 1 times a de Bruijn sequence has other five leading bits for each k in 1..32 (Leiserson, Prokop, Randall
-/// 1998).
+/// 2^k - 1 times a de Bruijn sequence: five other leading bits for each k in 1..32 (Leiserson, Prokop, Randall 1998).
 constexpr std::uint32_t de_bruijn = 0x07C4ACDD;
 struct LeadingZeros {
   std::uint8_t of[32] = {};

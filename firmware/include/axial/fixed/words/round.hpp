@@ -98,8 +98,7 @@ struct Holding<Fx<E, S>> {
   }
 };
 
-/// Any expression, rounded once and held within exponent E's range; sets `lost` where it would not have fitted. Sees
-/// excesses up to 2^8.
+/// Any expression, rounded once, held in exponent E's range; sets `lost` where it did not fit. Sees excesses up to 2^8.
 template <int E, class X>
 AXIAL_INLINE constexpr auto saturated(bool& lost, const X& x) {
   using S = typename X::Arithmetic;

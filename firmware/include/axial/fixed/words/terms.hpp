@@ -148,8 +148,7 @@ AXIAL_INLINE constexpr typename S::Upper moved_word(typename S::Word x) {
   return moved<Shift, S>(static_cast<typename S::Upper>(x));
 }
 
-// The upper words of products: at exponent E. Products of two variables are summed apart, at the exponent that they
-// have, and moved once.
+// The upper words of products at exponent E. Those of two variables are summed apart at their exponent, moved once.
 template <class S>
 AXIAL_INLINE constexpr typename S::Upper upper(typename S::Word a, typename S::Word b) {
   using integer::multiply_high;
