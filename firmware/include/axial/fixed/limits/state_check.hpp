@@ -61,7 +61,7 @@ AXIAL_INLINE constexpr Status::Code inputs_outside(const Inputs<S, Stored<Word>>
     return static_cast<Status::Code>(inputs);
 }
 
-/// State and inputs of a solve, looked at before it: about 10 instructions per joint on a Cortex-M3, whatever the words.
+/// State and inputs of a solve, looked at before it: about 10 instructions per joint on a Cortex-M3, always.
 template <class S, class Word>
 struct StateCheck<S, Stored<Word>> {
   using T = Stored<Word>;
