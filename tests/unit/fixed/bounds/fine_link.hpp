@@ -35,7 +35,7 @@ struct FineLink {
   template <class Q, class First, class... Terms>
   auto sum(Q, const First& first, const Terms&... terms) const {
     using namespace axial::bounds;
-    if constexpr (axial::bounds::detail::IsVector<First>::value) {
+    if constexpr (axial::bounds::detail::is_vector<First>) {
       VectorSum all = vector_of(first);
       (axial::bounds::detail::accumulate(all, vector_of(terms)), ...);
       return bounded(axial::detail::tightened(all.bound));
