@@ -81,7 +81,8 @@ TEST(PayloadError, OfColumnsPassesTheLag) {
 }
 
 TEST(PayloadError, OfSpeedsIsTheirShift) {
-  const auto fast = Rounding::speed(Leaning{}, 0), slow = Rounding::speed(Leaning{}, 1);
+  const bounds::SpeedsOf<Leaning, joint_count<Leaning>> exact{};
+  const auto fast = Rounding::speed(exact, 0), slow = Rounding::speed(exact, 1);
   EXPECT_EQ(fast.bound.error, 0.0);
   ASSERT_GT(F::Speeds::exponent(1), F::speed_exponent);
   F::Speeds speeds{};
