@@ -174,7 +174,8 @@ struct HeavyAndLight {
     return limited(axial::revolute().a(i == 0 ? 0.0 : 0.5).alpha_deg(i % 3 == 1 ? 90 : 0), 1.0, 16.0, 65536.0)
         .mass(m)
         .com(0.25, 0.0, 0.0625)
-        .inertia_com(m / 384.0, m * 17.0 / 768.0, m * 17.0 / 768.0);
+        .inertia_com(m / 384.0, m * 17.0 / 768.0, m * 17.0 / 768.0)
+        .accept(axial::as_published);  // of 1 024 kg
   }
   template <int... I>
   static constexpr auto chain_of(std::integer_sequence<int, I...>) {

@@ -114,7 +114,8 @@ struct Account {
 
   /// Formats from the sizes that were noted.
   constexpr void choose_formats() {
-    constexpr const auto &sizes = all_quantities<double>, &formats = all_quantities<int>;
+    constexpr const auto& sizes = all_quantities<double>;
+    constexpr const auto& formats = all_quantities<int>;
     for (int i = 0; i < N; ++i)
       for (int k = 0; k < axial::detail::AllQuantities::count; ++k)
         if (const double size = widest[i].*sizes[k]; size >= 0.0)

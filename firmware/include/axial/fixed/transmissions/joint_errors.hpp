@@ -54,7 +54,8 @@ struct JointErrors {
   using Base = with_rotors<Joint, parameters_of<Joint, BaseParameters>>;
   using Full = with_rotors<Joint, parameters_of<Joint, FullParameters>>;
   template <class Recursion, class Parameters = Base>
-  static constexpr const auto& ranges = ranges_of<Joint, Parameters, A, Recursion>;
+  static constexpr decltype((ranges_of<Joint, Parameters, A, Recursion>)) ranges =
+      ranges_of<Joint, Parameters, A, Recursion>;  // by `const auto&` Clang 14 deduces it anew at each use
   template <class Parameters, class Role = void>
   static constexpr auto mechanism(double word = 0.0) {
     return Drives::template mechanism<Parameters, Role>(word);
