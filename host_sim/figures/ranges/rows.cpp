@@ -155,7 +155,7 @@ std::vector<Row> analysed() {
   } else {
     using Parameters = axial::detail::with_rotors<Scene, typename Analysis::Parameters>;
     return rows_of(
-        axial::detail::analysed<Scene, Parameters, Arithmetic>(typename Analysis::Recursion{}, axial::Wanted::errors),
+        axial::detail::analysed<Scene, Parameters, Arithmetic, typename Analysis::Recursion>(axial::Wanted::errors),
         Robot::chain.links, Robot::name, Arithmetic::unit, Analysis::per);
   }
 }

@@ -232,14 +232,13 @@ inline constexpr bool is_refused<RefusedLinks<Scene>> = true;  ///< they are
 
 /// How an algorithm runs over links: by itself, not at all where they are refused; what couples joints specialises it.
 template <class Algorithm, class Links, class = void>
-struct Execution {
-  /// runs it
+struct Execution : Algorithm {};
+template <class Algorithm, class Links>
+struct Execution<Algorithm, Links, std::enable_if_t<is_refused<Links>>> {
+  /// what was refused
   template <class... Arguments>
-  AXIAL_INLINE static constexpr decltype(auto) run(const Links& links, Arguments&&... arguments) {
-    if constexpr (is_refused<Links>)
-      return links;
-    else
-      return Algorithm::run(links, arguments...);
+  AXIAL_INLINE static constexpr const Links& run(const Links& links, const Arguments&...) {
+    return links;
   }
 };
 /// Specialised to stop the compiler at links over which no recursion walks.
