@@ -233,6 +233,7 @@ inline constexpr bool is_refused<RefusedLinks<Scene>> = true;  ///< they are
 /// How an algorithm runs over links: by itself, not at all where they are refused; what couples joints specialises it.
 template <class Algorithm, class Links, class = void>
 struct Execution : Algorithm {};
+/// Over links that are refused: nothing.
 template <class Algorithm, class Links>
 struct Execution<Algorithm, Links, std::enable_if_t<is_refused<Links>>> {
   /// what was refused
