@@ -3,6 +3,7 @@
 #pragma once
 
 #include <axial/fixed/balls/number.hpp>
+#include <axial/fixed/balls/split_ball.hpp>
 #include <axial/spatial/branch_screw.hpp>
 
 #include <axial/options/begin.hpp>

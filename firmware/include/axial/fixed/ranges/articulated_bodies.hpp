@@ -4,6 +4,7 @@
 
 #include <axial/fixed/bounds/account.hpp>
 #include <axial/fixed/bounds/newton_euler.hpp>
+#include <axial/fixed/ranges/composite_bodies.hpp>
 #include <axial/fixed/ranges/usual_inertia.hpp>
 
 #include <axial/options/begin.hpp>
