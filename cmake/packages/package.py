@@ -21,9 +21,10 @@ SOURCES = ("CMakeLists.txt", "cmake/AxialInstall.cmake", "cmake/axial.pc.in", "f
 
 
 def project():
-    """{name: value} of the project's own CMakeLists.txt."""
-    text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
-    return {"VERSION": re.search(r"VERSION (\d+\.\d+\.\d+)", text)[1], "DESCRIPTION": re.search(r'DESCRIPTION "([^"]+)"', text)[1]}
+    """{name: value} that manifests name."""
+    header = (ROOT / "firmware/include/axial/version.h").read_text(encoding="utf-8")
+    build = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+    return {"VERSION": re.search(r'define AXIAL_VERSION "([\d.]+)"', header)[1], "DESCRIPTION": re.search(r'DESCRIPTION "([^"]+)"', build)[1]}
 
 
 def licence():

@@ -11,7 +11,7 @@
 
 namespace axial::hal::link {
 
-constexpr std::uint8_t protocol_version = 2;
+constexpr std::uint8_t protocol_version = 3;
 constexpr std::size_t max_joints = 8;
 constexpr std::size_t name_size = 16;
 
@@ -79,6 +79,7 @@ struct Hello {
   std::uint32_t nonce;          ///< of the `start` that this answers; 0 after a reset
   std::uint8_t reset_cause;     ///< see hal::ResetCause
   std::uint32_t fault_address;  ///< program counter of the last fault; 0 where none is known
+  std::uint32_t library;        ///< version of axial: major * 10000 + minor * 100 + patch
 };
 
 struct SetPoint {
@@ -186,7 +187,7 @@ void layout(Archive& a, Hello& m) {
   a(m.clock_Hz), a(m.baud), a(m.tick_Hz);
   a(m.counter_numerator), a(m.counter_denominator), a(m.empty_bracket);
   layout(a, m.robot), layout(a, m.board);
-  a(m.session), a(m.nonce), a(m.reset_cause), a(m.fault_address);
+  a(m.session), a(m.nonce), a(m.reset_cause), a(m.fault_address), a(m.library);
 }
 
 template <class Archive>

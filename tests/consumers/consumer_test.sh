@@ -47,7 +47,7 @@ InstallsHeadersAlone() {
   local file found=0
   while read -r file; do
     case $file in
-      include/axial/*.hpp | include/axial/axial.h | include/robots/*.hpp) found=$((found + 1)) ;;
+      include/axial/*.hpp | include/axial/axial.h | include/axial/version.h | include/robots/*.hpp) found=$((found + 1)) ;;
       share/cmake/axial/*.cmake | share/pkgconfig/axial.pc) ;;
       *) fail "installs $file" ;;
     esac
@@ -117,6 +117,24 @@ UnknownRobotIsRefused() {
   "$ROOT/axial" amalgamate --robot no_such_arm -o "$FOLDER/axial.hpp" 2>"$FOLDER/log" || status=$?
   ((status == 2)) || fail "exit status $status"
   grep -q "no robot 'no_such_arm'.*planar2r" "$FOLDER/log" || fail "$(<"$FOLDER/log")"
+}
+
+# Programs that nobody edits any more, by the headers as installed: with each compiler, in strict C++17, and in C99.
+ProgramsOf0_1() {
+  local programs=$HERE/written_for_0_1 include=(-I"$FOLDER/installed/include") compiler source
+  (cd "$programs" && sha256sum --check --strict --quiet SHA256SUMS) || fail "a program of 0.1 was edited; write it anew for a new version"
+  install_axial
+  for compiler in "g++ gcc" "clang++ clang"; do
+    read -r cxx c <<<"$compiler"
+    command -v "$cxx" >/dev/null || continue
+    for source in main_job arrays_and_models scenes fixed_point coupled control_loop; do
+      quietly "$cxx" -std=c++17 -pedantic -Wall -Wextra -Werror -O1 "${include[@]}" "$programs/$source.cpp" -o "$FOLDER/$source"
+      "$FOLDER/$source" || fail "$source, by $cxx, answers $?"
+    done
+    quietly "$c" -std=c99 -pedantic -Wall -Wextra -Werror "${include[@]}" -c "$programs/in_c.c" -o "$FOLDER/in_c.o"
+    quietly "$cxx" -std=c++17 -O1 "${include[@]}" "$programs/arm_in_c.cpp" "$FOLDER/in_c.o" -o "$FOLDER/in_c"
+    "$FOLDER/in_c" || fail "the program in C, by $c, answers $?"
+  done
 }
 
 # Every file that doc/guides/embedding.md and c.md show.

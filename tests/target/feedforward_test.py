@@ -1,6 +1,8 @@
 """The main job over the emulated serial port: what it says, answers, refuses, holds."""
 
 import math
+import pathlib
+import re
 import struct
 import time
 
@@ -8,9 +10,15 @@ import emulator
 import harness
 import link
 
+VERSION = pathlib.Path(__file__).resolve().parents[2] / "firmware/include/axial/version.h"
 AT_REST = link.set_point([0.1] * 3, [0] * 3, [0] * 3)
 NAN = link.set_point([0.1, math.nan, 0.1], [0] * 3, [0] * 3)
 TOO_FAST = link.set_point([0.1] * 3, [0, 0, 1e6], [0] * 3)
+
+
+def library_version():
+    major, minor, patch = re.search(r'AXIAL_VERSION "(\d+)\.(\d+)\.(\d+)"', VERSION.read_text(encoding="utf-8")).groups()
+    return int(major) * 10000 + int(minor) * 100 + int(patch)
 
 
 class Feedforward(harness.BoardTest):
@@ -26,7 +34,7 @@ class Feedforward(harness.BoardTest):
             with self.subTest(robot), emulator.Emulator(self.board, "feedforward-" + robot) as firmware:
                 hello = firmware.hello
                 self.assertEqual((hello["robot"], hello["board"], hello["joints"]), (robot, self.board, joints))
-                self.assertEqual(hello["version"], 2)
+                self.assertEqual((hello["version"], hello["library"]), (3, library_version()))
                 self.assertEqual(firmware.greeting["reset_cause"], link.POWER_ON)
                 self.assertEqual(link.COUNTERS[hello["counter_kind"]], shows["counts"])
                 self.assertEqual(link.CLOCKS[hello["clock_source"]], shows["clock"], "the clock, or its fallback, is reported")

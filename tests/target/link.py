@@ -79,8 +79,8 @@ def measurement(counts, feeds_forward=1):
 
 def hello(payload):
     names = ("version joints clock_source counter_kind mode clock_Hz baud tick_Hz counter_numerator "
-             "counter_denominator empty_bracket robot board session nonce reset_cause fault_address").split()
-    values = dict(zip(names, struct.unpack("<5B6I16s16sIIBI", payload)))
+             "counter_denominator empty_bracket robot board session nonce reset_cause fault_address library").split()
+    values = dict(zip(names, struct.unpack("<5B6I16s16sIIBII", payload)))
     for name in ("robot", "board"):
         values[name] = values[name].rstrip(b"\0").decode()
     return values

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <axial/version.h>
 #include <hal/fault_report.hpp>
 #include <hal/link/messages.hpp>
 
@@ -285,6 +286,7 @@ class Feedforward {
     hello.nonce = nonce_;
     hello.reset_cause = static_cast<std::uint8_t>(Board::reset_cause());
     hello.fault_address = hal::sound(Board::last_fault()) ? Board::last_fault().program_counter : 0;
+    hello.library = AXIAL_VERSION_NUMBER;
     send(hello, sequence_.last(), link::no_session);
   }
 

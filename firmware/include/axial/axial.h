@@ -6,6 +6,7 @@
 #ifndef AXIAL_AXIAL_H
 #define AXIAL_AXIAL_H
 
+#include <axial/version.h>
 #include <stdint.h>
 
 /** Before every function that a header declares: it has C's name in C++ too. */

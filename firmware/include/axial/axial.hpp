@@ -17,6 +17,8 @@
 
 #include <axial/control/gravity_compensation.hpp>
 
+#include <axial/version.hpp>
+
 #include <axial/base/water.hpp>
 #include <axial/closed_form/scara.hpp>
 #include <axial/control/collision.hpp>

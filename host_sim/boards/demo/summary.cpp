@@ -10,6 +10,11 @@ namespace host_sim {
 
 namespace {
 
+std::string library_of(const link::Hello& hello) {
+  const auto v = hello.library;
+  return std::to_string(v / 10000) + "." + std::to_string(v / 100 % 100) + "." + std::to_string(v % 100);
+}
+
 bool is_fixed(const Summary& s) { return s.number == "fixed32"; }
 
 std::string table_of_errors(const Summary& s) {
@@ -74,16 +79,17 @@ bool within_bound(const Summary& summary) {
 }
 
 std::string describe(const Summary& s) {
-  return s.robot.name + " on " + s.board.name + (is_fixed(s) ? ", 32-bit fixed point," : "") + " in " +
-         s.board.emulator_name + ": " + grouped(s.set_points) + " set-points, " + significant(s.duration) +
-         " s of motion\n\n" + table_of_errors(s) + "\n" + cost_lines(s);
+  return "axial " + library_of(s.hello) + ": " + s.robot.name + " on " + s.board.name +
+         (is_fixed(s) ? ", 32-bit fixed point," : "") + " in " + s.board.emulator_name + ": " + grouped(s.set_points) +
+         " set-points, " + significant(s.duration) + " s of motion\n\n" + table_of_errors(s) + "\n" + cost_lines(s);
 }
 
 nlohmann::json to_json(const Summary& s) {
   nlohmann::json rows = nlohmann::json::array();
   for (std::size_t i = 0; i < s.joints.size(); ++i) {
     const ErrorStatistics& e = s.joints[i];
-    rows.push_back({{"robot", s.robot.name},
+    rows.push_back({{"axial", library_of(s.hello)},
+                    {"robot", s.robot.name},
                     {"board", s.board.name},
                     {"scalar", s.number},
                     {"joint", i + 1},

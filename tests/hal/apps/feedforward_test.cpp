@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include <axial/version.hpp>
+
 #include "app_fixture.hpp"
 
 namespace axial::apps {
@@ -22,6 +24,7 @@ TEST_F(FeedforwardApp, GreetsFirst) {
   EXPECT_STREQ(greeting_.robot.data(), "sum");
   EXPECT_STREQ(greeting_.board.data(), "host");
   EXPECT_EQ(greeting_.nonce, 0u);
+  EXPECT_EQ(greeting_.library, static_cast<std::uint32_t>(axial::version_number));
 }
 
 TEST_F(FeedforwardApp, AnswersASetPointAtOnceInLockStep) {

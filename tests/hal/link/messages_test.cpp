@@ -67,6 +67,7 @@ TEST(Messages, TorqueAndHelloRoundTrip) {
   hello.nonce = 0x55667788;
   hello.reset_cause = 3;
   hello.fault_address = 0x08001234;
+  hello.library = 10203;
   ASSERT_TRUE(round_trip(hello, hello_back));
   EXPECT_EQ(hello_back.clock_Hz, hello.clock_Hz);
   EXPECT_STREQ(hello_back.robot.data(), "a_name_longer_t");
@@ -74,6 +75,7 @@ TEST(Messages, TorqueAndHelloRoundTrip) {
   EXPECT_EQ(hello_back.nonce, hello.nonce);
   EXPECT_EQ(hello_back.reset_cause, hello.reset_cause);
   EXPECT_EQ(hello_back.fault_address, hello.fault_address);
+  EXPECT_EQ(hello_back.library, hello.library);
 }
 
 TEST(Messages, MeasurementsKeepTheirSign) {
