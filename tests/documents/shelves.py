@@ -8,9 +8,10 @@ import re
 import subprocess
 import sys
 
-LINK = re.compile(r"\]\(([^)\s#]+)(?:#[^)]*)?\)")
+LINK = re.compile(r"\]\(([^)\s#]*)(?:#([^)]*))?\)")
+HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
-LONGEST_GUIDE, LONGEST_README = 150, 130
+LONGEST_GUIDE, LONGEST_README, LONGEST_CHANGELOG = 150, 110, 80
 LONGEST_GLOSSARY = 40  # entries
 SOUGHT = re.compile(r"\]\(([^)]+)\) \| `([^`]+)` \|$", re.MULTILINE)
 ENTRY = re.compile(r"^\| (?!---|here )", re.MULTILINE)
@@ -23,9 +24,20 @@ def listed(root, pattern):
 
 
 def broken_links(page):
-    for target in LINK.findall(FENCE.sub("", page.read_text(encoding="utf-8"))):
-        if "://" not in target and not (page.parent / target).exists():
+    for target, anchor in LINK.findall(FENCE.sub("", page.read_text(encoding="utf-8"))):
+        other = page.parent / target if target else page
+        if "://" in target:
+            continue
+        if not other.exists():
             yield target
+        elif anchor and other.suffix == ".md" and anchor not in anchors(other):
+            yield f"{target}#{anchor}"
+
+
+def anchors(page):
+    """What headings of a page are called in links: lower case, blanks as hyphens, no other signs."""
+    for heading in HEADING.findall(FENCE.sub("", page.read_text(encoding="utf-8"))):
+        yield re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
 
 
 def problems(root):
@@ -41,9 +53,10 @@ def problems(root):
     yield from where_problems(root / "doc/guides/where.md")
     if len(ENTRY.findall((root / "doc/guides/glossary.md").read_text(encoding="utf-8"))) > LONGEST_GLOSSARY:
         yield f"doc/guides/glossary.md has more than {LONGEST_GLOSSARY} entries"
-    lines = len((root / "README.md").read_text(encoding="utf-8").splitlines())
-    if lines > LONGEST_README:
-        yield f"README.md has {lines} lines, at most {LONGEST_README}"
+    for name, longest in (("README.md", LONGEST_README), ("CHANGELOG.md", LONGEST_CHANGELOG)):
+        lines = len((root / name).read_text(encoding="utf-8").splitlines())
+        if lines > longest:
+            yield f"{name} has {lines} lines, at most {longest}"
 
 
 def guide_problems(root, pages):

@@ -58,6 +58,7 @@ class Arduino(Package):
         found = dict(line.split("=", 1) for line in lines)
         self.assertLessEqual({"name", "version", "author", "maintainer", "sentence", "paragraph", "category", "url", "architectures"}, set(found))
         self.assertIn(found["category"], CATEGORIES)
+        self.assertFalse({"*", "avr", "megaavr"} & set(found["architectures"].split(",")), "AVR has no C++ library")
         self.assertTrue((self.package / "src" / found["includes"]).exists())
 
     def test_sketches_compile_behind_arduinos_macros(self):
