@@ -14,15 +14,3 @@ install(FILES ${PROJECT_BINARY_DIR}/axialConfigVersion.cmake DESTINATION ${packa
 
 configure_file(${PROJECT_SOURCE_DIR}/cmake/axial.pc.in ${PROJECT_BINARY_DIR}/axial.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/axial.pc DESTINATION share/pkgconfig)
-
-# cpack: a Debian package of the same files.
-if(PROJECT_IS_TOP_LEVEL)
-  set(CPACK_GENERATOR DEB)
-  set(CPACK_PACKAGE_NAME libaxial-dev)
-  set(CPACK_PACKAGE_CONTACT "axial contributors")
-  set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-  set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE all)
-  set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
-  set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-  include(CPack)
-endif()

@@ -1,10 +1,13 @@
 #!/usr/bin/python3
-"""Packages of ./axial package and of cpack: manifests, and programs built from what they name. usage: packages_test.py"""
+"""Packages of ./axial package and Debian: manifests, and programs built from what they name. usage: packages_test.py"""
 import json
+import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
+import tarfile
 import tempfile
 import unittest
 import xml.etree.ElementTree as xml
@@ -35,9 +38,9 @@ class Package(unittest.TestCase):
         self.package = self.scratch / "package"
         if self.name is not None:
             run(ROOT / "axial", "package", self.name, "-o", self.package)
-            self.assertTrue((self.package / "LICENSE").exists() or self.name == "vcpkg")
+            self.assertTrue((self.package / "LICENSE").exists() or self.name in ("vcpkg", "all"))
             for file in self.package.rglob("*"):
-                if file.is_file() and file.suffix not in (".hpp", ".h", ".in"):
+                if file.is_file() and self.name != "all" and file.suffix not in (".hpp", ".h", ".in"):
                     self.assertNotRegex(file.read_text(encoding="utf-8"), r"@[A-Z_]+@", file)
 
     def compile(self, compiler, folders, *flags, source=HERE / "program.cpp"):
@@ -48,6 +51,16 @@ class Package(unittest.TestCase):
     def build_and_run(self, folders, *flags):
         run("g++", *flags, *(f"-I{folder}" for folder in folders), HERE / "program.cpp", "-o", self.scratch / "program")
         run(self.scratch / "program")
+
+
+    def find_by_cmake(self, prefix):
+        project = self.scratch / "project"
+        project.mkdir()
+        (project / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.20)\nproject(p CXX)\nfind_package(axial 0.1 CONFIG REQUIRED)\n"
+                                                f"add_executable(p {HERE}/program.cpp)\ntarget_link_libraries(p axial::axial)\n", encoding="utf-8")
+        run("cmake", "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
+        run("cmake", "--build", project / "build")
+        run(project / "build/p")
 
 
 class Arduino(Package):
@@ -147,13 +160,7 @@ class Vcpkg(Package):
         self.assertLessEqual({"name", "version", "description"}, set(found))
         run("cmake", f"-DPORT={port}", f"-DPACKAGES={packages}", "-P", STUBS / "vcpkg.cmake")
         self.assertEqual(sorted(path.name for path in (packages / "share/axial").iterdir()), ["LICENSE"])
-        project = self.scratch / "project"
-        project.mkdir()
-        (project / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.20)\nproject(p CXX)\nfind_package(axial 0.1 CONFIG REQUIRED)\n"
-                                                f"add_executable(p {HERE}/program.cpp)\ntarget_link_libraries(p axial::axial)\n", encoding="utf-8")
-        run("cmake", "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={packages}")
-        run("cmake", "--build", project / "build")
-        run(project / "build/p")
+        self.find_by_cmake(packages)
 
 
 class Conan(Package):
@@ -169,14 +176,46 @@ class Conan(Package):
 
 
 class Debian(Package):
-    def test_package_holds_headers_for_every_processor(self):
-        build = self.scratch / "build"
-        run("cmake", "-S", ROOT, "-B", build, "-DAXIAL_OWN_BUILD=OFF")
-        run("cpack", "-G", "DEB", cwd=build)
-        (deb,) = build.glob("libaxial-dev_*_all.deb")
-        run("dpkg-deb", "-x", deb, self.scratch / "root")
-        self.assertIn("Architecture: all", run("dpkg-deb", "-f", deb))
-        self.build_and_run([self.scratch / "root/usr/include"], "-std=c++17")
+    name = "all"
+
+    def setUp(self):
+        if shutil.which("dpkg-deb") is None:
+            self.skipTest("no dpkg")
+        super().setUp()
+        (self.deb,) = self.package.glob("libaxial-dev_*_all.deb")
+
+    def dpkg(self, *arguments):
+        run("dpkg", f"--root={self.scratch / 'root'}", "--log=/dev/null", "--force-not-root", "--force-bad-path", *arguments)
+
+    def test_package_installs_is_found_and_leaves_nothing(self):
+        root = self.scratch / "root"
+        for folder in ("info", "updates"):
+            (root / "var/lib/dpkg" / folder).mkdir(parents=True)
+        for file in ("status", "available"):
+            (root / "var/lib/dpkg" / file).touch()
+        self.dpkg("--install", self.deb)
+        self.assertIn("Architecture: all", run("dpkg-deb", "-f", self.deb))
+        self.build_and_run([root / "usr/include"], "-std=c++17")
+        self.find_by_cmake(root / "usr")
+        self.assertEqual(run("pkg-config", "--modversion", "axial", env={**os.environ, "PKG_CONFIG_PATH": str(root / "usr/share/pkgconfig")}).strip(),
+                         re.search(r'AXIAL_VERSION "(.+)"', (ROOT / "firmware/include/axial/version.h").read_text(encoding="utf-8"))[1])
+        self.dpkg("--purge", "libaxial-dev")
+        self.assertFalse((root / "usr").exists())
+
+    def test_packages_are_the_same_to_the_byte(self):
+        again = self.scratch / "again"
+        run("bash", "-c", 'umask 077; exec "$0" package all -o "$1"', ROOT / "axial", again)
+        sums = (self.package / "SHA256SUMS").read_text(encoding="utf-8")
+        self.assertEqual((again / "SHA256SUMS").read_text(encoding="utf-8"), sums)
+        self.assertEqual(len(sums.splitlines()), len(list(self.package.iterdir())) - 1)
+
+    def test_archives_hold_what_the_folders_do(self):
+        (archive,) = self.package.glob("axial-*-platformio.tar.gz")
+        with tarfile.open(archive) as packed:
+            names = {name.partition("/")[2] for name in packed.getnames()}
+        folder = self.scratch / "folder"
+        run(ROOT / "axial", "package", "platformio", "-o", folder)
+        self.assertEqual(names, {str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file()})
 
 
 class Refusals(Package):

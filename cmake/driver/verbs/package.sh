@@ -1,12 +1,13 @@
 # shellcheck shell=bash
-# summary: the library as a package of Arduino, PlatformIO, ESP-IDF, Zephyr, CMSIS, vcpkg or Conan
+# summary: the library as a package of Arduino, PlatformIO, ESP-IDF, Zephyr, CMSIS, vcpkg, Conan or Debian, or as all of them
 # group: maintain
 
 usage() {
   cat <<'END'
 usage: ./axial package NAME -o FOLDER
-Writes the headers with the manifests of an ecosystem into a new folder. Installs and builds nothing. Debian: cpack -G DEB in a build of the project.
-  NAME                 arduino, cmsis, conan, esp_idf, platformio, vcpkg or zephyr
+Writes the headers with the manifests of an ecosystem into a new folder: arduino, cmsis, conan, esp_idf, platformio, vcpkg, zephyr, or
+debian (a tree for dpkg-deb). NAME all writes every package of this version as one file each, the single header and their checksums:
+the same to the byte wherever they are made. Installs nothing.
   -o, --output FOLDER  a folder that is not there yet, or empty
 END
 }
