@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Every page with measured tables says the commit that they were measured at, and that commit is one of this history.
+"""Every page with measured tables says the commit that they were measured at, that commit is one of this history, and a release measures it.
 
 usage: measured_pages.py ROOT
 """
@@ -36,7 +36,10 @@ def problems(root):
     history = has_history(root)
     if len(measured) < 10:
         yield f"only {len(measured)} measured pages were found"
+    parts = (root / "cmake/release/parts.txt").read_text(encoding="utf-8")
     for page in measured:
+        if str(page.relative_to(root)) not in parts.split():
+            yield f"{page.relative_to(root)}: no part of cmake/release/parts.txt measures it"
         commits = COMMIT.findall(page.read_text(encoding="utf-8"))
         if not commits:
             yield f"{page.relative_to(root)}: does not say at which commit it was measured"
