@@ -1,7 +1,7 @@
-"""Draws error against work: kernels in time (in instructions where cycles are an estimate) and in bytes, feed-forward at two rates, simulations.
+"""Draws error against work: torques and accelerations in time and in bytes, feed-forward at two rates, simulations.
 
 usage: work_precision.py WORK_PRECISION.json
-Writes WORK_PRECISION, _bytes, _two_rate and _simulation (.png) beside it, as far as there are such rows.
+Writes WORK_PRECISION, _bytes, _forward, _two_rate and _simulation (.png) beside it, as far as there are such rows.
 """
 
 import json
@@ -9,92 +9,70 @@ import multiprocessing
 import sys
 
 import matplotlib.pyplot as plt
-from matplotlib.lines import Line2D
 
 import style
-from number_systems import NAMES
 
-JOBS = {"inverse_dynamics": "Inverse dynamics", "forward_dynamics": "Forward dynamics", "mass_matrix": "Mass matrix", "bias": "Bias torque",
-        "gravity": "Gravity torque", "forward_kinematics": "Forward kinematics", "jacobian": "Jacobian",
-        "inverse_dynamics_derivatives": "ID derivatives", "forward_dynamics_derivatives": "FD derivatives", "elastic_feedforward": "Elastic joints"}
-MARKERS = ["o", "s", "^", "D", "v", "P", "X", "h"]  # robots
+PICTURES = {"inverse_dynamics": "", "forward_dynamics": "_forward"}  # job: what follows the picture's stem; the page's tables have the others
+MARKERS = ["o", "s", "^", "D", "v", "P", "X", "h"]
 FLOOR = 1e-17  # of the error axis; exact results are drawn there
-CLOSED = ("closed_form",)
-BOARDS = ("stm32f405", "stm32f100", "nrf51", "rp2040", "rv32_virt")  # others repeat one of them
-
-
-DRAWN = ("scara", "puma560", "panda")  # in every number system; the page's tables have the others
+BOARDS = {"stm32f405": "STM32F405, Cortex-M4F with a floating-point unit", "stm32f100": "STM32F100, Cortex-M3", "nrf51": "nRF51822, Cortex-M0",
+          "rp2040": "Raspberry Pi Pico, Cortex-M0+", "rp2350_riscv": "Raspberry Pi Pico 2, RISC-V", "rv32_virt": "RV32IMAC"}
+ROBOTS = {"scara": "SCARA", "puma560": "Puma 560", "panda": "Panda"}
+BESIDE = {"scara": (-2, -15, "center"), "puma560": (-2, -15, "center"), "panda": (9, -3, "left")}  # points, of a robot's name from its last point
+NUMBERS = {"fixed16": "16 bits", "fixed32_high": "upper words", "fixed32": "32 bits", "float": "float", "double": "double"}
+LABELLED = "scara"  # the robot whose points say their number system: on their left, where no line is
+UNITS = {"microseconds": "microseconds", "bytes": "bytes of flash, RAM and stack"}
 
 
 def unique(values):
     return list(dict.fromkeys(values))
 
 
-def draw_kernels(rows, unit, stem):
-    """A row of panels a job, a column per board; colour: number system, marker: robot. A line joins a robot's front."""
-    rows = [row for row in rows if row.get("job") in JOBS and row["unit_of_work"] == unit_of(row, unit) and row["robot"] in DRAWN]
-    if not rows:
+def draw_job(rows, job, unit, stem):
+    """A panel a board: a line a robot through its number systems, that says which robot it is; points of one robot say their numbers."""
+    rows = [row for row in rows if (row.get("job"), row["subject"], row["unit_of_work"], row.get("variant")) == (job, job, unit, "unrolled") and
+            row["board"] in BOARDS and row["robot"] in ROBOTS and row["scalar"] in NUMBERS and row.get("scene") == "bare"]
+    boards = [board for board in BOARDS if any(row["board"] == board for row in rows)]
+    if not boards:
         return
-    jobs = [job for job in JOBS if any(row["job"] == job for row in rows)]
-    there, robots = {row["board"] for row in rows}, unique(row["robot"] for row in rows)
-    boards = [board for board in BOARDS if board in there] or sorted(there)
-    figure, grid = plt.subplots(len(jobs), len(boards), figsize=(max(2.5 * len(boards) + 0.6, 7), 1.9 * len(jobs) + 1.2), sharex="col",
-                                sharey=True, squeeze=False)
-    for job, line in zip(jobs, grid):
-        for board, panel in zip(boards, line):
-            own = [row for row in rows if (row["job"], row["board"]) == (job, board)]
-            draw_panel(panel, own, robots) if own else panel.set_axis_off()
-        line[0].set_ylabel(f"{JOBS[job]}\nlargest error")
-    for board, panel in zip(boards, grid[0]):
-        panel.set_title(board)
-    for board, column in zip(boards, grid.T):
-        lowest = [panel for panel in column if panel.axison][-1]
-        lowest.set_xlabel(label_of(next(row for row in rows if row["board"] == board)))
-        lowest.tick_params(labelbottom=True)
-    explain(figure, robots)
-    style.save(figure, stem, f"Error against {unit} of each job on each board")
+    columns = min(3, len(boards))
+    figure, grid = plt.subplots(-(-len(boards) // columns), columns, figsize=(4.6 * columns, 3.9 * -(-len(boards) // columns)), sharey=True, squeeze=False)
+    for panel in list(grid.flat)[len(boards):]:
+        panel.set_axis_off()
+    for board, panel in zip(boards, grid.flat):
+        own = [row for row in rows if row["board"] == board]
+        draw_board(panel, own)
+        kind = f" ({own[0]['cycles_kind']})" if unit == "microseconds" else ""
+        panel.set_title(BOARDS[board])
+        panel.set_xlabel(UNITS[unit] + kind)
+    for line in grid:
+        line[0].set_ylabel("largest error / largest value")
+    figure.tight_layout()
+    style.save(figure, stem, f"{job.replace('_', ' ').capitalize()}: what an error costs. Left is cheaper, down is more exact; hollow: another is both")
 
 
-def unit_of(row, unit):
-    """Time where cycles are known; elsewhere instructions stand for it."""
-    if unit != "time":
-        return unit
-    return "instructions" if row["cycles_kind"] == "estimate" else "microseconds"
-
-
-def label_of(row):
-    return {"instructions": "instructions (QEMU)", "bytes": "bytes: flash, RAM, stack",
-            "microseconds": f"us, {row['core']}, {row['cycles_kind']}"}[row["unit_of_work"]]
-
-
-def draw_panel(panel, rows, robots):
+def draw_board(panel, rows):
     panel.set_xscale("log")
     panel.set_yscale("log")
-    for robot in robots:
-        own = [row for row in rows if row["robot"] == robot]
-        front = sorted(point(row) for row in own if row["pareto"])
-        panel.plot([x for x, _ in front], [y for _, y in front], color=style.INK, linewidth=0.7, alpha=0.5)
-        for row in own:
-            colour = style.COLOURS[list(NAMES).index(row["scalar"])]
-            star = row["subject"] in CLOSED
-            panel.plot(*point(row), "*" if star else MARKERS[robots.index(robot)], color=colour, markersize=8 if star else 5,
-                       markerfacecolor=colour if row["pareto"] else "white")
+    panel.margins(0.3, 0.12)
+    for at, robot in enumerate(ROBOTS):
+        points = sorted((*point(row), row["scalar"]) for row in rows if row["robot"] == robot)
+        if not points:
+            continue
+        front = [p for p in points if not any(q[0] <= p[0] and q[1] < p[1] or q[0] < p[0] and q[1] <= p[1] for q in points)]
+        colour = style.COLOURS[at]
+        panel.plot([x for x, _, _ in front], [y for _, y, _ in front], color=colour, linewidth=1.2, alpha=0.6)
+        for x, y, scalar in points:
+            inside = (x, y, scalar) in front
+            panel.plot(x, y, MARKERS[list(NUMBERS).index(scalar)], color=colour, markersize=7, markerfacecolor=colour if inside else "white")
+            if robot == LABELLED:
+                panel.annotate(NUMBERS[scalar], (x, y), xytext=(-7, -12 if scalar == "fixed32" else 4), textcoords="offset points", ha="right", fontsize=9)
+        right, up, side = BESIDE[robot]
+        panel.annotate(ROBOTS[robot], front[-1][:2], xytext=(right, up), textcoords="offset points", ha=side, fontsize=10, color=colour, fontweight="bold")
 
 
 def point(row):
     return row["work"], max(row["error"], FLOOR)
-
-
-def explain(figure, robots):
-    entries = [Line2D([], [], color=style.COLOURS[i], marker="s", linestyle="", label=name) for i, name in enumerate(NAMES.values())]
-    entries += [Line2D([], [], color=style.INK, marker=MARKERS[i], markerfacecolor="white", linestyle="", label=robot)
-                for i, robot in enumerate(robots)]
-    entries += [Line2D([], [], color=style.INK, marker="*", linestyle="", markersize=9, label="closed form"),
-                Line2D([], [], color=style.INK, marker="o", linewidth=0.7, label="filled, joined: the robot's Pareto front")]
-    columns = int(figure.get_size_inches()[0] / 2.1)
-    figure.legend(handles=entries, loc="lower center", ncols=columns)
-    bottom = (0.15 + 0.2 * -(-len(entries) // columns)) / figure.get_size_inches()[1]
-    figure.tight_layout(rect=(0, bottom, 1, 1))
 
 
 def draw_two_rate(rows, stem):
@@ -168,9 +146,10 @@ def main(file):
     style.use()
     plt.rcParams.update({"font.size": 8, "axes.titlesize": 9})
     stem = file.removesuffix(".json")
-    pictures = [(draw_kernels, rows, "time", stem), (draw_kernels, rows, "bytes", stem + "_bytes"), (draw_simulation, rows, stem + "_simulation"),
+    pictures = [(draw_job, rows, job, "microseconds", stem + more) for job, more in PICTURES.items()]
+    pictures += [(draw_job, rows, "inverse_dynamics", "bytes", stem + "_bytes"), (draw_simulation, rows, stem + "_simulation"),
                 (draw_two_rate, rows, stem + "_two_rate")]
-    with multiprocessing.Pool() as pool:  # the first two take ten seconds each
+    with multiprocessing.Pool() as pool:
         pool.map(draw, pictures, chunksize=1)
 
 

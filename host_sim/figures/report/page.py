@@ -6,7 +6,8 @@ import json
 import pathlib
 
 NAMES = ("subject", "robot", "board", "scalar", "variant", "unit_of_work")
-TITLES = {"work_precision": "Kernels: error against time, or instructions where cycles are an estimate", "work_precision_bytes": "Kernels: error against bytes",
+TITLES = {"work_precision": "Inverse dynamics: error against time", "work_precision_bytes": "Inverse dynamics: error against bytes",
+          "work_precision_forward": "Forward dynamics: error against time",
           "work_precision_two_rate": "Feed-forward at two rates: error against how often its terms are refreshed",
           "work_precision_simulation": "Simulation: global error against work"}
 TEMPLATE = pathlib.Path(__file__).with_name("page.html")
