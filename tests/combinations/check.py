@@ -10,8 +10,8 @@ usage: check.py [options]
   --jobs N        compilers at once (default: one a processor)
   --json FILE     an array of objects: compiler, combination, algorithm, refused, passed, message
   --list          says the combinations and stops
-  --table         writes the table of doc/guides/scenes.md and stops
-  --check-table   exits 1 where doc/guides/scenes.md has another table
+  --table         writes the table of doc/guides/not_offered.md and stops
+  --check-table   exits 1 where doc/guides/not_offered.md has another table
 Exits 1 where a combination does not compile, where its results are wrong, where something that is not offered compiles or
 says something else first.
 """
@@ -245,7 +245,7 @@ def run(options):
 
 def main():
     options = arguments()
-    page = options.root / "doc/guides/scenes.md"
+    page = options.root / "doc/guides/not_offered.md"
     if options.list:
         for c in combinations():
             print(factors.text(c), "|", " ".join(refusals.offered(c)))
@@ -255,7 +255,7 @@ def main():
         return 0
     if options.check_table:
         same = with_table(page.read_text()) == page.read_text()
-        print("" if same else "doc/guides/scenes.md: another table; make it by tests/combinations/check.py --table")
+        print("" if same else "doc/guides/not_offered.md: another table; make it by tests/combinations/check.py --table")
         return 0 if same else 1
     outcomes = run(options)
     if options.json:

@@ -1,6 +1,6 @@
 """What is not offered: when, for which algorithms, and the sentence that the compiler then says first.
 
-The table of doc/guides/scenes.md is made of this list, and check.py holds the library to it: what is on it must not compile, with
+The table of doc/guides/not_offered.md is made of this list, and check.py holds the library to it: what is on it must not compile, with
 its sentence as the first error; whatever is not on it must compile.
 """
 import dataclasses

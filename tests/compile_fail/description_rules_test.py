@@ -15,7 +15,7 @@ import description_rules as rules  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FUNCTIONS = ROOT / "firmware/include/axial/robot/malformed.hpp"
-DOCUMENT = ROOT / "doc/guides/conventions.md"
+DOCUMENT = ROOT / "doc/guides/description_rules.md"
 BEGIN, END = "<!-- table rules -->\n", "<!-- end -->"
 FIRST_LINES, MOST_LINES = 5, 12
 

@@ -137,12 +137,14 @@ ProgramsOf0_1() {
   done
 }
 
-# Every file that doc/guides/embedding.md and c.md show.
+# Every file that doc/guides/embedding.md, eigen.md and c.md show.
 EmbeddingPage() {
   install_axial
   local page=$FOLDER/page include=(-I"$FOLDER/installed/include") strict=(-pedantic -Wall -Wextra -Werror)
-  /usr/bin/python3 -E "$HERE/../documents/shown_files.py" "$ROOT/doc/guides/embedding.md" "$page"
-  /usr/bin/python3 -E "$HERE/../documents/shown_files.py" "$ROOT/doc/guides/c.md" "$page"
+  local shown
+  for shown in embedding eigen c; do
+    /usr/bin/python3 -E "$HERE/../documents/shown_files.py" "$ROOT/doc/guides/$shown.md" "$page"
+  done
   quietly cmake -S "$page/package" -B "$page/package/build" -DCMAKE_PREFIX_PATH="$FOLDER/installed"
   quietly cmake --build "$page/package/build"
   quietly "$page/package/build/firmware"

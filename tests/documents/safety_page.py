@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""doc/guides/safety.md says what is so: every test that it names exists, and its times are those of the images and boards.
+"""doc/guides/safety.md and faults.md say what is so: every test that is named exists, and the times are those of the images and boards.
 
 usage: safety_page.py --check | --write
 """
@@ -10,7 +10,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PAGE = ROOT / "doc/guides/safety.md"
+PAGE, FAULTS = ROOT / "doc/guides/safety.md", ROOT / "doc/guides/faults.md"
 SUITES = {"T": ("tests/target/safety_test.py", r"    def {}\(self"), "R": ("tests/target/restarts_test.py", r"    def {}\(self"),
           "H": ("tests/hal/apps/safety_test.cpp", r"^TEST_F\(SafetyApp, {}\)")}
 BEGIN, END = "<!-- times: tests/documents/safety_page.py --write -->\n", "<!-- end of times -->"
@@ -65,7 +65,7 @@ def main():
     if sys.argv[1:] != ["--check"]:
         print(__doc__)
         return 2
-    found = list(missing_tests(page))
+    found = list(missing_tests(FAULTS.read_text(encoding="utf-8")))
     if with_times(page) != page:
         found.append("the times of doc/guides/safety.md are not those of the sources: safety_page.py --write")
     for line in found:

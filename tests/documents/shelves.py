@@ -11,7 +11,7 @@ import sys
 LINK = re.compile(r"\]\(([^)\s#]*)(?:#([^)]*))?\)")
 HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
-LONGEST_GUIDE, LONGEST_README, LONGEST_CHANGELOG = 150, 110, 80
+LONGEST_GUIDE, LONGEST_README, LONGEST_CHANGELOG = 120, 110, 80
 LONGEST_GLOSSARY = 40  # entries
 SOUGHT = re.compile(r"\]\(([^)]+)\) \| `([^`]+)` \|$", re.MULTILINE)
 ENTRY = re.compile(r"^\| (?!---|here )", re.MULTILINE)

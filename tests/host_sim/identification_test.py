@@ -87,7 +87,7 @@ class Consistency(unittest.TestCase):
 
 
 class Found(unittest.TestCase):
-    """The figures that doc/guides/identification.md promises, of small and of large arms."""
+    """The figures that doc/measurements/identified_arms.md promises, of small and of large arms."""
 
     def judge(self, name, rounds, exactly=1e-8):
         with tempfile.TemporaryDirectory() as folder:

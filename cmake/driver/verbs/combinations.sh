@@ -7,7 +7,7 @@ usage() {
 usage: ./axial combinations [options]
 Installs what is missing. Compiles a covering array of numbers, features, routes, joints, twists, trees and inertias with every
 algorithm that each row offers, and runs it: answers agree with a run-time model in double, fixed point within its certified error.
-What is not offered (doc/guides/scenes.md has the list) must not compile, and must say its sentence first. Ends with status 1 where
+What is not offered (doc/guides/not_offered.md has the list) must not compile, and must say its sentence first. Ends with status 1 where
 something is wrong. Minutes of one processor for each compiler.
   --compiler gcc|clang  default both, one after the other
   --part I/N          only every N-th, from the I-th on (I from 0)

@@ -29,7 +29,7 @@ physically consistent parameters of every link that have them, and says how sure
   --json FILE         the report once more, as an array of objects
 maintainers:
   --documents         alone: identifies altered arms from logs that Orocos KDL made, to doc/data, doc/pictures and the tables of
-                      doc/guides/identification.md (some minutes)
+                      doc/measurements/identified_arms.md (some minutes)
 END_OF_USAGE
 }
 
@@ -53,5 +53,5 @@ write_identification_documents() {
   printf '{"commit": "%s", "compiler": "%s", "libraries": "%s"}\n' "$("$AXIAL_ROOT/host_sim/tools/system/commit.sh")" \
     "$(c++ --version | head -n 1)" "$(/usr/bin/python3 -E -c 'import numpy, scipy; print("NumPy", numpy.__version__ + ", SciPy", scipy.__version__)')" \
     | tee "$doc/data/identification_verdicts_provenance.json" >"$doc/data/identification_provenance.json"
-  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/identification_tables.py" "$doc/data" "$doc/guides/identification.md"
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/identification_tables.py" "$doc/data" "$doc/measurements/identified_arms.md"
 }

@@ -1,4 +1,4 @@
-"""Writes the tables of doc/guides/identification.md, as tables.py does with the others.
+"""Writes the tables of doc/measurements/identified_arms.md, as tables.py does with the others.
 
 usage: identification_tables.py DATA_FOLDER DOCUMENT.md
 """

@@ -1,5 +1,5 @@
 """What identification finds in logs of altered arms, made by Orocos KDL (by the oracle where joints share drives): the rows of
-doc/guides/identification.md.
+doc/measurements/identified_arms.md.
 
 usage: study.py --program robot_regressor --simulator simulated_log --output FOLDER [--documents DOC] [robot...]
 

@@ -1,4 +1,4 @@
-"""What identification says of logs without a mistake and of logs with one: the last tables of doc/guides/identification.md.
+"""What identification says of logs without a mistake and of logs with one: the last tables of doc/measurements/identified_arms.md.
 
 usage: verdicts.py --program robot_regressor --output FOLDER [--documents DOC] [--arms NAME,...] [--seed N]
 

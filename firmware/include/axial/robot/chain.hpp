@@ -17,7 +17,7 @@
 namespace axial {
 
 /// Part of a chain: axial::accept(axial::as_published) keeps numbers of all its links that no robot should have, as
-/// their source gives them (doc/guides/conventions.md, "What does not compile").
+/// their source gives them (doc/guides/description_rules.md).
 struct Acceptance {};
 constexpr Acceptance accept(AsPublished) { return {}; }  ///< as_published
 
@@ -165,7 +165,7 @@ struct ChainBuilder {
 /// links: screw_spline(), differential(), drive_ratios() (couplings.hpp).
 /// A description that cannot be right (not finite, negative mass, limits upside down, no link, an inertia that no body
 /// has, degrees for radians, millimetres for metres, a quantity given twice, ...) does not compile: the message names
-/// link, quantity and remedy. doc/guides/conventions.md has the rules.
+/// link, quantity and remedy. doc/guides/description_rules.md has the rules.
 template <class... Parts>
 constexpr auto chain(const Parts&... parts) {
   constexpr int count = (0 + ... + static_cast<int>(detail::is_link<Parts>));

@@ -1,5 +1,4 @@
-// Which rule a description breaks first. The rules and their bounds: doc/guides/conventions.md, "What does not
-// compile".
+// Which rule a description breaks first. The rules and their bounds: doc/guides/description_rules.md.
 #pragma once
 
 #include <axial/robot/drive_matrix.hpp>

@@ -160,8 +160,8 @@ class LinkBuilder {
     });
   }
 
-  /// Keeps numbers that no robot should have, as their source gives them (doc/guides/conventions.md, "What does not
-  /// compile"): accept(axial::as_published). What means nothing, such as a negative mass, stays refused.
+  /// Keeps numbers that no robot should have, as their source gives them (doc/guides/description_rules.md):
+  /// accept(axial::as_published). What means nothing, such as a negative mass, stays refused.
   constexpr Self accept(AsPublished) const {
     Self accepted = static_cast<const Self&>(*this);
     accepted.given_.accepted = true;

@@ -7,7 +7,8 @@
 namespace axial {
 
 /// Rules of a description. chain() calls the function of the rule that is broken; none is constexpr, so the compiler
-/// stops there, and its message is the function's name and whose rule it is (doc/guides/conventions.md has the bounds).
+/// stops there, and its message is the function's name and whose rule it is (doc/guides/description_rules.md has the
+/// bounds).
 namespace malformed {
 
 /// Whose rule is broken.

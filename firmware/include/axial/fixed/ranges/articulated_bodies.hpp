@@ -1,5 +1,5 @@
 // Ranges of the articulated-body algorithm on full parameters: 0 <= I* <= I^c in the Loewner order.
-// doc/guides/ranges.md.
+// doc/guides/forward_ranges.md.
 #pragma once
 
 #include <axial/fixed/bounds/account.hpp>

@@ -1,5 +1,5 @@
 // What the declared accelerations make of the structure at rest: the formats of forward dynamics where efforts could
-// do far more to the least inertia than any declared motion does. doc/guides/ranges.md.
+// do far more to the least inertia than any declared motion does. doc/guides/forward_ranges.md.
 #pragma once
 
 #include <axial/fixed/ranges/articulated_bodies.hpp>

@@ -1,5 +1,6 @@
 // The certified error of forward dynamics: every rounding is a change of some link's inertia, of a force or of an
-// effort, and the energy norms of M and of its inverse say what such changes can do. doc/guides/ranges.md is the proof.
+// effort, and the energy norms of M and of its inverse say what such changes can do. doc/guides/forward_ranges.md is
+// the proof.
 #pragma once
 
 #include <axial/fixed/ranges/declared_motion.hpp>
