@@ -200,6 +200,10 @@ class Choose(unittest.TestCase):
         self.assertGreaterEqual(len(rows), 8)
         verify.compile_lines(list(rows.values()))
 
+    def test_the_emulator_that_counted_is_named(self):
+        for board, emulator in (("stm32f405", "by QEMU"), ("rp2040", "by rp2040js")):
+            self.assertIn(emulator, run("--robot", "puma560", "--board", board, "--error", "1e-4")[1])
+
     def test_lines_of_derivatives_compile(self):
         rows = [dict(error_row(f"{of}_dynamics_derivatives", scalar), form=form)
                 for of in ("inverse", "forward") for scalar, form in (("float", "unrolled"), ("double", "compact"))]

@@ -123,7 +123,7 @@ def run(options):
         rows = [{**row, "type": options.type, "header": options.header} for row in rows]
         asked = questions(rows, options)
     print(f"{options.algorithm.replace('_', ' ')} of {options.type or options.robot} on {options.board}; errors relative to the joint's largest value over "
-          f"seeded states, instructions counted by QEMU\n")
+          f"seeded states, instructions counted by {verify.measure.emulator(options.board)}\n")
     for title, found in asked:
         answer(title, found, error_name(options))
     chosen = [{**found[0], "question": title} for title, found in asked]

@@ -73,7 +73,7 @@ def print_table(rows):
     widths = [max(len(line[i]) for line in cells) for i in range(len(header))]
     for line in cells:
         print("  ".join(cell.ljust(width) if i < 5 else cell.rjust(width) for i, (cell, width) in enumerate(zip(line, widths))).rstrip())
-    print("errors relative to the joint's largest over seeded states; instructions counted by QEMU, cycles by the core's model (./axial size);\n"
+    print("errors relative to the joint's largest over seeded states; instructions counted in the boards' emulators, cycles by the core's model (./axial size);\n"
           "bytes: flash, static RAM and stack; front: nothing that does the same job there is as exact and takes as few\n"
           "i: instructions, t: time, b: bytes")
 

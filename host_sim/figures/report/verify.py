@@ -76,4 +76,4 @@ def check(row, host):
     cost, error = measured(row, host)
     compare(row, cost, error)
     return [f"verified {probe_of(row).name} on {row['board']}: the lines compile to the scene that was measured,",
-            f"  {cost['instructions']} instructions in QEMU, error {error['error']:.3g} over {error['states']} states, as promised"]
+            f"  {cost['instructions']} instructions in {measure.emulator(row['board'])}, error {error['error']:.3g} over {error['states']} states, as promised"]
