@@ -97,7 +97,7 @@ TEST(Messages, EveryMessageFitsAFrame) {
     EXPECT_TRUE(writer.ok());
     return writer.size();
   };
-  EXPECT_EQ(size(Hello{}), 74u);
+  EXPECT_EQ(size(Hello{}), 78u);
   EXPECT_EQ(size(ErrorReply{}), 45u);
   EXPECT_EQ(size(Stats{}), 84u);
   EXPECT_EQ(size(Start{}), 9u);
