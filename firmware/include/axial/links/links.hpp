@@ -4,11 +4,18 @@
 #include <axial/links/inputs.hpp>
 #include <axial/links/plain_values.hpp>
 #include <axial/links/table_link.hpp>
-#include <axial/spatial/pose.hpp>
 
 #include <axial/options/begin.hpp>
 
 namespace axial {
+
+// What kinematics alone asks of links: spatial/pose.hpp, recursion/tool_pose.hpp.
+template <class T>
+AXIAL_INLINE constexpr auto pose_of(const FixedPose& p);
+namespace detail {
+template <class Scalar, class Get>
+AXIAL_INLINE constexpr auto constant_pose(Get get);
+}
 
 /// Which recursion walks over links: a number system with formats has others for each.
 namespace recursion {
@@ -87,17 +94,6 @@ struct Placement {
   FixedPose base{};         ///< of frame 0 in the world
   FixedPose tool{};         ///< in the last link's frame
 };
-
-/// A constant pose as plain numbers.
-template <class T>
-AXIAL_INLINE constexpr Pose<Mat3<Vec3<T>>, Vec3<T>> pose_of(const FixedPose& p) {
-  using N = NumberTraits<T>;
-  const auto& r = p.rotation;
-  return {{{N::constant(r[0]), N::constant(r[1]), N::constant(r[2])},
-           {N::constant(r[3]), N::constant(r[4]), N::constant(r[5])},
-           {N::constant(r[6]), N::constant(r[7]), N::constant(r[8])}},
-          {N::constant(p.position[0]), N::constant(p.position[1]), N::constant(p.position[2])}};
-}
 
 /// A table of links with one type for all; the table may be constexpr, or filled at run time.
 template <class SceneType, class ScalarType, class Source, int Capacity,

@@ -8,6 +8,18 @@
 
 namespace axial {
 
+/// A constant pose as plain numbers.
+template <class T>
+AXIAL_INLINE constexpr auto pose_of(const FixedPose& p) {
+  using N = NumberTraits<T>;
+  const auto& r = p.rotation;
+  return Pose<Mat3<Vec3<T>>, Vec3<T>>{
+      {{N::constant(r[0]), N::constant(r[1]), N::constant(r[2])},
+       {N::constant(r[3]), N::constant(r[4]), N::constant(r[5])},
+       {N::constant(r[6]), N::constant(r[7]), N::constant(r[8])}},
+      {N::constant(p.position[0]), N::constant(p.position[1]), N::constant(p.position[2])}};
+}
+
 /// A tool's pose as a kernel over a scene and its Scalar computes with it.
 template <class Scene, class Scalar, class T>
 AXIAL_INLINE constexpr const Pose<Mat3<Vec3<T>>, Vec3<T>>& read_tool(const Pose<Mat3<Vec3<T>>, Vec3<T>>& tool) {

@@ -14,42 +14,27 @@ struct RuntimeTool;  // runtime_tool.hpp
 /// 'axial::absent::add_the_feature_axial_Payload_to_the_scene'". They hold nothing and cost no byte.
 namespace absent {
 
-/// Add RuntimeGravity for in.gravity.
-class add_the_feature_axial_RuntimeGravity_to_the_scene {
-  static void gravity();
-};
-/// Add BaseMotion, or FloatingBase, for in.base_motion.
-class add_the_feature_axial_BaseMotion_to_the_scene {
-  static void base_motion();
-};
-/// Add BaseWrench for in.base_wrench.
-class add_the_feature_axial_BaseWrench_to_the_scene {
-  static void base_wrench();
-};
-/// Add VelocityThroughWater for in.velocity_through_water.
-class add_the_feature_axial_VelocityThroughWater_to_the_scene {
-  static void velocity_through_water();
-};
-/// Add TipWrench for in.tip_wrench.
-class add_the_feature_axial_TipWrench_to_the_scene {
-  static void tip_wrench();
-};
-/// Add ExternalWrenches for in.wrenches.
-class add_the_feature_axial_ExternalWrenches_to_the_scene {
-  static void wrenches();
-};
-/// Add Payload for in.payload.
-class add_the_feature_axial_Payload_to_the_scene {
-  static void payload();
-};
-/// Add RuntimeTool for in.tool.
-class add_the_feature_axial_RuntimeTool_to_the_scene {
-  static void tool();
-};
-/// Add SineCosines for in.turns.
-class add_the_feature_axial_SineCosines_to_the_scene {
-  static void turns();
-};
+template <class Tag>
+struct Of;  ///< the class of a feature's input
+
+#define AXIAL_ABSENT(Feature, input)                             \
+  class add_the_feature_axial_##Feature##_to_the_scene {         \
+    static void input();                                         \
+  };                                                             \
+  template <>                                                    \
+  struct Of<Feature> {                                           \
+    using type = add_the_feature_axial_##Feature##_to_the_scene; \
+  }
+AXIAL_ABSENT(RuntimeGravity, gravity);                       ///< in.gravity
+AXIAL_ABSENT(BaseMotion, base_motion);                       ///< in.base_motion
+AXIAL_ABSENT(BaseWrench, base_wrench);                       ///< in.base_wrench
+AXIAL_ABSENT(VelocityThroughWater, velocity_through_water);  ///< in.velocity_through_water
+AXIAL_ABSENT(TipWrench, tip_wrench);                         ///< in.tip_wrench
+AXIAL_ABSENT(ExternalWrenches, wrenches);                    ///< in.wrenches
+AXIAL_ABSENT(Payload, payload);                              ///< in.payload
+AXIAL_ABSENT(RuntimeTool, tool);                             ///< in.tool
+AXIAL_ABSENT(SineCosines, turns);                            ///< in.turns
+#undef AXIAL_ABSENT
 
 /// Stands where a scene has the input.
 template <class Tag>
@@ -58,25 +43,18 @@ struct Present {};
 }  // namespace absent
 
 namespace detail {
-template <class Scene, class Tag, class Absent, class... Others>
-using absent_unless_named =
-    std::conditional_t<(Scene::template has<Tag> || ... || Scene::template has<Others>), absent::Present<Tag>, Absent>;
-}
+template <class Scene, class Tag, class... Others>
+using absent_unless_named = std::conditional_t<(Scene::template has<Tag> || ... || Scene::template has<Others>),
+                                               absent::Present<Tag>, typename absent::Of<Tag>::type>;
+template <class Scene, class... Tags>
+struct AbsentUnlessNamed : absent_unless_named<Scene, Tags>... {};
+}  // namespace detail
 
 /// Every input that a scene lacks.
 template <class Scene>
-struct AbsentInputs
-    : detail::absent_unless_named<Scene, RuntimeGravity, absent::add_the_feature_axial_RuntimeGravity_to_the_scene>,
-      detail::absent_unless_named<Scene, BaseMotion, absent::add_the_feature_axial_BaseMotion_to_the_scene,
-                                  FloatingBase>,
-      detail::absent_unless_named<Scene, BaseWrench, absent::add_the_feature_axial_BaseWrench_to_the_scene>,
-      detail::absent_unless_named<Scene, VelocityThroughWater,
-                                  absent::add_the_feature_axial_VelocityThroughWater_to_the_scene>,
-      detail::absent_unless_named<Scene, TipWrench, absent::add_the_feature_axial_TipWrench_to_the_scene>,
-      detail::absent_unless_named<Scene, ExternalWrenches, absent::add_the_feature_axial_ExternalWrenches_to_the_scene>,
-      detail::absent_unless_named<Scene, Payload, absent::add_the_feature_axial_Payload_to_the_scene>,
-      detail::absent_unless_named<Scene, RuntimeTool, absent::add_the_feature_axial_RuntimeTool_to_the_scene>,
-      detail::absent_unless_named<Scene, SineCosines, absent::add_the_feature_axial_SineCosines_to_the_scene> {};
+struct AbsentInputs : detail::AbsentUnlessNamed<Scene, RuntimeGravity, BaseWrench, VelocityThroughWater, TipWrench,
+                                                ExternalWrenches, Payload, RuntimeTool, SineCosines>,
+                      detail::absent_unless_named<Scene, BaseMotion, FloatingBase> {};
 
 }  // namespace axial
 
