@@ -1,6 +1,7 @@
 // The main job's own source on the host board: what it answers, what it refuses, what it survives.
 
 #include <limits>
+#include <string>
 
 #include <axial/version.hpp>
 
@@ -25,6 +26,12 @@ TEST_F(FeedforwardApp, GreetsFirst) {
   EXPECT_STREQ(greeting_.board.data(), "host");
   EXPECT_EQ(greeting_.nonce, 0u);
   EXPECT_EQ(greeting_.library, static_cast<std::uint32_t>(axial::version_number));
+}
+
+TEST(Version, SaysTheSameInWordsAndInNumbers) {
+  const std::string words = std::to_string(AXIAL_VERSION_MAJOR) + "." + std::to_string(AXIAL_VERSION_MINOR) + "." +
+                            std::to_string(AXIAL_VERSION_PATCH);
+  EXPECT_EQ(words, axial::version_text);
 }
 
 TEST_F(FeedforwardApp, AnswersASetPointAtOnceInLockStep) {

@@ -116,12 +116,6 @@ constexpr Derived<N> derived(const Mechanism<N>& m, const WordRounding& r, const
   const DerivativeBounds<N> entries = detail::derive(account, exponents);
   return {entries, account.ranges};
 }
-/// Errors of the entries alone.
-template <int N, class Exponents>
-constexpr DerivativeBounds<N> derivative_errors(const Mechanism<N>& m, const WordRounding& r, const Ranges<N>& ranges,
-                                                const Exponents& exponents) {
-  return derived(m, r, ranges, exponents).entries;
-}
 
 }  // namespace bounds
 
