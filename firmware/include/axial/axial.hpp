@@ -58,6 +58,3 @@
 #include <axial/calls/dynamics.hpp>
 
 #include <axial/calls/control.hpp>
-
-#include <axial/calls/derivatives.hpp>
-#include <axial/calls/models.hpp>
