@@ -19,9 +19,9 @@ using StatusOfACheck = Status;
 ///@{
 AXIAL_OF_A_STATE_ON_ARRAYS(feedforward, 3, Motion, FeedforwardState, FeedforwardResult)
 AXIAL_OF_A_STATE_ON_ARRAYS(compensate_gravity, 1, Position, SafeLoopState, FeedforwardResult)
-AXIAL_ON_ARRAYS(check_request, 3, Motion, detail::StatusOfACheck)
-AXIAL_ON_ARRAYS(check_position, 1, Position, detail::StatusOfACheck)
-AXIAL_ON_ARRAYS(clamped_request, 3, Motion, Request)
+AXIAL_ON_ARRAYS(check_request, 3, Motion, detail::StatusOfACheck, )
+AXIAL_ON_ARRAYS(check_position, 1, Position, detail::StatusOfACheck, )
+AXIAL_ON_ARRAYS(clamped_request, 3, Motion, Request, )
 ///@}
 
 }  // namespace axial

@@ -40,18 +40,18 @@
 
 /// Rows of registry.hpp as calls, over a scene and over a run-time model.
 ///@{
-#define AXIAL_ON_ARRAYS(name, count, order, answer) \
+#define AXIAL_ON_ARRAYS(name, count, order, answer, ...) \
   AXIAL_CALL_ON_ARRAYS(name, count, order, (answer<S, float>), (class S), S, void, (S), (), (), (name<S>))
 #define AXIAL_OF_A_JOINT_ON_ARRAYS(name, count, order)                                                    \
   AXIAL_CALL_ON_ARRAYS(name, count, order, (detail::Refused), (class S, int Joint), S, void, (S), (), (), \
                        (name<S, Joint>))
-#define AXIAL_OF_CHOICE_ON_ARRAYS(name, count, order, answer)                                                    \
+#define AXIAL_OF_CHOICE_ON_ARRAYS(name, count, order, answer, ...)                                               \
   AXIAL_CALL_ON_ARRAYS(name, count, order, (answer<S, float>), (class S, class... Wanted), S, void, (S), (), (), \
                        (name<S, Wanted...>))
-#define AXIAL_OVER_A_MODEL_ON_ARRAYS(name, count, order, answer)                                                       \
+#define AXIAL_OVER_A_MODEL_ON_ARRAYS(name, count, order, answer, ...)                                                  \
   AXIAL_CALL_ON_ARRAYS(name, count, order, (answer<M, float>), (int N, class... F, class M = Model<N, F...>), M, void, \
                        (M), (const Model<N, F...>& model, ), (model, ), (name))
-#define AXIAL_OF_CHOICE_OVER_A_MODEL_ON_ARRAYS(name, count, order, answer)                           \
+#define AXIAL_OF_CHOICE_OVER_A_MODEL_ON_ARRAYS(name, count, order, answer, ...)                      \
   AXIAL_CALL_ON_ARRAYS(name, count, order, (answer<M, float>),                                       \
                        (class... Wanted, int N, class... F, class M = Model<N, F...>), M, void, (M), \
                        (const Model<N, F...>& model, ), (model, ), (name<Wanted...>))

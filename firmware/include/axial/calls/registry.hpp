@@ -6,6 +6,7 @@
 #include <axial/derivatives/inverse_dynamics_derivatives.hpp>
 #include <axial/derivatives/torque_rates.hpp>
 #include <axial/derivatives/torque_regressor.hpp>
+#include <axial/dynamics/base_wrench.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/dynamics/joint_torque.hpp>
@@ -15,24 +16,29 @@
 #include <axial/separation/separation.hpp>
 #include <axial/transmissions/elastic_feedforward.hpp>
 
-/// ROW(function, number and order of its joint values (joint_roles.hpp), what it answers over a scene and numbers).
+/// ROW(function, number and order of its joint values (joint_roles.hpp), what it answers over a scene and numbers, its
+/// type and its name in namespace algorithm).
 ///@{
-#define AXIAL_ALGORITHMS_OVER_MODELS(ROW)                 \
-  ROW(inverse_dynamics, 3, Motion, EffortsOf)             \
-  ROW(gravity_torque, 1, Position, EffortsOf)             \
-  ROW(bias_torque, 2, State, EffortsOf)                   \
-  ROW(forward_dynamics, 3, Driven, ForwardDynamicsOf)     \
-  ROW(mass_matrix, 1, Position, MassMatrixOf)             \
-  ROW(forward_kinematics, 1, Position, ForwardKinematics) \
-  ROW(jacobian, 1, Position, Jacobian)                    \
-  ROW(separate, 1, Position, Separated)                   \
-  ROW(momentum_terms, 2, State, MomentumTerms)            \
-  ROW(torque_regressor, 3, Motion, TorqueRegressor)       \
-  ROW(torque_rates, 4, Higher, TorqueRate)                \
-  ROW(torque_rates, 5, Highest, TorqueRates)
-#define AXIAL_ALGORITHMS(ROW) AXIAL_ALGORITHMS_OVER_MODELS(ROW) ROW(elastic_feedforward, 5, Highest, ElasticFeedforward)
+#define AXIAL_ALGORITHMS_OVER_MODELS(ROW)                                                        \
+  ROW(inverse_dynamics, 3, Motion, EffortsOf, InverseDynamics, inverse_dynamics)                 \
+  ROW(gravity_torque, 1, Position, EffortsOf, Gravity, gravity)                                  \
+  ROW(bias_torque, 2, State, EffortsOf, Bias, bias)                                              \
+  ROW(forward_dynamics, 3, Driven, ForwardDynamicsOf, ForwardDynamics, forward_dynamics)         \
+  ROW(mass_matrix, 1, Position, MassMatrixOf, MassMatrix, mass_matrix)                           \
+  ROW(forward_kinematics, 1, Position, ForwardKinematics, ForwardKinematics, forward_kinematics) \
+  ROW(jacobian, 1, Position, Jacobian, Jacobian, jacobian)                                       \
+  ROW(separate, 1, Position, Separated, Separation, separation)                                  \
+  ROW(momentum_terms, 2, State, MomentumTerms, MomentumTerms, momentum_terms)                    \
+  ROW(base_wrench, 3, Motion, WrenchOf, BaseWrench, base_wrench)                                 \
+  ROW(torque_regressor, 3, Motion, TorqueRegressor, TorqueRegressor, torque_regressor)           \
+  ROW(torque_rates, 5, Highest, TorqueRates, TorqueRates, torque_rates)
+#define AXIAL_ALGORITHMS(ROW)       \
+  AXIAL_ALGORITHMS_OVER_MODELS(ROW) \
+  ROW(elastic_feedforward, 5, Highest, ElasticFeedforward, ElasticFeedforward, elastic_feedforward)
 /// The same of those whose results are chosen by name.
-#define AXIAL_ALGORITHMS_OF_CHOICE(ROW)                                    \
-  ROW(inverse_dynamics_derivatives, 3, Motion, InverseDynamicsDerivatives) \
-  ROW(forward_dynamics_derivatives, 3, Driven, ForwardDynamicsDerivatives)
+#define AXIAL_ALGORITHMS_OF_CHOICE(ROW)                                                                \
+  ROW(inverse_dynamics_derivatives, 3, Motion, InverseDynamicsDerivatives, InverseDynamicsDerivatives, \
+      inverse_dynamics_derivatives)                                                                    \
+  ROW(forward_dynamics_derivatives, 3, Driven, ForwardDynamicsDerivatives, ForwardDynamicsDerivatives, \
+      forward_dynamics_derivatives)
 ///@}
