@@ -77,6 +77,8 @@ namespace algorithm {
   struct type {                                                                                               \
     static constexpr const char* name = #value;                                                               \
     static constexpr int joint_values = count;                                                                \
+    template <class S, class T>                                                                               \
+    using Answer = detail::functions::answer<S, T>;                                                           \
     template <class S, class... Given>                                                                        \
     static constexpr auto run(const Given&... given) {                                                        \
       return detail::Of<count>::call([](const auto&... at) { return detail::functions::function<S>(at...); }, \

@@ -107,7 +107,7 @@ static inline const char* axial_status_text(axial_status of) { return axial_code
   } prefix##_real;                                                                                           \
   typedef struct {                                                                                           \
     int8_t revolute[joints], position[joints], velocity[joints], acceleration[joints], effort[joints],       \
-        free_acceleration[joints], mass_matrix[joints][joints], rotation, length;                            \
+        free_acceleration[joints], mass_matrix[joints][joints], rotation, length, power[joints];             \
   } prefix##_formats;                                                                                        \
   AXIAL_C_FUNCTION axial_status prefix##_get_formats(prefix##_formats* formats);                             \
   AXIAL_C_FUNCTION axial_status prefix##_to_fixed(const prefix##_real* real_q, const prefix##_real* real_qd, \

@@ -3,11 +3,9 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/axial.h>
+#include <axial/calls/registry.hpp>
 #include <axial/control/feedforward.hpp>
 #include <axial/dynamics/check_finite.hpp>
-#include <axial/dynamics/forward_dynamics.hpp>
-#include <axial/dynamics/kinematics.hpp>
-#include <axial/dynamics/mass_matrix.hpp>
 
 #include <axial/options/begin.hpp>
 
