@@ -53,6 +53,8 @@
 #include <axial/transmissions/shared_drives.hpp>
 
 // Last, behind what they include; each from here: what stands between it and the user is a line more of its messages.
+#include <axial/calls/registry.hpp>
+
 #include <axial/calls/arguments.hpp>
 
 #include <axial/calls/dynamics.hpp>

@@ -13,6 +13,7 @@
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/dynamics/momentum.hpp>
+#include <axial/scene/refused_calls.hpp>
 #include <axial/separation/separation.hpp>
 #include <axial/transmissions/elastic_feedforward.hpp>
 
@@ -42,3 +43,36 @@
   ROW(forward_dynamics_derivatives, 3, Driven, ForwardDynamicsDerivatives, ForwardDynamicsDerivatives, \
       forward_dynamics_derivatives)
 ///@}
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+
+/// Refused: what the call of an algorithm takes, where nothing else can be called; the text is one that a compiler
+/// shows whole.
+///@{
+// clang-format off
+template <class S = void, class... F> constexpr detail::Refused inverse_dynamics(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("inverse_dynamics", "q, qd, qdd")); return {}; }
+template <class S = void, class... F> constexpr detail::Refused gravity_torque(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("gravity_torque", "q")); return {}; }
+template <class S = void, class... F> constexpr detail::Refused bias_torque(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("bias_torque", "q, qd")); return {}; }
+template <class S = void, class... F> constexpr detail::Refused forward_dynamics(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("forward_dynamics", "q, qd, tau")); return {}; }
+template <class S = void, class... F> constexpr detail::Refused mass_matrix(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("mass_matrix", "q")); return {}; }
+template <class S = void, class... F> constexpr detail::Refused forward_kinematics(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("forward_kinematics", "q")); return {}; }
+template <class S = void, class... F> constexpr detail::Refused jacobian(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("jacobian", "q")); return {}; }
+template <class S = void, class... F> constexpr detail::Refused separate(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("separate", "q")); return {}; }
+template <class S = void, class... F> constexpr detail::Refused momentum_terms(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("momentum_terms", "q, qd")); return {}; }
+template <class S = void, class... F> constexpr detail::Refused torque_regressor(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("torque_regressor", "q, qd, qdd")); return {}; }
+template <class S = void, class... F> constexpr detail::Refused inverse_dynamics_derivatives(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("inverse_dynamics_derivatives", "q, qd, qdd")); return {}; }
+template <class S = void, class... F> constexpr detail::Refused forward_dynamics_derivatives(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("forward_dynamics_derivatives", "q, qd, tau")); return {}; }
+template <class S = void, class... F> constexpr detail::Refused base_wrench(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("base_wrench", "q, qd, qdd")); return {}; }
+template <class S = void, class... F> constexpr detail::Refused torque_rates(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("torque_rates", "q, qd, qdd, q3, q4")); return {}; }
+template <class S = void, class... F> constexpr detail::Refused elastic_feedforward(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("elastic_feedforward", "q, qd, qdd, q3, q4")); return {}; }
+template <class S, int I> constexpr detail::Refused joint_torque(...) { static_assert(detail::is_offered<S>, AXIAL_NO_SUCH_CALL("joint_torque", "q, qd, qdd")); return {}; }
+template <class S, int I> constexpr detail::Refused gravity_torque(...) { static_assert(detail::is_offered<S>, AXIAL_NO_SUCH_CALL("gravity_torque", "q")); return {}; }
+template <class S, int I> constexpr detail::Refused jacobian(...) { static_assert(detail::is_offered<S>, AXIAL_NO_SUCH_CALL("jacobian", "q")); return {}; }
+// clang-format on
+///@}
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>
