@@ -121,6 +121,7 @@ static inline const char* axial_status_text(axial_status of) { return axial_code
 /**@{*/
 #define AXIAL_C_ALGORITHMS(ROW, prefix, with)                                \
   ROW(prefix, with, inverse_dynamics, inverse_dynamics, motion, joints, tau) \
+  ROW(prefix, with, actuator_power, actuator_power, motion, joints, power)   \
   ROW(prefix, with, gravity, gravity_torque, position, joints, tau)          \
   ROW(prefix, with, forward_dynamics, forward_dynamics, driven, joints, qdd) \
   ROW(prefix, with, mass_matrix, mass_matrix, position, matrix, m)           \

@@ -2,6 +2,7 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
+#include <axial/control/actuator_power.hpp>
 #include <axial/derivatives/forward_dynamics_derivatives.hpp>
 #include <axial/derivatives/inverse_dynamics_derivatives.hpp>
 #include <axial/derivatives/torque_rates.hpp>
@@ -22,6 +23,7 @@
 ///@{
 #define AXIAL_ALGORITHMS_OVER_MODELS(ROW)                                                        \
   ROW(inverse_dynamics, 3, Motion, EffortsOf, InverseDynamics, inverse_dynamics)                 \
+  ROW(actuator_power, 3, Motion, PowersOf, ActuatorPower, actuator_power)                        \
   ROW(gravity_torque, 1, Position, EffortsOf, Gravity, gravity)                                  \
   ROW(bias_torque, 2, State, EffortsOf, Bias, bias)                                              \
   ROW(forward_dynamics, 3, Driven, ForwardDynamicsOf, ForwardDynamics, forward_dynamics)         \
@@ -53,6 +55,7 @@ namespace axial {
 ///@{
 // clang-format off
 template <class S = void, class... F> constexpr detail::Refused inverse_dynamics(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("inverse_dynamics", "q, qd, qdd")); return {}; }
+template <class S = void, class... F> constexpr detail::Refused actuator_power(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("actuator_power", "q, qd, qdd")); return {}; }
 template <class S = void, class... F> constexpr detail::Refused gravity_torque(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("gravity_torque", "q")); return {}; }
 template <class S = void, class... F> constexpr detail::Refused bias_torque(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("bias_torque", "q, qd")); return {}; }
 template <class S = void, class... F> constexpr detail::Refused forward_dynamics(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("forward_dynamics", "q, qd, tau")); return {}; }
