@@ -23,7 +23,7 @@ AXIAL_INLINE constexpr PowersOf<S, T> powers(const Tau& tau, const V& qd) {
 /// In: q (rad or m), qd, qdd and `in` as of inverse_dynamics(); where joints share drives, values of the drives. Out:
 /// W, one per actuator. NaN and infinities propagate, and in fixed point q, qd and qdd must be inside the declared
 /// limits; the exponent follows from the largest effort and speed, each product is rounded once, and error_bound()
-/// certifies it. Source: Featherstone 2008, section 2.5, power as the scalar product of force and velocity. Cost: one
+/// certifies it. Source: Featherstone 2008, chapter 2: power is the scalar product of force and velocity. Cost: one
 /// inverse_dynamics() and a product per actuator.
 template <class S, class T>
 [[nodiscard]] constexpr PowersOf<S, T> actuator_power(const Positions<robot_of<S>, T>& q,
