@@ -22,38 +22,22 @@ struct HigherDerivatives {
 
 namespace detail {
 
-/// A function of so many joint values, called with more or with as many as a struct holds.
+/// A function of so many joint values, called with more, or with two that a struct holds.
 ///@{
-template <int joint_values>
-struct Of;
-template <>
-struct Of<1> {
-  template <class F, class J, class In>
-  static constexpr auto call(const F& f, const J& q, const J&, const J&, const In& in) {
+template <int joint_values, class F, class J, class In>
+constexpr auto applied(const F& f, const J& q, [[maybe_unused]] const J& qd, [[maybe_unused]] const J& x,
+                       const In& in) {
+  if constexpr (joint_values == 1)
     return f(q, in);
-  }
-};
-template <>
-struct Of<2> {
-  template <class F, class J, class In>
-  static constexpr auto call(const F& f, const J& q, const J& qd, const J&, const In& in) {
+  else if constexpr (joint_values == 2)
     return f(q, qd, in);
-  }
-};
-template <>
-struct Of<3> {
-  template <class F, class J, class In>
-  static constexpr auto call(const F& f, const J& q, const J& qd, const J& x, const In& in) {
+  else
     return f(q, qd, x, in);
-  }
-};
-template <>
-struct Of<5> {
-  template <class F, class J, class D, class In>
-  static constexpr auto call(const F& f, const J& q, const J& qd, const J& qdd, const D& higher, const In& in) {
-    return f(q, qd, qdd, higher.q3, higher.q4, in);
-  }
-};
+}
+template <int joint_values, class F, class J, class D, class In>
+constexpr auto applied(const F& f, const J& q, const J& qd, const J& qdd, const D& higher, const In& in) {
+  return f(q, qd, qdd, higher.q3, higher.q4, in);
+}
 ///@}
 
 /// What algorithms as values call: of gravity also where the chain does not say which way it pulls.
@@ -73,18 +57,18 @@ constexpr auto gravity_torque(const J& q, const In& in) {
 namespace algorithm {
 
 /// A line of calls/registry.hpp as a type and a value: `function` of axial, of so many joint values.
-#define AXIAL_AS_A_VALUE(function, count, order, answer, type, value)                                         \
-  struct type {                                                                                               \
-    static constexpr const char* name = #value;                                                               \
-    static constexpr int joint_values = count;                                                                \
-    template <class S, class T>                                                                               \
-    using Answer = detail::functions::answer<S, T>;                                                           \
-    template <class S, class... Given>                                                                        \
-    static constexpr auto run(const Given&... given) {                                                        \
-      return detail::Of<count>::call([](const auto&... at) { return detail::functions::function<S>(at...); }, \
-                                     given...);                                                               \
-    }                                                                                                         \
-  };                                                                                                          \
+#define AXIAL_AS_A_VALUE(function, count, order, answer, type, value)                                        \
+  struct type {                                                                                              \
+    static constexpr const char* name = #value;                                                              \
+    static constexpr int joint_values = count;                                                               \
+    template <class S, class T>                                                                              \
+    using Answer = detail::functions::answer<S, T>;                                                          \
+    template <class S, class... Given>                                                                       \
+    static constexpr auto run(const Given&... given) {                                                       \
+      return detail::applied<count>([](const auto&... at) { return detail::functions::function<S>(at...); }, \
+                                    given...);                                                               \
+    }                                                                                                        \
+  };                                                                                                         \
   inline constexpr type value;
 AXIAL_ALGORITHMS(AXIAL_AS_A_VALUE)
 AXIAL_ALGORITHMS_OF_CHOICE(AXIAL_AS_A_VALUE)
