@@ -3,6 +3,7 @@
 - The comment at a header's top is the file's.
 - What a header declares belongs to the module of its folder.
 - One comment for members that are declared together, `T x{}, y{};  ///< m`, is the comment of each.
+- Lines of calls/registry.hpp are the types and values that algorithm.hpp makes of them.
 - Deduction guides say nothing that their template does not.
 """
 
@@ -92,6 +93,23 @@ def without_guides(lines):
             lines[i - 1:i + 1] = ["", ""]
 
 
+def algorithms_as_values(path, lines):
+    """A type and a value of each line of the list, in the place of the macro that makes them."""
+    registry = pathlib.Path(path).parent / "calls/registry.hpp"
+    for i, line in enumerate(lines):
+        listed = re.match(r"^(AXIAL_ALGORITHMS\w*)\(AXIAL_AS_A_VALUE\)$", line)
+        if listed:
+            text = registry.read_text(encoding="utf-8")
+            rows = re.search(rf"#define {listed[1]}\(ROW\)((?:.*\\\n)*.*)", text)[1]
+            if "OVER_MODELS(ROW)" in rows:
+                rows += re.search(r"#define AXIAL_ALGORITHMS_OVER_MODELS\(ROW\)((?:.*\\\n)*.*)", text)[1]
+            lines[i] = " ".join(
+                f'/** axial::{function}(). */ struct {name} {{ static constexpr const char* name = "{value}"; /**< in files, tables and JSON */ '
+                "template <class S, class... Given> static constexpr auto run(const Given&... given); /**< Runs it for the scene S. */ }; "
+                f"inline constexpr {name} {value}; /**< axial::{function}(), as an argument. */"
+                for function, name, value in re.findall(r"ROW\((\w+), \d, \w+, \w+,[\s\\]+(\w+),[\s\\]+(\w+)\)", rows))
+
+
 def main():
     path = sys.argv[1]
     with open(path, encoding="utf-8") as file:
@@ -99,6 +117,8 @@ def main():
     headline(lines)
     without_guides(lines)
     apart(lines)
+    if path.endswith("axial/algorithm.hpp"):
+        algorithms_as_values(path, lines)
     grouped(lines, module(path))
     sys.stdout.write("\n".join(lines))
 

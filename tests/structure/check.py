@@ -21,7 +21,7 @@ LAYERS |= {
     "simulation": set(KERNELS),
     "calls": {*KERNELS, "control"},
     "batch": {*KERNELS, "control"},
-    "c_interface": {*KERNELS, "control"},
+    "c_interface": {*KERNELS, "control", "calls"},
     "fixed": {*KERNELS, "closed_form", "control", "calls", "c_interface", "algorithm.hpp", "fixed.hpp"},
 }
 MOST_HEADERS, LONGEST_PAGE = 20, 70  # of a folder; of its README.md, in lines

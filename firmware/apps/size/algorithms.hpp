@@ -73,14 +73,52 @@ struct Tagged<Scene<Robot, Features...>, Tag> {
   using type = Scene<Robot, Features..., Tag>;
 };
 
+/// An algorithm on the members that its order of joint values names. Accelerations and efforts stand for the motion's
+/// third and fourth derivative.
+///@{
+template <class S, class A, class F>
+AXIAL_INLINE inline auto called(axial::detail::OfPosition, const A& a, const F& f) {
+  return f(a.q, inputs_of<S>(a));
+}
+template <class S, class A, class F>
+AXIAL_INLINE inline auto called(axial::detail::OfState, const A& a, const F& f) {
+  return f(a.q, a.qd, inputs_of<S>(a));
+}
+template <class S, class A, class F>
+AXIAL_INLINE inline auto called(axial::detail::OfMotion, const A& a, const F& f) {
+  return f(a.q, a.qd, a.qdd, inputs_of<S>(a));
+}
+template <class S, class A, class F>
+AXIAL_INLINE inline auto called(axial::detail::OfDriven, const A& a, const F& f) {
+  return f(a.q, a.qd, same_words<EffortsOf<S, typename A::Number>>(a.tau), inputs_of<S>(a));
+}
+template <class S, class A, class F>
+AXIAL_INLINE inline auto called(axial::detail::OfHighest, const A& a, const F& f) {
+  using Values = Joints<robot_of<S>, typename A::Number>;
+  const auto of = [](const auto& values) -> const Values& { return same_words<Values>(values); };
+  return f(of(a.q), of(a.qd), of(a.qdd), of(a.qdd), of(a.tau), inputs_of<S>(a));
+}
+///@}
+
+/// The algorithms of axial/calls/registry.hpp.
+namespace listed {
+#define AXIAL_PROBED(function, count, order, answer, type, value)                                 \
+  struct value {                                                                                  \
+    template <class S, class A>                                                                   \
+    static auto run(const A& a) {                                                                 \
+      return called<S>(axial::detail::Of##order{}, a,                                             \
+                       [](const auto&... at) AXIAL_INLINE { return axial::function<S>(at...); }); \
+    }                                                                                             \
+  };
+AXIAL_ALGORITHMS(AXIAL_PROBED)
+AXIAL_ALGORITHMS_OF_CHOICE(AXIAL_PROBED)
+#undef AXIAL_PROBED
+}  // namespace listed
+
+/// Those, and what is probed of others, or otherwise.
 namespace algorithms {
 
-struct inverse_dynamics {
-  template <class S, class A>
-  static auto run(const A& a) {
-    return axial::inverse_dynamics<S>(a.q, a.qd, a.qdd, inputs_of<S>(a));
-  }
-};
+using namespace listed;
 
 /// The effort of the last joint alone.
 struct joint_torque {
@@ -90,72 +128,16 @@ struct joint_torque {
   }
 };
 
-struct gravity {
-  template <class S, class A>
-  static auto run(const A& a) {
-    return gravity_torque<S>(a.q, inputs_of<S>(a));
-  }
-};
-
-struct bias {
-  template <class S, class A>
-  static auto run(const A& a) {
-    return bias_torque<S>(a.q, a.qd, inputs_of<S>(a));
-  }
-};
-
-struct mass_matrix {
-  template <class S, class A>
-  static auto run(const A& a) {
-    return axial::mass_matrix<S>(a.q, inputs_of<S>(a));
-  }
-};
-
-struct forward_dynamics {
-  template <class S, class A>
-  static auto run(const A& a) {
-    using Number = typename A::Number;
-    return axial::forward_dynamics<S, Number>(a.q, a.qd, same_words<EffortsOf<S, Number>>(a.tau), inputs_of<S>(a));
-  }
-};
-
 template <class Route>
 struct forward_dynamics_by {
   template <class S, class A>
   static auto run(const A& a) {
-    return forward_dynamics::run<typename Tagged<S, Route>::type>(a);
+    return listed::forward_dynamics::run<typename Tagged<S, Route>::type>(a);
   }
 };
 using forward_dynamics_articulated_body = forward_dynamics_by<ArticulatedBody>;
 using forward_dynamics_split_articulated_body = forward_dynamics_by<SplitArticulatedBody>;
 using forward_dynamics_composite_body = forward_dynamics_by<CompositeBody>;
-
-/// The torque, the mass matrix and both Jacobians.
-struct inverse_dynamics_derivatives {
-  template <class S, class A>
-  static auto run(const A& a) {
-    return axial::inverse_dynamics_derivatives<S>(a.q, a.qd, a.qdd, inputs_of<S>(a));
-  }
-};
-
-/// The accelerations, the inverse mass matrix and both Jacobians.
-struct forward_dynamics_derivatives {
-  template <class S, class A>
-  static auto run(const A& a) {
-    using Number = typename A::Number;
-    return axial::forward_dynamics_derivatives<S>(a.q, a.qd, same_words<EffortsOf<S, Number>>(a.tau), inputs_of<S>(a));
-  }
-};
-
-/// What the motors do behind springs; accelerations and efforts stand for the motion's third and fourth derivative.
-struct elastic_feedforward {
-  template <class S, class A>
-  static auto run(const A& a) {
-    using Values = Joints<robot_of<S>, typename A::Number>;
-    const auto of = [](const auto& values) -> const Values& { return same_words<Values>(values); };
-    return axial::elastic_feedforward<S>(of(a.q), of(a.qd), of(a.qdd), of(a.qdd), of(a.tau), inputs_of<S>(a));
-  }
-};
 
 /// The torque and its change along a direction of the argument's own numbers: they cost what others would.
 struct inverse_dynamics_along {
@@ -202,13 +184,7 @@ struct jacobian {
   }
 };
 
-/// A, B, C, G, and the torque from them.
-struct separation {
-  template <class S, class A>
-  static auto run(const A& a) {
-    return separate<S>(a.q, inputs_of<S>(a));
-  }
-};
+/// The torque from separated terms.
 struct separated_torque {
   template <class S, class A>
   static auto run(const A& a) {

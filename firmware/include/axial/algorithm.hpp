@@ -3,18 +3,11 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
+#include <axial/calls/registry.hpp>
 #include <axial/closed_form/scara.hpp>
 #include <axial/derivatives/forward_dynamics_along.hpp>
-#include <axial/derivatives/forward_dynamics_derivatives.hpp>
 #include <axial/derivatives/inverse_dynamics_along.hpp>
-#include <axial/derivatives/inverse_dynamics_derivatives.hpp>
-#include <axial/derivatives/torque_rates.hpp>
-#include <axial/derivatives/torque_regressor.hpp>
-#include <axial/dynamics/base_wrench.hpp>
-#include <axial/dynamics/forward_dynamics.hpp>
-#include <axial/dynamics/kinematics.hpp>
 #include <axial/separation/separated_torque.hpp>
-#include <axial/transmissions/elastic_feedforward.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -27,29 +20,59 @@ struct HigherDerivatives {
   Joints<robot_of<S>, T> q4{};  ///< rad/s^4 or m/s^4
 };
 
+namespace detail {
+
+/// A function of so many joint values, called with more, or with two that a struct holds.
+///@{
+template <int joint_values, class F, class J, class In>
+constexpr auto applied(const F& f, const J& q, [[maybe_unused]] const J& qd, [[maybe_unused]] const J& x,
+                       const In& in) {
+  if constexpr (joint_values == 1)
+    return f(q, in);
+  else if constexpr (joint_values == 2)
+    return f(q, qd, in);
+  else
+    return f(q, qd, x, in);
+}
+template <int joint_values, class F, class J, class D, class In>
+constexpr auto applied(const F& f, const J& q, const J& qd, const J& qdd, const D& higher, const In& in) {
+  return f(q, qd, qdd, higher.q3, higher.q4, in);
+}
+///@}
+
+/// What algorithms as values call: of gravity also where the chain does not say which way it pulls.
+namespace functions {
+using namespace axial;
+template <class S, class J, class In>
+constexpr auto gravity_torque(const J& q, const In& in) {
+  return holding_torque<S>(q, in);
+}
+}  // namespace functions
+
+}  // namespace detail
+
 /// The algorithms by name. Each has `name` and `run<S>(q, qd, x, in)`, x being accelerations or efforts, over any
-/// number system.
+/// number system; before `in` HigherDerivatives of torque_rates and elastic_feedforward, a direction of those along
+/// one.
 namespace algorithm {
 
-/// axial::inverse_dynamics().
-struct InverseDynamics {
-  static constexpr const char* name = "inverse_dynamics";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class In>
-  static constexpr auto run(const J& q, const J& qd, const J& qdd, const In& in) {
-    return axial::inverse_dynamics<S>(q, qd, qdd, in);
-  }
-};
-
-/// axial::inverse_dynamics_derivatives(), all four results.
-struct InverseDynamicsDerivatives {
-  static constexpr const char* name = "inverse_dynamics_derivatives";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class In>
-  static constexpr auto run(const J& q, const J& qd, const J& qdd, const In& in) {
-    return axial::inverse_dynamics_derivatives<S>(q, qd, qdd, in);
-  }
-};
+/// A line of calls/registry.hpp as a type and a value: `function` of axial, of so many joint values.
+#define AXIAL_AS_A_VALUE(function, count, order, answer, type, value)                                        \
+  struct type {                                                                                              \
+    static constexpr const char* name = #value;                                                              \
+    static constexpr int joint_values = count;                                                               \
+    template <class S, class T>                                                                              \
+    using Answer = detail::functions::answer<S, T>;                                                          \
+    template <class S, class... Given>                                                                       \
+    static constexpr auto run(const Given&... given) {                                                       \
+      return detail::applied<count>([](const auto&... at) { return detail::functions::function<S>(at...); }, \
+                                    given...);                                                               \
+    }                                                                                                        \
+  };                                                                                                         \
+  inline constexpr type value;
+AXIAL_ALGORITHMS(AXIAL_AS_A_VALUE)
+AXIAL_ALGORITHMS_OF_CHOICE(AXIAL_AS_A_VALUE)
+#undef AXIAL_AS_A_VALUE
 
 /// axial::inverse_dynamics_along(): a direction besides.
 struct InverseDynamicsAlong {
@@ -58,86 +81,6 @@ struct InverseDynamicsAlong {
   template <class S, class J, class D, class In>
   static constexpr auto run(const J& q, const J& qd, const J& qdd, const D& direction, const In& in) {
     return axial::inverse_dynamics_along<S>(q, qd, qdd, direction, in);
-  }
-};
-
-/// axial::torque_rates() with the second derivative: higher derivatives besides.
-struct TorqueRates {
-  static constexpr const char* name = "torque_rates";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class D, class In>
-  static constexpr auto run(const J& q, const J& qd, const J& qdd, const D& higher, const In& in) {
-    return axial::torque_rates<S>(q, qd, qdd, higher.q3, higher.q4, in);
-  }
-};
-
-/// axial::elastic_feedforward(): higher derivatives besides.
-struct ElasticFeedforward {
-  static constexpr const char* name = "elastic_feedforward";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class D, class In>
-  static constexpr auto run(const J& q, const J& qd, const J& qdd, const D& higher, const In& in) {
-    return axial::elastic_feedforward<S>(q, qd, qdd, higher.q3, higher.q4, in);
-  }
-};
-
-/// axial::torque_regressor().
-struct TorqueRegressor {
-  static constexpr const char* name = "torque_regressor";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class In>
-  static constexpr auto run(const J& q, const J& qd, const J& qdd, const In& in) {
-    return axial::torque_regressor<S>(q, qd, qdd, in);
-  }
-};
-
-/// axial::bias_torque().
-struct Bias {
-  static constexpr const char* name = "bias";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class In>
-  static constexpr auto run(const J& q, const J& qd, const J&, const In& in) {
-    return axial::bias_torque<S>(q, qd, in);
-  }
-};
-
-/// axial::gravity_torque().
-struct Gravity {
-  static constexpr const char* name = "gravity";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class In>
-  static constexpr auto run(const J& q, const J&, const J&, const In& in) {
-    return axial::detail::holding_torque<S>(q, in);
-  }
-};
-
-/// axial::mass_matrix().
-struct MassMatrix {
-  static constexpr const char* name = "mass_matrix";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class In>
-  static constexpr auto run(const J& q, const J&, const J&, const In& in) {
-    return axial::mass_matrix<S>(q, in);
-  }
-};
-
-/// axial::forward_dynamics().
-struct ForwardDynamics {
-  static constexpr const char* name = "forward_dynamics";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class In>
-  static constexpr auto run(const J& q, const J& qd, const J& tau, const In& in) {
-    return axial::forward_dynamics<S>(q, qd, tau, in);
-  }
-};
-
-/// axial::forward_dynamics_derivatives(), all results.
-struct ForwardDynamicsDerivatives {
-  static constexpr const char* name = "forward_dynamics_derivatives";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class In>
-  static constexpr auto run(const J& q, const J& qd, const J& tau, const In& in) {
-    return axial::forward_dynamics_derivatives<S>(q, qd, tau, in);
   }
 };
 
@@ -151,45 +94,6 @@ struct ForwardDynamicsAlong {
   }
 };
 
-/// axial::base_wrench().
-struct BaseWrench {
-  static constexpr const char* name = "base_wrench";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class In>
-  static constexpr auto run(const J& q, const J& qd, const J& qdd, const In& in) {
-    return axial::base_wrench<S>(q, qd, qdd, in);
-  }
-};
-
-/// axial::forward_kinematics().
-struct ForwardKinematics {
-  static constexpr const char* name = "forward_kinematics";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class In>
-  static constexpr auto run(const J& q, const J&, const J&, const In& in) {
-    return axial::forward_kinematics<S>(q, in);
-  }
-};
-
-/// axial::jacobian() of the tool.
-struct Jacobian {
-  static constexpr const char* name = "jacobian";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class In>
-  static constexpr auto run(const J& q, const J&, const J&, const In& in) {
-    return axial::jacobian<S>(q, in);
-  }
-};
-
-/// axial::separate(): all four terms.
-struct Separation {
-  static constexpr const char* name = "separation";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class In>
-  static constexpr auto run(const J& q, const J&, const J&, const In& in) {
-    return axial::separate<S>(q, in);
-  }
-};
 /// torque() from terms that are there already.
 struct SeparatedTorque {
   static constexpr const char* name = "separated_torque";  ///< in files, tables and JSON
@@ -220,22 +124,8 @@ struct ClosedForm {
 
 /// The algorithm of that name, as an argument.
 ///@{
-inline constexpr InverseDynamics inverse_dynamics;
-inline constexpr InverseDynamicsDerivatives inverse_dynamics_derivatives;
 inline constexpr InverseDynamicsAlong inverse_dynamics_along;
-inline constexpr TorqueRates torque_rates;
-inline constexpr ElasticFeedforward elastic_feedforward;
-inline constexpr TorqueRegressor torque_regressor;
-inline constexpr Bias bias;
-inline constexpr Gravity gravity;
-inline constexpr MassMatrix mass_matrix;
-inline constexpr ForwardDynamics forward_dynamics;
-inline constexpr ForwardDynamicsDerivatives forward_dynamics_derivatives;
 inline constexpr ForwardDynamicsAlong forward_dynamics_along;
-inline constexpr BaseWrench base_wrench;
-inline constexpr ForwardKinematics forward_kinematics;
-inline constexpr Jacobian jacobian;
-inline constexpr Separation separation;
 inline constexpr SeparatedTorque separated_torque;
 inline constexpr ClosedFormSeparation closed_form_separation;
 inline constexpr ClosedForm closed_form;

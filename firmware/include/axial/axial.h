@@ -108,13 +108,32 @@ static inline const char* axial_status_text(axial_status of) { return axial_code
   } prefix##_real;                                                                                           \
   typedef struct {                                                                                           \
     int8_t revolute[joints], position[joints], velocity[joints], acceleration[joints], effort[joints],       \
-        free_acceleration[joints], mass_matrix[joints][joints], rotation, length;                            \
+        free_acceleration[joints], mass_matrix[joints][joints], rotation, length, power[joints];             \
   } prefix##_formats;                                                                                        \
   AXIAL_C_FUNCTION axial_status prefix##_get_formats(prefix##_formats* formats);                             \
   AXIAL_C_FUNCTION axial_status prefix##_to_fixed(const prefix##_real* real_q, const prefix##_real* real_qd, \
                                                   const prefix##_real* real_qdd, prefix##_joints* q,         \
                                                   prefix##_joints* qd, prefix##_joints* qdd);                \
   AXIAL_C_FUNCTION axial_status prefix##_efforts_to_real(const prefix##_joints* tau, prefix##_real* real_tau);
+/**@}*/
+
+/** The C functions of every robot, a line each: ROW(prefix, with, name in C, the library's, order of joint values,
+ * result's type and name). */
+/**@{*/
+#define AXIAL_C_ALGORITHMS(ROW, prefix, with)                                \
+  ROW(prefix, with, inverse_dynamics, inverse_dynamics, motion, joints, tau) \
+  ROW(prefix, with, actuator_power, actuator_power, motion, joints, power)   \
+  ROW(prefix, with, gravity, gravity_torque, position, joints, tau)          \
+  ROW(prefix, with, forward_dynamics, forward_dynamics, driven, joints, qdd) \
+  ROW(prefix, with, mass_matrix, mass_matrix, position, matrix, m)           \
+  ROW(prefix, with, tool_pose, forward_kinematics, position, pose, pose)
+#define AXIAL_C_TAKEN_position(prefix) const prefix##_joints* q
+#define AXIAL_C_TAKEN_state(prefix) AXIAL_C_TAKEN_position(prefix), const prefix##_joints* qd
+#define AXIAL_C_TAKEN_motion(prefix) AXIAL_C_TAKEN_state(prefix), const prefix##_joints* qdd
+#define AXIAL_C_TAKEN_driven(prefix) AXIAL_C_TAKEN_state(prefix), const prefix##_joints* tau
+#define AXIAL_C_TAKEN_highest(prefix) AXIAL_C_TAKEN_motion(prefix), const prefix##_joints *q3, const prefix##_joints *q4
+#define AXIAL_C_DECLARED(prefix, with, name, algorithm, order, type, result) \
+  AXIAL_C_FUNCTION axial_status prefix##_##name(AXIAL_C_TAKEN_##order(prefix), prefix##_##type* result);
 /**@}*/
 
 /** Declares the types and functions of a robot with so many joints; `number` is float, double or fixed32.
@@ -125,30 +144,24 @@ static inline const char* axial_status_text(axial_status of) { return axial_code
  * exact; in fixed32 what is outside the declared limits.
  * `<prefix>_feedforward` is the one for a control loop: limits checked, efforts clamped, the last safe torque where a
  * request is refused; start its state with {0}. Called as a declaration, with a semicolon. */
-#define AXIAL_C_DECLARE(prefix, joints, number)                                                                \
-  typedef struct {                                                                                             \
-    AXIAL_C_NUMBER_##number of[joints];                                                                        \
-  } prefix##_joints;                                                                                           \
-  typedef struct {                                                                                             \
-    prefix##_joints last_safe;                                                                                 \
-  } prefix##_state;                                                                                            \
-  typedef struct {                                                                                             \
-    AXIAL_C_NUMBER_##number of[joints][joints];                                                                \
-  } prefix##_matrix;                                                                                           \
-  typedef struct {                                                                                             \
-    AXIAL_C_NUMBER_##number rotation[3][3];                                                                    \
-    AXIAL_C_NUMBER_##number position[3];                                                                       \
-  } prefix##_pose;                                                                                             \
-  AXIAL_C_DECLARE_MORE_##number(prefix, joints) AXIAL_C_FUNCTION axial_status prefix##_feedforward(            \
-      prefix##_state* state, const prefix##_joints* q, const prefix##_joints* qd, const prefix##_joints* qdd,  \
-      prefix##_joints* tau);                                                                                   \
-  AXIAL_C_FUNCTION axial_status prefix##_inverse_dynamics(const prefix##_joints* q, const prefix##_joints* qd, \
-                                                          const prefix##_joints* qdd, prefix##_joints* tau);   \
-  AXIAL_C_FUNCTION axial_status prefix##_gravity(const prefix##_joints* q, prefix##_joints* tau);              \
-  AXIAL_C_FUNCTION axial_status prefix##_forward_dynamics(const prefix##_joints* q, const prefix##_joints* qd, \
-                                                          const prefix##_joints* tau, prefix##_joints* qdd);   \
-  AXIAL_C_FUNCTION axial_status prefix##_mass_matrix(const prefix##_joints* q, prefix##_matrix* m);            \
-  AXIAL_C_FUNCTION axial_status prefix##_tool_pose(const prefix##_joints* q, prefix##_pose* pose)
+#define AXIAL_C_DECLARE(prefix, joints, number)                                                                 \
+  typedef struct {                                                                                              \
+    AXIAL_C_NUMBER_##number of[joints];                                                                         \
+  } prefix##_joints;                                                                                            \
+  typedef struct {                                                                                              \
+    prefix##_joints last_safe;                                                                                  \
+  } prefix##_state;                                                                                             \
+  typedef struct {                                                                                              \
+    AXIAL_C_NUMBER_##number of[joints][joints];                                                                 \
+  } prefix##_matrix;                                                                                            \
+  typedef struct {                                                                                              \
+    AXIAL_C_NUMBER_##number rotation[3][3];                                                                     \
+    AXIAL_C_NUMBER_##number position[3];                                                                        \
+  } prefix##_pose;                                                                                              \
+  AXIAL_C_DECLARE_MORE_##number(prefix, joints) AXIAL_C_ALGORITHMS(AXIAL_C_DECLARED, prefix, )                  \
+      AXIAL_C_FUNCTION axial_status prefix##_feedforward(prefix##_state* state, const prefix##_joints* q,       \
+                                                         const prefix##_joints* qd, const prefix##_joints* qdd, \
+                                                         prefix##_joints* tau)
 
 /** Declares the derivatives of a robot behind its AXIAL_C_DECLARE:
  * `<prefix>_inverse_dynamics_derivatives` gives efforts, mass matrix M = d tau / d qdd, d tau_i / d q_j and

@@ -55,11 +55,10 @@
 #include <axial/transmissions/shared_drives.hpp>
 
 // Last, behind what they include; each from here: what stands between it and the user is a line more of its messages.
+#include <axial/calls/registry.hpp>
+
 #include <axial/calls/arguments.hpp>
 
 #include <axial/calls/dynamics.hpp>
 
 #include <axial/calls/control.hpp>
-
-#include <axial/calls/derivatives.hpp>
-#include <axial/calls/models.hpp>

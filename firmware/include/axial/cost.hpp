@@ -89,6 +89,10 @@ constexpr void need_all(const AccelerationsAlong<S, Counting>& result) {
 }
 
 template <class S>
+constexpr void need_all(const MomentumTerms<S, Counting>& result) {
+  need_all(result.momentum), need_all(result.drift);
+}
+template <class S>
 constexpr void need_all(const TorqueRates<S, Counting>& result) {
   need_all(result.tau), need_all(result.taud), need_all(result.taudd);
 }
@@ -159,6 +163,11 @@ constexpr void trace_inputs(Inputs<S, Counting>& in, Trace& trace) {
   if constexpr (Scene::template has<axial::SineCosines>) traced(trace, in.turns);
 }
 
+template <class Algorithm, class = void>
+inline constexpr bool takes_higher = false;
+template <class Algorithm>
+inline constexpr bool takes_higher<Algorithm, std::void_t<decltype(Algorithm::joint_values)>> =
+    Algorithm::joint_values == 5;
 template <class S, class Algorithm, class... Direction>
 constexpr Operations counted(Algorithm, Direction... direction) {
   Trace trace;
@@ -182,6 +191,8 @@ template <class S, class Algorithm>
   if constexpr (solves) detail::check_resisted<scene_of<S>>();
   if constexpr (solves && !every_joint_is_resisted<S>())
     return {};  // the message alone
+  else if constexpr (detail::takes_higher<Algorithm>)
+    return detail::counted<S>(algorithm, HigherDerivatives<S, Counting>{});
   else
     return detail::counted<S>(algorithm);
 }
@@ -194,17 +205,6 @@ template <class S>
 template <class S>
 [[nodiscard]] constexpr Operations cost(algorithm::ForwardDynamicsAlong algorithm) {
   return detail::counted<S>(algorithm, StateDirection<robot_of<S>, Counting>{});
-}
-///@}
-/// Overloads for an algorithm along a path with its third and fourth derivative.
-///@{
-template <class S>
-[[nodiscard]] constexpr Operations cost(algorithm::TorqueRates algorithm) {
-  return detail::counted<S>(algorithm, HigherDerivatives<S, Counting>{});
-}
-template <class S>
-[[nodiscard]] constexpr Operations cost(algorithm::ElasticFeedforward algorithm) {
-  return detail::counted<S>(algorithm, HigherDerivatives<S, Counting>{});
 }
 ///@}
 /// Overload for a torque whose terms come from a separate() that was paid for before.

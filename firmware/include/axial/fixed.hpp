@@ -27,6 +27,8 @@
 
 #include <axial/fixed/formats/input_formats.hpp>
 
+#include <axial/calls/registry.hpp>
+
 #include <axial/calls/arguments.hpp>
 
 #include <axial/calls/dynamics.hpp>

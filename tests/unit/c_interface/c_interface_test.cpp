@@ -42,6 +42,7 @@ TEST(CInterface, FloatEqualsCxx) {
   expect_same(c.safe, tau);
   expect_same(c.inverse, tau);
   expect_same(c.gravity, axial::gravity_torque<Scara>(real(q)));
+  expect_same(c.power, axial::actuator_power<Scara>(real(q), real(qd), real(qdd)));
   expect_same(c.acceleration, axial::forward_dynamics<Scara>(real(q), real(qd), tau));
 }
 
@@ -71,6 +72,7 @@ TEST(CInterface, FixedEqualsCxx) {
   EXPECT_EQ(fixed_arm_to_fixed(&real_q, &real_qd, &real_qdd, &c_q, &c_qd, &c_qdd).code, AXIAL_OK);
   const fixed_arm_answers c = ask_fixed_arm(&c_q, &c_qd, &c_qdd);
   const auto tau = axial::inverse_dynamics<Scara>(request.q, request.qd, request.qdd);
+  expect_same(c.power, axial::actuator_power<Scara>(request.q, request.qd, request.qdd));
   expect_same(c.safe, tau);
   expect_same(c.inverse, tau);
   expect_same(c.gravity, axial::gravity_torque<Scara>(request.q));
@@ -98,6 +100,10 @@ TEST(CInterface, FormatsTellTheValues) {
   EXPECT_NEAR(std::ldexp(c.tool.position[0], -formats.length), in_float.tool.position[0], 1e-6);
   EXPECT_NEAR(std::ldexp(c.tool.rotation[0][0], -formats.rotation), in_float.tool.rotation[0][0], 1e-6);
   EXPECT_NEAR(std::ldexp(c.gravity.of[2], -formats.effort[2]), in_float.gravity.of[2], 1e-5);
+  const fixed_arm_joints raw_qd{{request.qd[0].raw, request.qd[1].raw, request.qd[2].raw}};
+  const fixed_arm_joints raw_qdd{{request.qdd[0].raw, request.qdd[1].raw, request.qdd[2].raw}};
+  const fixed_arm_answers moving = ask_fixed_arm(&raw_q, &raw_qd, &raw_qdd);
+  EXPECT_NEAR(std::ldexp(moving.power.of[0], -formats.power[0]), in_float.power.of[0], 1e-3);
 }
 
 TEST(CInterface, RefusesWhatIsNotFinite) {

@@ -10,6 +10,7 @@
     answers.status[2] = arm##_forward_dynamics(q, qd, &answers.inverse, &answers.acceleration);     \
     answers.status[3] = arm##_mass_matrix(q, &answers.mass);                                        \
     answers.status[4] = arm##_tool_pose(q, &answers.tool);                                          \
+    answers.status[5] = arm##_actuator_power(q, qd, qdd, &answers.power);                           \
     return answers;                                                                                 \
   }
 

@@ -4,13 +4,13 @@
 
 #include <firmware/apps/c_interface/arm.h>
 
-#define ANSWERS_OF(arm)                                \
-  typedef struct {                                     \
-    arm##_joints safe, inverse, gravity, acceleration; \
-    arm##_matrix mass;                                 \
-    arm##_pose tool;                                   \
-    axial_status safe_status, status[5];               \
-  } arm##_answers;                                     \
+#define ANSWERS_OF(arm)                                       \
+  typedef struct {                                            \
+    arm##_joints safe, inverse, gravity, acceleration, power; \
+    arm##_matrix mass;                                        \
+    arm##_pose tool;                                          \
+    axial_status safe_status, status[6];                      \
+  } arm##_answers;                                            \
   AXIAL_C_FUNCTION arm##_answers ask_##arm(const arm##_joints* q, const arm##_joints* qd, const arm##_joints* qdd)
 
 ANSWERS_OF(arm);

@@ -128,7 +128,7 @@ static_assert(!axial::detail::takes_arrays<R, 1, int[3]>);
 static_assert(!axial::detail::takes_arrays<R, 1, const float*>);
 template <class T, class... A>
 inline constexpr bool fits_state =
-    axial::detail::CallOf<T, R, axial::detail::OfPosition, axial::Efforts<R, float>, A...>::fits;
+    axial::detail::Call<T, R, axial::detail::OfPosition, axial::detail::First<A...>>::fits;
 static_assert(fits_state<double, double[3]> && !fits_state<float, double[3]>);
 
 }  // namespace

@@ -3,11 +3,9 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/axial.h>
+#include <axial/calls/registry.hpp>
 #include <axial/control/feedforward.hpp>
 #include <axial/dynamics/check_finite.hpp>
-#include <axial/dynamics/forward_dynamics.hpp>
-#include <axial/dynamics/kinematics.hpp>
-#include <axial/dynamics/mass_matrix.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -91,9 +89,51 @@ struct CallCheck {
   }
 };
 
-/// The functions of one scene over numbers T. Pointers are not null.
+/// Says that an answer goes into a struct of C's: write() of an answer declared later is found by it.
+struct ToC {};
+/// Efforts and accelerations into a struct of C's.
+template <class Values, class C>
+constexpr void write(ToC, const Values& values, C& result) {
+  write_c(values, result);
+}
+/// M into a struct of C's.
+template <class R, class T, class C>
+constexpr void write(ToC, const MassMatrix<R, T>& m, C& result) {
+  write_matrix_c(m, m.size, result);
+}
+/// A vector into an array of C's.
+template <class T, class Row>
+constexpr void write(ToC, const Vec3<T>& v, Row& row) {
+  row[0] = to_c(v.x), row[1] = to_c(v.y), row[2] = to_c(v.z);
+}
+/// The tool's pose into a struct of C's.
+template <class R, class T, class C>
+constexpr void write(ToC to, const ForwardKinematics<R, T>& poses, C& result) {
+  const auto& rotation = poses.tool.rotation;
+  write(to, rotation.x, result.rotation[0]), write(to, rotation.y, result.rotation[1]);
+  write(to, rotation.z, result.rotation[2]), write(to, poses.tool.position, result.position);
+}
+
+/// What an answer says of itself, or of its accelerations; of what says nothing, whether it is finite.
+///@{
+template <class Check, class Answer>
+constexpr auto status_in_c(const Answer& answer, int) -> decltype(Status(answer.status)) {
+  return answer.status;
+}
+template <class Check, class Answer>
+constexpr auto status_in_c(const Answer& answer, long) -> decltype(Status(answer.qdd.status)) {
+  return answer.qdd.status;
+}
+template <class Check, class Answer>
+constexpr Status status_in_c(const Answer& answer, ...) {
+  return Check::of_answer(answer);
+}
+///@}
+
+/// The functions of one scene over numbers T: of an algorithm on joint values, by the order of these.
 template <class S, class T>
 struct Calls {
+  using Scene = S;                             ///< what algorithms are called for
   using Robot = robot_of<S>;                   ///< the robot alone
   using Q = Positions<Robot, T>;               ///< rad or m
   using V = Velocities<Robot, T>;              ///< rad/s or m/s
@@ -106,7 +146,7 @@ struct Calls {
     return CallCheck<S, T>::of(q, qd, qdd);
   }
 
-  /// axial::feedforward(): its state in `state`, efforts in `tau` whatever the status.
+  /// axial::feedforward(): its state in `state`, efforts in `tau` whatever the status. Pointers are not null.
   template <class CState, class C>
   static axial_status feedforward(CState& state, const C& q, const C& qd, const C& qdd, C& tau) {
     FeedforwardState<S, T> memory{from_c<Tau>(state.last_safe)};
@@ -116,77 +156,44 @@ struct Calls {
     return to_c(result.status);
   }
 
-  /// axial::inverse_dynamics(): `tau` is written where the status is ok.
-  template <class C>
-  static axial_status inverse_dynamics(const C& c_q, const C& c_qd, const C& c_qdd, C& tau) {
-    const auto q = from_c<Q>(c_q);
-    const auto qd = from_c<V>(c_qd);
-    const auto qdd = from_c<A>(c_qdd);
-    const Status status = check(q, qd, qdd);
-    return status.ok() ? answered(axial::inverse_dynamics<S>(q, qd, qdd), tau) : to_c(status);
-  }
-
-  /// axial::gravity_torque(): `tau` is written where the status is ok.
-  template <class C>
-  static axial_status gravity(const C& c_q, C& tau) {
-    const auto q = from_c<Q>(c_q);
-    const Status status = check(q);
-    return status.ok() ? answered(gravity_torque<S>(q), tau) : to_c(status);
-  }
-
-  /// axial::forward_dynamics(): `qdd` is written unless an input is refused or the answer is no number; the status is
-  /// the solver's.
-  template <class C>
-  static axial_status forward_dynamics(const C& c_q, const C& c_qd, const C& c_tau, C& qdd) {
-    const auto q = from_c<Q>(c_q);
-    const auto qd = from_c<V>(c_qd);
-    const auto tau = from_c<Tau>(c_tau);
-    Status status = check(q, qd);
-    if (status.ok()) status = check_finite(tau);
-    if (!status.ok()) return to_c(status);
-    const auto result = axial::forward_dynamics<S>(q, qd, tau);
-    if (result.status.code != Status::Code::not_finite) write_c(result, qdd);
-    return to_c(result.status);
-  }
-
-  /// axial::mass_matrix(): `matrix` is written where the status is ok.
-  template <class C, class CMatrix>
-  static axial_status mass_matrix(const C& c_q, CMatrix& matrix) {
-    const auto q = from_c<Q>(c_q);
-    if (const Status status = check(q); !status.ok()) return to_c(status);
-    const auto m = axial::mass_matrix<S>(q);
-    const Status status = CallCheck<S, T>::of_answer(m);
-    if (status.ok()) write_matrix_c(m, size, matrix);
-    return to_c(status);
-  }
-
-  /// axial::forward_kinematics(), the tool alone: `pose` is written where the status is ok.
-  template <class C, class CPose>
-  static axial_status tool_pose(const C& c_q, CPose& pose) {
-    const auto q = from_c<Q>(c_q);
-    if (const Status status = check(q); !status.ok()) return to_c(status);
-    const auto poses = forward_kinematics<S>(q);
-    if (!poses.status.ok()) return to_c(poses.status);
-    const auto& tool = poses.tool;
-    write_row(tool.rotation.x, pose.rotation[0]);
-    write_row(tool.rotation.y, pose.rotation[1]);
-    write_row(tool.rotation.z, pose.rotation[2]);
-    write_row(tool.position, pose.position);
-    return to_c(poses.status);
-  }
+  /// An algorithm on joint values of such types, of which the third are efforts or not: `result` is written unless a
+  /// pointer is null, an input is refused or the answer is no number.
+  template <bool is_driven, class... Values>
+  struct Of {
+    /// its status
+    template <class Algorithm, class Result, class... C>
+    static axial_status call(const Algorithm& algorithm, Result* result, const C*... given) {
+      if (any_null(result, given...)) return null_argument;
+      return answered<is_driven>(algorithm, *result, from_c<Values>(*given)...);
+    }
+  };
+  using position = Of<false, Q>;                                           ///< q
+  using state = Of<false, Q, V>;                                           ///< q, qd
+  using motion = Of<false, Q, V, A>;                                       ///< q, qd, qdd
+  using driven = Of<true, Q, V, Tau>;                                      ///< q, qd, tau
+  using highest = Of<false, Q, V, A, Joints<Robot, T>, Joints<Robot, T>>;  ///< q, qd, qdd, q3, q4
 
  private:
-  /// Efforts are written unless they overflowed.
-  template <class C>
-  static axial_status answered(const Tau& efforts, C& tau) {
-    const Status status = CallCheck<S, T>::of_answer(efforts);
-    if (status.ok()) write_c(efforts, tau);
-    return to_c(status);
+  static constexpr Status asked(std::false_type, const Q& q, const V& qd = {}, const A& qdd = {}) {
+    return check(q, qd, qdd);
   }
-  static constexpr void write_row(const Vec3<T>& v, CNumber<T> (&row)[3]) {
-    row[0] = to_c(v.x);
-    row[1] = to_c(v.y);
-    row[2] = to_c(v.z);
+  template <class... Higher>
+  static constexpr Status asked(std::false_type, const Q& q, const V& qd, const A& qdd, const Higher&... higher) {
+    const Status motion_status = check(q, qd, qdd);
+    return motion_status.ok() ? check_finite(higher...) : motion_status;
+  }
+  static constexpr Status asked(std::true_type, const Q& q, const V& qd, const Tau& tau) {
+    const Status state_status = check(q, qd);
+    return state_status.ok() ? check_finite(tau) : state_status;
+  }
+  template <bool is_driven, class Algorithm, class Result, class... Values>
+  static axial_status answered(const Algorithm& algorithm, Result& result, const Values&... values) {
+    const Status refused = asked(std::bool_constant<is_driven>{}, values...);
+    if (!refused.ok()) return to_c(refused);
+    const auto answer = algorithm(values...);
+    const Status status = status_in_c<CallCheck<S, T>>(answer, 0);
+    if (status.code != Status::Code::not_finite) write(ToC{}, answer, result);
+    return to_c(status);
   }
 };
 

@@ -56,6 +56,20 @@ static_assert(AXIAL_OK == static_cast<int>(Status::Code::ok) &&
 #define AXIAL_C_SHADOWS_END _Pragma("GCC diagnostic pop")
 ///@}
 
+/// The C function of an algorithm, by the order of its arguments.
+#define AXIAL_C_DEFINED(prefix, calls, name, algorithm, order, type, result)                                   \
+  AXIAL_C_FUNCTION axial_status prefix##_##name(AXIAL_C_TAKEN_##order(prefix), prefix##_##type* result) {      \
+    return calls::order::call([](const auto&... at) { return axial::algorithm<calls::Scene>(at...); }, result, \
+                              AXIAL_C_NAMES_##order);                                                          \
+  }
+/// The arguments' names, in each order.
+///@{
+#define AXIAL_C_NAMES_position q
+#define AXIAL_C_NAMES_state q, qd
+#define AXIAL_C_NAMES_motion q, qd, qdd
+#define AXIAL_C_NAMES_driven q, qd, tau
+#define AXIAL_C_NAMES_highest q, qd, qdd, q3, q4
+///@}
 /// One C function: the call of the same name, unless a pointer is null.
 #define AXIAL_C_CALL(calls, name, pointers, values) \
   return axial::c_interface::any_null pointers ? axial::c_interface::null_argument : calls::name values
@@ -81,32 +95,16 @@ static_assert(AXIAL_OK == static_cast<int>(Status::Code::ok) &&
 
 /// Defines the functions of AXIAL_C_DECLARE(prefix, joints, number) for a robot or a scene (by an alias where its name
 /// has commas). In one source of a program, in the global namespace, without a semicolon.
-#define AXIAL_C_EXPORT(prefix, scene, number)                                                                  \
-  AXIAL_C_SHADOWS                                                                                              \
-  static_assert(axial::c_interface::check_export<prefix##_joints, scene, axial::c_interface::as_##number>());  \
-  using prefix##_calls = axial::c_interface::ExportedCalls<scene, axial::c_interface::as_##number>;            \
-  AXIAL_C_EXPORT_MORE_##number(prefix) AXIAL_C_FUNCTION axial_status prefix##_feedforward(                     \
-      prefix##_state* state, const prefix##_joints* q, const prefix##_joints* qd, const prefix##_joints* qdd,  \
-      prefix##_joints* tau) {                                                                                  \
-    AXIAL_C_CALL(prefix##_calls, feedforward, (state, q, qd, qdd, tau), (*state, *q, *qd, *qdd, *tau));        \
-  }                                                                                                            \
-  AXIAL_C_FUNCTION axial_status prefix##_inverse_dynamics(const prefix##_joints* q, const prefix##_joints* qd, \
-                                                          const prefix##_joints* qdd, prefix##_joints* tau) {  \
-    AXIAL_C_CALL(prefix##_calls, inverse_dynamics, (q, qd, qdd, tau), (*q, *qd, *qdd, *tau));                  \
-  }                                                                                                            \
-  AXIAL_C_FUNCTION axial_status prefix##_gravity(const prefix##_joints* q, prefix##_joints* tau) {             \
-    AXIAL_C_CALL(prefix##_calls, gravity, (q, tau), (*q, *tau));                                               \
-  }                                                                                                            \
-  AXIAL_C_FUNCTION axial_status prefix##_forward_dynamics(const prefix##_joints* q, const prefix##_joints* qd, \
-                                                          const prefix##_joints* tau, prefix##_joints* qdd) {  \
-    AXIAL_C_CALL(prefix##_calls, forward_dynamics, (q, qd, tau, qdd), (*q, *qd, *tau, *qdd));                  \
-  }                                                                                                            \
-  AXIAL_C_FUNCTION axial_status prefix##_mass_matrix(const prefix##_joints* q, prefix##_matrix* m) {           \
-    AXIAL_C_CALL(prefix##_calls, mass_matrix, (q, m), (*q, *m));                                               \
-  }                                                                                                            \
-  AXIAL_C_FUNCTION axial_status prefix##_tool_pose(const prefix##_joints* q, prefix##_pose* pose) {            \
-    AXIAL_C_CALL(prefix##_calls, tool_pose, (q, pose), (*q, *pose));                                           \
-  }                                                                                                            \
+#define AXIAL_C_EXPORT(prefix, scene, number)                                                                 \
+  AXIAL_C_SHADOWS                                                                                             \
+  static_assert(axial::c_interface::check_export<prefix##_joints, scene, axial::c_interface::as_##number>()); \
+  using prefix##_calls = axial::c_interface::ExportedCalls<scene, axial::c_interface::as_##number>;           \
+  AXIAL_C_EXPORT_MORE_##number(prefix) AXIAL_C_FUNCTION axial_status prefix##_feedforward(                    \
+      prefix##_state* state, const prefix##_joints* q, const prefix##_joints* qd, const prefix##_joints* qdd, \
+      prefix##_joints* tau) {                                                                                 \
+    AXIAL_C_CALL(prefix##_calls, feedforward, (state, q, qd, qdd, tau), (*state, *q, *qd, *qdd, *tau));       \
+  }                                                                                                           \
+  AXIAL_C_ALGORITHMS(AXIAL_C_DEFINED, prefix, prefix##_calls)                                                 \
   AXIAL_C_SHADOWS_END
 
 #include <axial/options/end.hpp>

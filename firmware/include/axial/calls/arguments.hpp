@@ -4,6 +4,7 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/scene/joint_roles.hpp>
+#include <axial/scene/refused_calls.hpp>
 #include <axial/scene/scene.hpp>
 
 #include <axial/options/begin.hpp>
@@ -150,32 +151,43 @@ template <class... A>
 inline constexpr bool is_any_plain = (false || ... || is_braces<A>)
                                          ? !is_any_number<A...>
                                          : is_any_number<A...> || (false || ... || is_plain_array<A>);
-/// Where joint values are none, or say that they belong elsewhere; and where one is what holds numbers.
-template <class Wanted, class... A>
-using IfAnyStandsIn = std::enable_if_t<is_any_plain<A...> || is_out_of_order<Wanted, A...>, int>;
-template <class A>
-using IfJointValues = std::enable_if_t<!std::is_void_v<number_of<A>>, int>;
 
-/// A call of an algorithm over S, of numbers T (void: of float or double), with arguments A, of which the first have
-/// the roles that are `Wanted`.
-template <class T, class S, class Wanted, class Answer, class... A>
-struct CallOf {
-  static constexpr bool fits = !is_any_plain<A...> || (takes_arrays<S, Wanted::size, A...> &&
-                                                       (std::is_void_v<T> || (true && ... && fits_number<A, T>)));
-  static constexpr bool in_order = !is_out_of_order<Wanted, A...>;
-
-  /// What `run` makes of joint values; an empty answer where arguments are refused, so that the one sentence about that
-  /// is all that a compiler prints.
-  template <class Run>
-  AXIAL_INLINE static constexpr auto of(const Run& run, const A&... given) {
-    if constexpr (fits && in_order)
-      return run(as_joint_values<S>(given)...);
-    else
-      return Answer{};
-  }
+/// The first arguments of a call.
+template <class... A>
+struct First {};
+/// A call over S, of numbers T (void: of float or double), whose first arguments have the roles that are `Wanted`.
+template <class T, class S, class Wanted, class Arguments, class... In>
+struct Call;
+template <class T, class S, class Wanted, class... A, class... In>
+struct Call<T, S, Wanted, First<A...>, In...> {
+  /// Joint values are none, or say that they belong elsewhere. A fourth may be the last.
+  static constexpr bool stands_in = (is_any_plain<A...> || is_out_of_order<Wanted, A...>)&&(
+      Wanted::size < 5 || joint_values_among<A...> == Wanted::size);
+  static constexpr bool fits =
+      !is_any_plain<A..., In...> ||
+      (takes_arrays<S, Wanted::size, A..., In...> && (std::is_void_v<T> || (true && ... && fits_number<A, T>)));
+  static constexpr bool in_order = !is_out_of_order<Wanted, A..., In...>;
 };
-template <class S, class Wanted, class Answer, class... A>
-using Call = CallOf<void, S, Wanted, Answer, A...>;
+/// Whether a call that is not of joint values alone is taken, or refused.
+template <class Call, bool taken, bool stands_in = Call::stands_in>
+struct Chosen {};
+template <class Call, bool taken>
+struct Chosen<Call, taken, true> : std::enable_if<(Call::fits && Call::in_order) == taken, int> {};
+template <class Call, bool taken>
+using IfTaken = typename Chosen<Call, taken>::type;
+
+/// What a call answers whose arguments are refused: a class, so that a compiler says why where it is called; an empty
+/// answer, so that it says nothing more. Clang leaves out what stands behind a sentence, and the base.
+template <class Call, class Answer>
+struct RefusedArguments : Answer {
+  template <class Any>
+  constexpr operator Any() const {
+    return {};
+  }
+  constexpr float operator[](int) const { return {}; }
+  static_assert(Call::fits, AXIAL_ARRAYS_FIT);
+  static_assert(Call::in_order, AXIAL_ROLES_MIXED);
+};
 
 }  // namespace detail
 }  // namespace axial

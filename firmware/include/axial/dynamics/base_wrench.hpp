@@ -64,6 +64,10 @@ constexpr auto check_base_wrench() {
 
 }  // namespace rnea
 
+/// Answer of base_wrench() for a scene.
+template <class, class T>
+using WrenchOf = Wrench<T>;
+
 /// Force that whatever carries the robot exerts on it at frame 0 for a given motion: moment (N m) about the origin and
 /// force (N), in axes of frame 0, gravity held up. On a floating base: what must push it, besides the input
 /// `base_wrench`, to move with in.base_motion; zero for the motion that forward_dynamics finds.

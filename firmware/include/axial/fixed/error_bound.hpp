@@ -81,6 +81,37 @@ constexpr Separated<S, double> errors_of(const bounds::SeparatedBounds<joint_cou
   return errors;
 }
 
+/// Errors of joint values that an algorithm answers, or is given, by their role.
+///@{
+template <class S, class T>
+constexpr auto errors_of_role(role::Effort) {
+  return ErrorsOf<S, T>::efforts(0.0);
+}
+template <class S, class T>
+constexpr auto errors_of_role(role::Velocity) {
+  return Row<double, joint_count<S>>{};
+}
+template <class S, class T, class A, class B>
+constexpr auto errors_of_role(role::Product<A, B>) {
+  using Exponent = RoleExponent<S, typename T::Word>;
+  constexpr auto rounding = rounding_of<ArithmeticOf<scene_of<S>, typename T::Word>>();
+  const auto errors_a = errors_of_role<S, T>(A{});
+  const auto errors_b = errors_of_role<S, T>(B{});
+  Row<double, joint_count<S>> errors{};
+  for (int i = 0; i < joint_count<S>; ++i) {
+    const auto a = bounds::word_of({Exponent::largest(A{}, i), errors_a[i]}, Exponent::of(A{}, i));
+    const auto b = bounds::word_of({Exponent::largest(B{}, i), errors_b[i]}, Exponent::of(B{}, i));
+    const auto product = a * b;
+    errors[i] = product.bound.error + product.terms.rounding(Exponent::of(role::Product<A, B>{}, i), rounding);
+  }
+  return errors;
+}
+///@}
+template <class Role>
+inline constexpr bool is_product = false;
+template <class A, class B>
+inline constexpr bool is_product<role::Product<A, B>> = true;
+
 }  // namespace detail
 
 /// `error_bound<Scene>(algorithm::inverse_dynamics)`, N m or N per joint; the inputs are taken as the words say. Every
@@ -92,6 +123,14 @@ template <class S, class T = Fixed32>
 [[nodiscard]] constexpr auto error_bound(algorithm::InverseDynamics) {
   static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
   return detail::bounds_of(detail::ErrorsOf<S, T>::efforts(0.0));
+}
+/// Error bounds of an algorithm that answers products of joint values, such as power (W).
+template <class S, class T = Fixed32, class Algorithm,
+          class Role = typename detail::RoleSaid<typename Algorithm::template Answer<S, T>>::type,
+          std::enable_if_t<detail::is_product<Role>, int> = 0>
+[[nodiscard]] constexpr auto error_bound(Algorithm) {
+  static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
+  return detail::bounds_of(detail::errors_of_role<S, T>(Role{}));
 }
 /// Error bounds of the bias torque, N m or N.
 template <class S, class T = Fixed32>

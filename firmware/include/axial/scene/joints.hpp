@@ -95,7 +95,11 @@ struct FreeAcceleration {};  ///< what forward dynamics answers: bounded by effo
 struct Momentum {};          ///< N m s or N s
 struct MomentumRate {};      ///< N m or N
 struct WrenchEffort {};      ///< of a wrench at the tool: N m or N
-struct None {};              ///< of whole numbers, which are no joint values: no call takes them
+/// Products of values of two roles, one per joint.
+template <class A, class B>
+struct Product {};
+using Power = Product<Effort, Velocity>;  ///< W
+struct None {};                           ///< of whole numbers, which are no joint values: no call takes them
 }  // namespace role
 
 namespace detail {
@@ -146,6 +150,22 @@ using MomentumRatesOf = Joints<subject_of<S, T>, T, typename detail::RoleOf<T, r
 /// What a wrench at the tool exerts on the joints: N m or N.
 template <class R, class T>
 using WrenchEfforts = Joints<R, T, typename detail::RoleOf<T, role::WrenchEffort>::type>;
+
+/// What actuators deliver: W.
+template <class S, class T>
+using PowersOf = Joints<subject_of<S, T>, T, typename detail::RoleOf<T, role::Power>::type>;
+
+namespace detail {
+/// Products of joint values over numbers T, one per joint; a number system with formats rounds each once.
+template <class Scene, class T>
+struct JointProducts {
+  template <class A, class B, class Result>
+  AXIAL_INLINE static constexpr void write(const A& a, const B& b, Result& products) {
+    for (int i = 0; i < Result::size; ++i)
+      products[i] = a[i] * b[i];
+  }
+};
+}  // namespace detail
 
 /// Joint values that are zero by type: a query that leaves them out does not pay for them.
 struct NoMotion {

@@ -35,25 +35,10 @@ inline constexpr bool is_offered = !std::is_void_v<S> && !names_robot<S>;
 }  // namespace detail
 
 /// Refused: an ellipsis is the worst match of all, so that these are called where nothing else can be. A robot that is
-/// not named is void.
+/// not named is void. Those of algorithms: calls/registry.hpp.
 ///@{
 // clang-format off
-template <class S = void, class... F> constexpr detail::Refused inverse_dynamics(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("inverse_dynamics", "q, qd, qdd")); return {}; }
-template <class S = void, class... F> constexpr detail::Refused gravity_torque(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("gravity_torque", "q")); return {}; }
-template <class S = void, class... F> constexpr detail::Refused bias_torque(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("bias_torque", "q, qd")); return {}; }
-template <class S = void, class... F> constexpr detail::Refused forward_dynamics(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("forward_dynamics", "q, qd, tau")); return {}; }
-template <class S = void, class... F> constexpr detail::Refused mass_matrix(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("mass_matrix", "q")); return {}; }
-template <class S = void, class... F> constexpr detail::Refused forward_kinematics(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("forward_kinematics", "q")); return {}; }
-template <class S = void, class... F> constexpr detail::Refused jacobian(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("jacobian", "q")); return {}; }
-template <class S = void, class... F> constexpr detail::Refused separate(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("separate", "q")); return {}; }
-template <class S = void, class... F> constexpr detail::Refused momentum_terms(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("momentum_terms", "q, qd")); return {}; }
-template <class S = void, class... F> constexpr detail::Refused torque_regressor(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("torque_regressor", "q, qd, qdd")); return {}; }
-template <class S = void, class... F> constexpr detail::Refused inverse_dynamics_derivatives(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("inverse_dynamics_derivatives", "q, qd, qdd")); return {}; }
-template <class S = void, class... F> constexpr detail::Refused forward_dynamics_derivatives(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("forward_dynamics_derivatives", "q, qd, tau")); return {}; }
 template <class S = void, class... F> constexpr detail::Refused certified_forward_dynamics(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("certified_forward_dynamics", "q, qd, tau")); return {}; }
-template <class S = void, class... F> constexpr detail::Refused base_wrench(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("base_wrench", "q, qd, qdd")); return {}; }
-template <class S = void, class... F> constexpr detail::Refused torque_rates(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("torque_rates", "q, qd, qdd, q3, q4")); return {}; }
-template <class S = void, class... F> constexpr detail::Refused elastic_feedforward(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("elastic_feedforward", "q, qd, qdd, q3, q4")); return {}; }
 template <class S = void, class... F> constexpr detail::Refused inverse_dynamics_along(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("inverse_dynamics_along", "q, qd, qdd, direction")); return {}; }
 template <class S = void, class... F> constexpr detail::Refused forward_dynamics_along(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("forward_dynamics_along", "q, qd, tau, direction")); return {}; }
 template <class S = void, class... F> constexpr detail::Refused tool_mobility(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("tool_mobility", "q")); return {}; }
@@ -78,15 +63,9 @@ template <class S = void, class... F> constexpr detail::Refused jacobian_rate(..
 template <class S = void, class... F> constexpr detail::Refused tool_velocity(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("tool_velocity", "jacobian, qd")); return {}; }
 template <class S = void, class... F> constexpr detail::Refused to_fixed_request(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("to_fixed_request", "q, qd, qdd")); return {}; }
 template <class S = void, class... F> constexpr detail::Refused to_real(...) { static_assert(detail::is_offered<S, F...>, AXIAL_NO_SUCH_CALL("to_real", "values")); return {}; }
-template <class S, int I> constexpr detail::Refused joint_torque(...) { static_assert(detail::is_offered<S>, AXIAL_NO_SUCH_CALL("joint_torque", "q, qd, qdd")); return {}; }
-template <class S, int I> constexpr detail::Refused gravity_torque(...) { static_assert(detail::is_offered<S>, AXIAL_NO_SUCH_CALL("gravity_torque", "q")); return {}; }
-template <class S, int I> constexpr detail::Refused jacobian(...) { static_assert(detail::is_offered<S>, AXIAL_NO_SUCH_CALL("jacobian", "q")); return {}; }
 // clang-format on
 ///@}
 
 }  // namespace axial
-
-#undef AXIAL_NO_SUCH_CALL
-#undef AXIAL_OF_ONE
 
 #include <axial/options/end.hpp>

@@ -55,6 +55,7 @@ struct ExportedCalls<S, Stored<Word>> : Calls<S, Stored<Word>> {
       formats.acceleration[i] = static_cast<std::int8_t>(A::exponent(i));
       formats.effort[i] = static_cast<std::int8_t>(Tau::exponent(i));
       formats.free_acceleration[i] = static_cast<std::int8_t>(FreeAccelerations<S, T>::exponent(i));
+      formats.power[i] = static_cast<std::int8_t>(PowersOf<S, T>::exponent(i));
       for (int j = 0; j < Base::size; ++j)
         formats.mass_matrix[i][j] = static_cast<std::int8_t>(MassMatrixOf<S, T>::exponent(i, j));
     }

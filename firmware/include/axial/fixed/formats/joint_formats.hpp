@@ -135,6 +135,16 @@ struct RoleExponent {
   }
   static constexpr int of(role::Momentum, int i) { return joint_rounding<Word>.exponent(Sizes::momentum(i)); }
   static constexpr int of(role::MomentumRate, int i) { return joint_rounding<Word>.exponent(Sizes::momentum_rate(i)); }
+  /// With room for the errors of both.
+  template <class A, class B>
+  static constexpr int of(role::Product<A, B>, int i) {
+    return joint_rounding<Word>.exponent((1.0 + power_of_two(-12)) * largest(A{}, i) * largest(B{}, i));
+  }
+  /// What values of a role reach inside the declared limits.
+  ///@{
+  static constexpr double largest(role::Velocity, int i) { return link(i).speed_limit; }
+  static constexpr double largest(role::Effort, int i) { return Sizes::effort(i); }
+  ///@}
 };
 
 template <class S, class Word, class Role>

@@ -111,6 +111,24 @@ struct FixedValues : WordValues<SceneType, S> {
   }
 };
 
+namespace detail {
+/// Products of words with their formats, each rounded once into that of the product.
+template <class Scene, class Word>
+struct JointProducts<Scene, Stored<Word>> {
+  using Values = FixedValues<Scene, ArithmeticOf<Scene, Word>>;
+  template <class A, class B, class Result>
+  AXIAL_INLINE static constexpr void write(const A& a, const B& b, Result& products) {
+    each(Values::read(a), Values::read(b), products, std::make_integer_sequence<int, Result::size>{});
+  }
+
+ private:
+  template <class A, class B, class Result, int... I>
+  AXIAL_INLINE static constexpr void each(const A& a, const B& b, Result& products, std::integer_sequence<int, I...>) {
+    (Values::write(products, Index<I>{}, a[Index<I>{}] * b[Index<I>{}]), ...);
+  }
+};
+}  // namespace detail
+
 }  // namespace axial
 
 #include <axial/options/end.hpp>
