@@ -3,6 +3,7 @@
 
 #include <axial/robot/chain.hpp>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,6 +31,7 @@ struct Description {
   axial::GravityVector gravity{};  ///< m/s^2, free fall, axes of frame 0
   axial::FixedPose base{};         ///< frame 0 in the world
   axial::FixedPose tool{};         ///< the tool in the last link's frame
+  std::optional<axial::LinkParameters> base_body;  ///< of a base that floats: mass, com, inertia in frame 0
   axial::PayloadLimit payload_limit{};
   axial::TipWrenchLimit tip_wrench_limit{};
   axial::ToolLimit tool_limit{};

@@ -1,11 +1,11 @@
 #include <host_sim/robots/description/comment.hpp>
 #include <host_sim/robots/description/description.hpp>
 #include <host_sim/robots/import/urdf_text.hpp>
+#include <host_sim/robots/import/xml_text.hpp>
 
 #include <tinyxml.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <locale>
 #include <map>
@@ -16,17 +16,6 @@ namespace importer {
 namespace {
 
 using description::harmless;
-
-/// Deepest nesting of elements, judged by brackets alone: the XML parser recurses.
-int nesting(const std::string& text) {
-  int depth = 0, deepest = 0;
-  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
-    if (text[i] == '<' && std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0) ++depth;
-    if ((text[i] == '<' && text[i + 1] == '/') || (text[i] == '/' && text[i + 1] == '>')) --depth;
-    deepest = depth > deepest ? depth : deepest;
-  }
-  return deepest;
-}
 
 /// What of an element, or below it, only xacro understands; empty for a URDF. One that xacro has expanded may still
 /// declare its namespace.
@@ -203,17 +192,8 @@ std::string with_blank_limits(const std::string& text) {
 }
 
 void check_urdf_text(const std::string& text, const std::string& from) {
-  constexpr int deepest = 200;
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos) throw description::Refused(from + ": the file is empty");
-  if (text.find('\0') != std::string::npos)
-    throw description::Refused(from + ": not a text; give a URDF or a JSON table");
-  if (nesting(text) > deepest) throw description::Refused(from + ": elements are nested too deeply for a URDF");
   TiXmlDocument document;
-  document.Parse(text.c_str());
-  if (document.Error())
-    throw description::Refused(from + ": malformed XML at line " + std::to_string(document.ErrorRow()) + ", column " +
-                               std::to_string(document.ErrorCol()) + ": " + document.ErrorDesc() +
-                               " (xacro files are expanded first: xacro robot.urdf.xacro > robot.urdf)");
+  parse_xml(text, from, document);
   if (const auto* first = document.RootElement(); first != nullptr)
     if (const std::string found = xacro_in(*first); !found.empty())
       throw description::Refused(from + ": this is xacro, not a URDF yet: " + harmless(found) +
