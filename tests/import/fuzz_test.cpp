@@ -117,6 +117,12 @@ TEST(Fuzz, BytesOfUrdfs) {
 TEST(Fuzz, ValuesOfUrdfs) {
   fuzz(arms::urdf, [](Mutator& m, const std::string& text) { return m.values(text); });
 }
+TEST(Fuzz, BytesOfMjcfs) {
+  fuzz(arms::mjcf, [](Mutator& m, const std::string& text) { return m.bytes(text); });
+}
+TEST(Fuzz, ValuesOfMjcfs) {
+  fuzz(arms::mjcf, [](Mutator& m, const std::string& text) { return m.values(text); });
+}
 TEST(Fuzz, BytesOfTables) {
   fuzz(arms::table, [](Mutator& m, const std::string& text) { return m.bytes(text); });
 }

@@ -28,9 +28,9 @@ struct Description {
   std::string name;    ///< as the source calls it
   std::string source;  ///< file, table, paper: who says so
   std::vector<Link> links;
-  axial::GravityVector gravity{};  ///< m/s^2, free fall, axes of frame 0
-  axial::FixedPose base{};         ///< frame 0 in the world
-  axial::FixedPose tool{};         ///< the tool in the last link's frame
+  axial::GravityVector gravity{};                  ///< m/s^2, free fall, axes of frame 0
+  axial::FixedPose base{};                         ///< frame 0 in the world
+  axial::FixedPose tool{};                         ///< the tool in the last link's frame
   std::optional<axial::LinkParameters> base_body;  ///< of a base that floats: mass, com, inertia in frame 0
   axial::PayloadLimit payload_limit{};
   axial::TipWrenchLimit tip_wrench_limit{};

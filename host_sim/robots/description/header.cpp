@@ -72,6 +72,7 @@ class LinkText {
     if (needs_acceptance(p_)) row += ".accept(axial::as_published)";
     return row;
   }
+
  private:
   bool any_inertia() const {
     return std::any_of(p_.inertia_com, p_.inertia_com + 6, [](double v) { return v != 0.0; });

@@ -89,8 +89,8 @@ class ToDrives {
     owner.rotor_inertia += ratio * ratio * p.rotor_inertia;
     const double stiffness = ratio * ratio * p.spring_stiffness, sum = owner.spring_stiffness + stiffness;
     if (stiffness != 0.0)
-      owner.spring_rest = (owner.spring_stiffness * owner.spring_rest +
-                           ratio * p.spring_stiffness * (p.spring_rest - offset)) / sum;
+      owner.spring_rest =
+          (owner.spring_stiffness * owner.spring_rest + ratio * p.spring_stiffness * (p.spring_rest - offset)) / sum;
     owner.spring_stiffness = sum;
     p.rotor_inertia = p.spring_stiffness = p.spring_rest = 0.0;
   }

@@ -192,8 +192,8 @@ Result import_mjcf(const std::string& text, const std::string& from, const Optio
   auto& robot = imported.robot;
   robot.source = source_of(source, from, "MJCF", "bodies");
   say_rotors(robot);
-  auto result = verified(
-      imported, reference_of(source, read.tree, options.reading, gravity, joints_of(robot)), options);
+  auto result =
+      verified(imported, reference_of(source, read.tree, options.reading, gravity, joints_of(robot)), options);
   result.figures.against = "against Orocos KDL on the tree of the file's bodies, on ";
   result.figures.engine = ask_mujoco(options.engine, from, read, options.seed, options.states);
   return result;
@@ -210,8 +210,8 @@ double length_digit_of(const description::Table& table) {
 
 Result import_table(const std::string& text, const std::string& from, const Options& options) {
   if (!options.reading.root.empty() || !options.reading.tip.empty() || options.gravity)
-    throw description::Refused(from +
-                               ": --root, --tip and --gravity are for a URDF or an MJCF; a table is imported whole, with its own");
+    throw description::Refused(
+        from + ": --root, --tip and --gravity are for a URDF or an MJCF; a table is imported whole, with its own");
   auto table = description::parse_table(text, from);
   Imported imported;
   const auto near = nearness_of(options.reading, length_digit_of(table));
@@ -233,14 +233,15 @@ Result import_table(const std::string& text, const std::string& from, const Opti
 Result import_xml(const std::string& text, const std::string& from, const Options& options) {
   static const std::map<std::string, std::string> others{
       {"sdf", "an SDF"},
-      {"mujocoinclude", "a part of an MJCF; give the file that includes it"},
+      {"mujocoinclude", "a part of an MJCF, which another file includes"},
       {"COLLADA", "a COLLADA mesh"},
       {"launch", "a launch file of ROS"},
       {"html", "a page of the web"}};
   const std::string first = first_element(text);
   if (first == "mujoco") return import_mjcf(text, from, options);
   if (const auto other = others.find(first); other != others.end())
-    throw description::Refused(from + ": this is " + other->second + "; URDF, MJCF and JSON tables are imported");
+    throw description::Refused(from + ": this is " + other->second +
+                               ", there is no <robot> element; give a URDF, an MJCF or a JSON table");
   return import_urdf(text, from, options);
 }
 

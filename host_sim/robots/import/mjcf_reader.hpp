@@ -15,16 +15,16 @@ namespace importer {
 struct MjcfNames {
   std::string kind;  ///< body or site; empty for the frames between joints of one body
   std::string name, joint;
-  int body = -1;       ///< number
-  int which = 0;       ///< of the body's joints
+  int body = -1;        ///< number
+  int which = 0;        ///< of the body's joints
   bool weighs = false;  ///< whether the body's mass is this link's
 };
 
 struct MjcfTree {
   SourceTree tree;
-  axial::GravityVector gravity;   ///< in axes of the root link, as the file draws it
-  std::vector<MjcfNames> names;   ///< of the tree's links
-  bool is_diagonalised = false;   ///< MuJoCo diagonalises an inertia of it
+  axial::GravityVector gravity;  ///< in axes of the root link, as the file draws it
+  std::vector<MjcfNames> names;  ///< of the tree's links
+  bool is_diagonalised = false;  ///< MuJoCo diagonalises an inertia of it
 };
 
 /// Includes are files in the folder of `from`. Throws description::Refused with file, line, element, value and remedy:

@@ -1,5 +1,6 @@
 #include <host_sim/robots/description/comment.hpp>
 #include <host_sim/robots/description/description.hpp>
+#include <host_sim/robots/description/table.hpp>
 #include <host_sim/robots/import/mujoco.hpp>
 
 #include <kdl/treefksolverpos_recursive.hpp>
@@ -89,7 +90,11 @@ class Comparison {
       const auto& joint = tree_.links[i].joint;
       if (joint.held) held.push_back({{"link", i}, {"at", joint.held_at}});
     }
-    return {{"file", fs::absolute(file).string()}, {"links", links}, {"movers", movers_}, {"held", held}, {"states", states_}};
+    return {{"file", fs::absolute(file).string()},
+            {"links", links},
+            {"movers", movers_},
+            {"held", held},
+            {"states", states_}};
   }
   EngineFigures compare(const Json& answer) {
     figures_.states = static_cast<int>(states_.size());
@@ -97,7 +102,8 @@ class Comparison {
     for (std::size_t i = 0; i < states_.size(); ++i)
       compare_state(states_[i], answer.at("states").at(i));
     compare_bodies(answer.at("bodies")), compare_joints(answer.at("joints"));
-    figures_.torque = over(figures_.torque, torque_scale_), figures_.mass_matrix = over(figures_.mass_matrix, mass_scale_);
+    figures_.torque = over(figures_.torque, torque_scale_),
+    figures_.mass_matrix = over(figures_.mass_matrix, mass_scale_);
     figures_.engine = "MuJoCo " + answer.at("version").get<std::string>();
     return figures_;
   }
@@ -108,7 +114,11 @@ class Comparison {
   const SourceJoint& joint(std::size_t k) const { return tree_.links[movers_[k]].joint; }
   Json name_of(std::size_t i) const {
     const auto& names = read_.names[i];
-    return {{"kind", names.kind}, {"name", names.name}, {"joint", names.joint}, {"body", names.body}, {"which", names.which}};
+    return {{"kind", names.kind},
+            {"name", names.name},
+            {"joint", names.joint},
+            {"body", names.body},
+            {"which", names.which}};
   }
 
   void add_state(std::mt19937& random) {
@@ -229,19 +239,26 @@ EngineFigures without(const std::string& reason) {
 
 }  // namespace
 
+std::string mujoco_questions(const std::string& file, const MjcfTree& read, unsigned seed, int states) {
+  return Comparison(read, seed, states).questions(file).dump();
+}
+
+EngineFigures compared_with_mujoco(const MjcfTree& read, unsigned seed, int states, const std::string& answer) {
+  const Json found = Json::parse(answer, nullptr, false);
+  if (found.is_discarded()) return without("its answer is none");
+  if (found.contains("refused")) return without("it refuses the file: " + found.at("refused").get<std::string>());
+  return Comparison(read, seed, states).compare(found);
+}
+
 EngineFigures ask_mujoco(const std::string& package, const std::string& file, const MjcfTree& read, unsigned seed,
                          int states) {
   if (package.empty()) return without("it is not here");
   const Scratch scratch;
-  Comparison comparison(read, seed, std::min(states, 20));
-  std::ofstream(scratch.file("questions.json")) << comparison.questions(file).dump();
+  states = std::min(states, 20);
+  std::ofstream(scratch.file("questions.json")) << mujoco_questions(file, read, seed, states);
   if (!run({"node", AXIAL_MUJOCO_SCRIPT, package, scratch.file("questions.json"), scratch.file("answer.json")}))
     return without("node did not run it");
-  std::ifstream answered(scratch.file("answer.json"));
-  const Json answer = Json::parse(answered, nullptr, false);
-  if (answer.is_discarded()) return without("its answer is none");
-  if (answer.contains("refused")) return without("it refuses the file: " + answer.at("refused").get<std::string>());
-  return comparison.compare(answer);
+  return compared_with_mujoco(read, seed, states, description::read_text(scratch.file("answer.json")));
 }
 
 }  // namespace importer

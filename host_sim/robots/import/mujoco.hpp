@@ -15,4 +15,9 @@ namespace importer {
 EngineFigures ask_mujoco(const std::string& package, const std::string& file, const MjcfTree& read, unsigned seed,
                          int states);
 
+/// What MuJoCo is asked about a file, and the figures that its answer to this gives: both as JSON. The states are those
+/// of `seed`.
+std::string mujoco_questions(const std::string& file, const MjcfTree& read, unsigned seed, int states);
+EngineFigures compared_with_mujoco(const MjcfTree& read, unsigned seed, int states, const std::string& answer);
+
 }  // namespace importer

@@ -13,7 +13,7 @@ namespace importer {
 struct WrittenLimits {
   bool positions = false;  ///< whether it has limits of position
   double lower = 0.0, upper = 0.0, speed = 0.0, effort = 0.0, damping = 0.0, friction = 0.0;
-  double backward = 0.0;  ///< friction in the other direction, > 0
+  double backward = 0.0;               ///< friction in the other direction, > 0
   double stiffness = 0.0, rest = 0.0;  ///< of a spring across the joint
 };
 

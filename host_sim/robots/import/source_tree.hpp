@@ -48,10 +48,10 @@ struct SourceJoint {
   bool has_limits = false;                                     ///< of position; left blank, as 0 and 0, they are none
   double lower = 0.0, upper = 0.0, speed = 0.0, effort = 0.0;  ///< 0: none given
   double damping = 0.0, friction = 0.0;
-  double rotor = 0.0;                    ///< kg m^2 or kg, on the joint's side
-  double stiffness = 0.0, rest = 0.0;    ///< of a spring across the joint, N m/rad or N/m; rad or m
-  std::string leader;                ///< joint that it mimics: position ratio * leader + offset; empty: none
-  double ratio = 1.0, offset = 0.0;  ///< rad or m
+  double rotor = 0.0;                  ///< kg m^2 or kg, on the joint's side
+  double stiffness = 0.0, rest = 0.0;  ///< of a spring across the joint, N m/rad or N/m; rad or m
+  std::string leader;                  ///< joint that it mimics: position ratio * leader + offset; empty: none
+  double ratio = 1.0, offset = 0.0;    ///< rad or m
 
   bool moves() const { return kind != Kind::fixed && !held; }
 };

@@ -29,8 +29,7 @@ class Builder {
                               "root");
     for (std::size_t i = 1; i < tree_.links.size(); ++i)
       result_.tree.addSegment(segment(tree_.links[i]), name(tree_.links[i].parent));
-    if (order.size() != movers_.size())
-      throw description::Refused("the joints that move are not those of the file");
+    if (order.size() != movers_.size()) throw description::Refused("the joints that move are not those of the file");
     for (const auto& joint : order)
       add_joint(*movers_.at(joint));
     result_.rotors.clear();
@@ -65,7 +64,8 @@ class Builder {
     };
     if (joint.kind == Kind::fixed) return made(still, origin);
     const auto type = joint.kind == Kind::prismatic ? KDL::Joint::TransAxis : KDL::Joint::RotAxis;
-    const KDL::Joint moves(joint.name, origin.p, origin.M * KDL::Vector(joint.axis[0], joint.axis[1], joint.axis[2]), type);
+    const KDL::Joint moves(joint.name, origin.p, origin.M * KDL::Vector(joint.axis[0], joint.axis[1], joint.axis[2]),
+                           type);
     return joint.moves() ? made(moves, origin) : made(still, moves.pose(joint.held_at) * KDL::Frame(origin.M));
   }
   void add_joint(const SourceLink& link) {

@@ -214,7 +214,8 @@ class Comparison {
       damping += ratio(i, k) * ratio(i, k) * written(i).damping, forward += std::abs(ratio(i, k)) * written(i).friction;
       backward += std::abs(ratio(i, k)) * written(i).backward;
       stiffness += ratio(i, k) * ratio(i, k) * written(i).stiffness;
-      moment += ratio(i, k) * written(i).stiffness * (written(i).rest - reference_.offsets[static_cast<std::size_t>(i)]);
+      moment +=
+          ratio(i, k) * written(i).stiffness * (written(i).rest - reference_.offsets[static_cast<std::size_t>(i)]);
     }
     const auto& p = parameters(owner);
     same(p.viscous, damping), same(p.coulomb_forward, forward), same(p.coulomb_backward, -backward);
@@ -241,11 +242,13 @@ class Comparison {
 
 bool Figures::good() const {
   return pose <= pose_bound && torque <= torque_bound && mass_matrix <= torque_bound && body <= body_bound &&
-         limits <= limits_bound && engine.good() && changed_angle <= changed_angle_bound && changed_length <= changed_length_bound;
+         limits <= limits_bound && engine.good() && changed_angle <= changed_angle_bound &&
+         changed_length <= changed_length_bound;
 }
 
 bool EngineFigures::good() const {
-  return engine.empty() || (pose <= bound && torque <= bound && mass_matrix <= bound && body <= bound && joint <= bound);
+  return engine.empty() ||
+         (pose <= bound && torque <= bound && mass_matrix <= bound && body <= bound && joint <= bound);
 }
 std::string EngineFigures::line() const {
   const auto two = [](double value) { return description::number(value, 2); };
@@ -260,11 +263,11 @@ std::vector<std::string> Figures::lines() const {
   const auto two = [](double value) { return description::number(value, 2); };
   std::vector<std::string> text{
       against + std::to_string(states) + " random states (seed " + std::to_string(seed) + "), axial::Model in double:",
-          "frames and tool within " + two(pose) + " (bound " + two(pose_bound) + "), torques within " + two(torque) +
-              " of the largest, mass matrix within " + two(mass_matrix) + " of its largest entry (bound " +
-              two(torque_bound) + "), bodies within " + two(body) + " (bound " + two(body_bound) + ")",
-          "no angle is read more than " + two(changed_angle) + " rad, no origin more than " + two(changed_length) +
-              " m from what is written"};
+      "frames and tool within " + two(pose) + " (bound " + two(pose_bound) + "), torques within " + two(torque) +
+          " of the largest, mass matrix within " + two(mass_matrix) + " of its largest entry (bound " +
+          two(torque_bound) + "), bodies within " + two(body) + " (bound " + two(body_bound) + ")",
+      "no angle is read more than " + two(changed_angle) + " rad, no origin more than " + two(changed_length) +
+          " m from what is written"};
   if (const std::string line = engine.line(); !line.empty()) text.push_back(line);
   return text;
 }

@@ -19,9 +19,9 @@ struct EngineFigures {
   double pose = 0.0;         ///< entries of rotations, and positions over the larger of reach and 1 m
   double torque = 0.0;       ///< with rotors, over the largest torque of all states
   double mass_matrix = 0.0;  ///< with rotors, over its largest entry of all states
-  double body = 0.0;    ///< mass over itself, centre in m, inertia over its trace
-  double joint = 0.0;   ///< limits, friction, rotors and springs, over the larger of themselves and 1
-  double bound = 1e-9;  ///< of each
+  double body = 0.0;         ///< mass over itself, centre in m, inertia over its trace
+  double joint = 0.0;        ///< limits, friction, rotors and springs, over the larger of themselves and 1
+  double bound = 1e-9;       ///< of each
 
   bool good() const;
   std::string line() const;

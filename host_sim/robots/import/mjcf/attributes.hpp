@@ -53,7 +53,7 @@ class Defaults {
   void add(const Element& element, const std::string& parent, bool top);
 
   struct Class {
-    std::string parent;                                            ///< empty: none
+    std::string parent;                                           ///< empty: none
     std::map<std::string, std::vector<const Element*>> elements;  ///< by kind, the last first
   };
   std::map<std::string, Class> classes_;

@@ -121,7 +121,8 @@ class Strength {
   Strength(const Attributes& actuator, const std::string& kind, const Settings& settings) : a_(actuator) {
     if (is_limited(a_, "forcelimited", "forcerange", settings)) {
       take(a_.numbers("forcerange", 2, 2), 1.0, "forcerange");
-    } else if (is_limited(a_, "ctrllimited", "ctrlrange", settings) && (kind == "motor" || (kind == "general" && is_plain()))) {
+    } else if (is_limited(a_, "ctrllimited", "ctrlrange", settings) &&
+               (kind == "motor" || (kind == "general" && is_plain()))) {
       const auto gain = a_.numbers("gainprm", 0, 10);
       take(a_.numbers("ctrlrange", 2, 2), kind == "motor" || gain.empty() ? 1.0 : gain[0], "ctrlrange");
     }
@@ -138,7 +139,8 @@ class Strength {
     const double least = std::min(std::abs(range[0]), std::abs(range[1]));
     if (range[0] < 0.0 && range[1] > 0.0) most = std::abs(gain) * least;
     if (range[0] != -range[1])
-      note = of + " is '" + a_.word(of, "") + "': " + (most > 0.0 ? "the smaller side is the limit of both" : "one-sided, no limit is taken");
+      note = of + " is '" + a_.word(of, "") +
+             "': " + (most > 0.0 ? "the smaller side is the limit of both" : "one-sided, no limit is taken");
   }
 
   const Attributes& a_;
@@ -196,7 +198,8 @@ class Efforts {
     }
     for (const char* more : {"armature", "damping"})
       if (a.number(more, 0.0) != 0.0)
-        a.refuse(std::string(more) + " is '" + a.word(more, "") + "' at the actuator", "give it to the joint, by gear^2");
+        a.refuse(std::string(more) + " is '" + a.word(more, "") + "' at the actuator",
+                 "give it to the joint, by gear^2");
     drive(a, name, pulls, Strength(a, element.name, model_.settings));
   }
   void drive(const Attributes& a, const std::string& name, const std::vector<Pull>& pulls, const Strength& strength) {

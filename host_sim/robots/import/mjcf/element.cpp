@@ -66,7 +66,8 @@ class Reader {
     const fs::path folder = fs::weakly_canonical(folder_.empty() ? fs::path(".") : folder_, error);
     const fs::path there = fs::weakly_canonical(path, error), relative = there.lexically_relative(folder);
     if (error || fs::path(name).is_absolute() || relative.empty() || *relative.begin() == "..")
-      refuse(place, "file '" + harmless(name) + "' is outside of the folder", "put it beside the file that includes it");
+      refuse(place, "file '" + harmless(name) + "' is outside of the folder",
+             "put it beside the file that includes it");
     if (!fs::is_regular_file(there, error))
       refuse(place, "file '" + harmless(name) + "' is not there", "put it beside the file, or take <include> out");
   }

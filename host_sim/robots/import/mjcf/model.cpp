@@ -36,10 +36,10 @@ class Reader {
 
  private:
   void check_sections() {
-    static const std::set<std::string> read{"compiler", "option", "default", "worldbody", "equality", "tendon",
-                                            "actuator"},
-        passed{"size", "visual", "statistic", "asset", "contact", "deformable", "sensor", "keyframe", "custom",
-               "extension"};
+    static const std::set<std::string> read{"compiler", "option", "default", "worldbody",
+                                            "equality", "tendon", "actuator"},
+        passed{"size",       "visual", "statistic", "asset",  "contact",
+               "deformable", "sensor", "keyframe",  "custom", "extension"};
     std::set<std::string> found;
     for (const auto& section : m_.root.children) {
       const Attributes a({&section});

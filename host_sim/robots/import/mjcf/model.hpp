@@ -18,7 +18,7 @@ struct JointNode {
   Attributes attributes;
   std::string name;
   bool named = false;
-  std::string type;  ///< hinge, slide, ball
+  std::string type;                                        ///< hinge, slide, ball
   Vector axis = Vector::UnitZ(), anchor = Vector::Zero();  ///< in the body's frame
   double zero = 0.0;                                       ///< rad or m: its position as the file draws it
   bool limited = false;
@@ -52,8 +52,8 @@ struct Model {
   Element root;  ///< what all attributes point into
   Settings settings;
   std::optional<Defaults> defaults;
-  std::vector<BodyNode> bodies;  ///< in MuJoCo's order: parents first, as they stand
-  std::vector<std::vector<int>> children;          ///< of each body
+  std::vector<BodyNode> bodies;            ///< in MuJoCo's order: parents first, as they stand
+  std::vector<std::vector<int>> children;  ///< of each body
   std::map<std::string, int> body_of_name, body_of_site;
   std::map<std::string, std::pair<int, std::size_t>> joint_of_name;  ///< body, and which of its joints
   std::map<std::string, const Element*> tendon_of_name;

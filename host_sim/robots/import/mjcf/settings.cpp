@@ -36,8 +36,9 @@ void read_option(const Element& element, Settings& s) {
   if (const auto g = a.numbers("gravity", 3, 3); !g.empty()) s.gravity = g;
   for (const char* medium : {"density", "viscosity"})
     if (a.number(medium, 0.0) != 0.0)
-      a.refuse(std::string(medium) + " is " + a.word(medium, "") + ": bodies are dragged and carried by what they move in",
-               "set it to 0; axial has water, by hand: .added_mass(), .buoyancy(), .drag_linear()");
+      a.refuse(
+          std::string(medium) + " is " + a.word(medium, "") + ": bodies are dragged and carried by what they move in",
+          "set it to 0; axial has water, by hand: .added_mass(), .buoyancy(), .drag_linear()");
   for (const auto& child : element.children) {
     if (child.name != "flag") continue;
     const Attributes flags({&child});
@@ -53,9 +54,7 @@ Matrix about(char axis, Real angle) {
   const Vector unit = axis == 'x' ? Vector::UnitX() : axis == 'y' ? Vector::UnitY() : Vector::UnitZ();
   return Eigen::AngleAxis<Real>(angle, unit).toRotationMatrix();
 }
-Vector vector(const std::vector<double>& v, std::size_t first = 0) {
-  return {v[first], v[first + 1], v[first + 2]};
-}
+Vector vector(const std::vector<double>& v, std::size_t first = 0) { return {v[first], v[first + 1], v[first + 2]}; }
 Vector unit(const Attributes& a, const std::string& what, const Vector& v) {
   if (!(v.norm() > 1e-9L && v.norm() < 1e9L)) a.refuse(what + " has no direction", "give one that is not 0");
   return v.normalized();
@@ -95,8 +94,7 @@ Matrix rotation_of(const Attributes& a, const Settings& settings) {
   if (kind.empty()) return Matrix::Identity();
   const auto v = a.numbers(kind, 4, 4);
   Eigen::Quaternion<Real> q(v[0], v[1], v[2], v[3]);
-  if (!(q.norm() > 1e-9L && q.norm() < 1e9L))
-    a.refuse("quat is '" + a.word(kind, "") + "'", "give w x y z, not all 0");
+  if (!(q.norm() > 1e-9L && q.norm() < 1e9L)) a.refuse("quat is '" + a.word(kind, "") + "'", "give w x y z, not all 0");
   return q.normalized().toRotationMatrix();
 }
 

@@ -95,8 +95,8 @@ Eigen::SelfAdjointEigenSolver<Matrix> principal(const Body& body) {
 }  // namespace
 
 std::optional<Body> body_of_geom(const Attributes& geom, const Settings& settings) {
-  const std::string type = geom.one_of(
-      "type", {"sphere", "capsule", "ellipsoid", "cylinder", "box", "plane", "hfield", "mesh", "sdf"});
+  const std::string type =
+      geom.one_of("type", {"sphere", "capsule", "ellipsoid", "cylinder", "box", "plane", "hfield", "mesh", "sdf"});
   const double group = geom.number("group", 0.0), mass = geom.number("mass", -1.0);
   if (type == "plane" || type == "hfield" || group < settings.first_group || group > settings.last_group || mass == 0.0)
     return std::nullopt;
@@ -112,8 +112,7 @@ std::optional<Body> body_of_geom(const Attributes& geom, const Settings& setting
   const Pose pose = pose_of(geom, settings, half_length);
   const Shape shape = shape_of(geom, type, half_length);
   const Real kg = mass > 0.0 ? Real(mass) : density * shape.content;
-  return Body{kg, pose.position,
-              pose.rotation * Matrix((kg * shape.moments).asDiagonal()) * pose.rotation.transpose()};
+  return Body{kg, pose.position, pose.rotation * Matrix((kg * shape.moments).asDiagonal()) * pose.rotation.transpose()};
 }
 
 Body body_of_inertial(const Attributes& inertial, const Settings& settings) {
@@ -126,22 +125,21 @@ Body body_of_inertial(const Attributes& inertial, const Settings& settings) {
   if (!full.empty() && !inertial.only_one({"quat", "axisangle", "euler", "xyaxes", "zaxis"}).empty())
     inertial.refuse("fullinertia and an orientation are given", "fullinertia is in axes of the body: keep one");
   Body body{inertial.number("mass", 0.0), pose.position, Matrix::Zero()};
-  if (!full.empty())
-    body.inertia << full[0], full[3], full[4], full[3], full[1], full[5], full[4], full[5], full[2];
+  if (!full.empty()) body.inertia << full[0], full[3], full[4], full[3], full[1], full[5], full[4], full[5], full[2];
   if (!diagonal.empty())
-    body.inertia = pose.rotation * Matrix(Vector(diagonal[0], diagonal[1], diagonal[2]).asDiagonal()) *
-                   pose.rotation.transpose();
+    body.inertia =
+        pose.rotation * Matrix(Vector(diagonal[0], diagonal[1], diagonal[2]).asDiagonal()) * pose.rotation.transpose();
   return body;
 }
 
 Body bounded(const Body& body, const Settings& settings) {
   Body result = body;
-  result.mass = std::max(result.mass, Real(settings.least_mass));
+  if (settings.least_mass > 0.0) result.mass = std::max(result.mass, Real(settings.least_mass));
   if (settings.least_moment <= 0.0 && !settings.balance) return result;
   const auto solver = principal(body);
-  Vector moments = solver.eigenvalues().cwiseMax(Real(settings.least_moment));
-  if (settings.balance && moments[0] + moments[1] < moments[2] - 1e-14L)
-    moments = Vector::Constant(moments.mean());
+  Vector moments = solver.eigenvalues();
+  if (settings.least_moment > 0.0) moments = moments.cwiseMax(Real(settings.least_moment));
+  if (settings.balance && moments[0] + moments[1] < moments[2] - 1e-14L) moments = Vector::Constant(moments.mean());
   result.inertia = solver.eigenvectors() * Matrix(moments.asDiagonal()) * solver.eigenvectors().transpose();
   return result;
 }

@@ -30,7 +30,9 @@ class Choice {
     if (!options.tip.empty()) find_tip(options.tip);
     root = options.root.empty() ? default_root() : body_named(options.root, "--root");
     for (int at = tip; has_tip() && at != root; at = node(at).parent) {
-      if (at <= 0) throw Refused(from + ": '" + options.tip + "' does not hang on '" + node(root).name + "'; choose another --root");
+      if (at <= 0)
+        throw Refused(from + ": '" + options.tip + "' does not hang on '" + node(root).name +
+                      "'; choose another --root");
       path.insert(at);
     }
   }
@@ -95,7 +97,8 @@ class Cut {
   Cut(const Model& model, const std::string& from, const ReadingOptions& options)
       : m_(model), options_(options), choice_(model, from, options), laws_(laws_of(model)) {
     auto& tree = result_.tree;
-    tree.name = m_.name.empty() ? "robot" : m_.name, tree.notes = m_.notes, tree.warnings = m_.warnings, tree.length_digit = m_.length_digit;
+    tree.name = m_.name.empty() ? "robot" : m_.name, tree.notes = m_.notes, tree.warnings = m_.warnings,
+    tree.length_digit = m_.length_digit;
     frames_.assign(m_.bodies.size(), -1);
     scale_ = scale();
     add_root();
@@ -164,9 +167,9 @@ class Cut {
       const auto& joint = body.joints[k];
       const bool last = k + 1 == body.joints.size(), here = last && joint.anchor.norm() == 0.0L;
       const std::string name = last ? body.name : body.name + " before " + body.joints[k + 1].name;
-      parent = add_link(name, parent, source_joint(joint, pose * moved(joint.anchor), on_path),
-                        {here ? "body" : "", body.named ? body.name : "", joint.named ? joint.name : "", i,
-                         static_cast<int>(k)});
+      parent = add_link(
+          name, parent, source_joint(joint, pose * moved(joint.anchor), on_path),
+          {here ? "body" : "", body.named ? body.name : "", joint.named ? joint.name : "", i, static_cast<int>(k)});
       owners_.push_back(last ? i : -1);
       pose = moved(-joint.anchor);
     }
@@ -243,8 +246,9 @@ class Cut {
       result.held = true, result.held_at = joint.zero, held_.push_back(joint.name);
       if (joint.limited) result.held_at = std::clamp(joint.zero, joint.lower, joint.upper);
     } else if (law != laws_.end() && !law->second.problem.empty()) {
-      law->second.written.refuse(law->second.problem, "axial has joints that follow others linearly; take it out for a "
-                                                      "drive of its own, or choose a --tip beside which it is held");
+      law->second.written.refuse(law->second.problem,
+                                 "axial has joints that follow others linearly; take it out for a "
+                                 "drive of its own, or choose a --tip beside which it is held");
     } else if (law != laws_.end() && (law->second.leader.empty() || options_.hold_mimic)) {
       result.held = true, result.held_at = law->second.offset, fixed_.push_back(joint.name);
     } else if (law != laws_.end()) {
@@ -261,7 +265,8 @@ class Cut {
       const auto* at = link.parent >= 0 && link.joint.moves() ? &link.joint : nullptr;
       for (std::size_t steps = 0; at != nullptr && !at->leader.empty(); ++steps) {
         const auto& written = laws_.at(at->name).written;
-        if (steps > links().size()) written.refuse("joint '" + at->name + "' follows itself, by way of others", "one of them has a drive");
+        if (steps > links().size())
+          written.refuse("joint '" + at->name + "' follows itself, by way of others", "one of them has a drive");
         const auto* leader = mover(at->leader);
         if (leader == nullptr)
           written.refuse("joint '" + at->name + "' follows '" + at->leader + "', which does not move here",
@@ -309,7 +314,8 @@ class Cut {
       if (options_.root.empty())
         throw Refused(std::string(refused.what()) + "; or give --root '" + root + "', a base that stands still then");
       result_.tree.floating = false;
-      result_.tree.notes.push_back("body '" + body.name + "' of the base has its mass by a mesh: the base stands still");
+      result_.tree.notes.push_back("body '" + body.name +
+                                   "' of the base has its mass by a mesh: the base stands still");
       return false;
     }
   }
@@ -334,11 +340,15 @@ class Cut {
       notes.push_back("joint '" + node(choice_.root).free_joint + "' is free: body '" + node(choice_.root).name +
                       "' is the base, fixed unless a scene names FloatingBase");
     if (!held_.empty())
-      notes.push_back("joints beside the chain are held where the file draws them (or at their nearest limit), their "
-                      "bodies carried along: " + listed(held_));
-    if (!fixed_.empty()) notes.push_back("joints that an equality holds, their bodies carried along: " + listed(fixed_));
+      notes.push_back(
+          "joints beside the chain are held where the file draws them (or at their nearest limit), their "
+          "bodies carried along: " +
+          listed(held_));
+    if (!fixed_.empty())
+      notes.push_back("joints that an equality holds, their bodies carried along: " + listed(fixed_));
     if (!left_.empty()) notes.push_back("bodies that float beside are left out: " + listed(left_));
-    if (scale_ != 1.0) notes.push_back("all masses and inertias times " + description::number(scale_, 6) + " (settotalmass)");
+    if (scale_ != 1.0)
+      notes.push_back("all masses and inertias times " + description::number(scale_, 6) + " (settotalmass)");
   }
 
   const Model& m_;
