@@ -1,7 +1,7 @@
 // MJCF: what MuJoCo makes of two made-up files, and what each element means, by hand.
 #include <host_sim/robots/description/table.hpp>
 #include <host_sim/robots/import/importer.hpp>
-#include <host_sim/robots/import/mujoco.hpp>
+#include <host_sim/robots/import/mjcf/mujoco.hpp>
 
 #include <axial/axial.hpp>
 

@@ -2,11 +2,11 @@
 #include <host_sim/robots/description/table.hpp>
 #include <host_sim/robots/import/couplings.hpp>
 #include <host_sim/robots/import/importer.hpp>
-#include <host_sim/robots/import/mujoco.hpp>
+#include <host_sim/robots/import/mjcf/mujoco.hpp>
 #include <host_sim/robots/import/right_angles.hpp>
 #include <host_sim/robots/import/to_mdh.hpp>
-#include <host_sim/robots/import/urdf_reader.hpp>
-#include <host_sim/robots/import/urdf_text.hpp>
+#include <host_sim/robots/import/urdf/urdf_reader.hpp>
+#include <host_sim/robots/import/urdf/urdf_text.hpp>
 #include <host_sim/robots/import/xml_text.hpp>
 
 #include <axial/robot/classical.hpp>

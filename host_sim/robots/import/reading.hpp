@@ -15,6 +15,8 @@ struct ReadingOptions {
 };
 
 /// What is near, in a file whose origins have this last digit.
-Nearness nearness_of(const ReadingOptions& options, double length_digit);
+inline Nearness nearness_of(const ReadingOptions& options, double length_digit) {
+  return {options.right_angles, options.snap, length_digit};
+}
 
 }  // namespace importer

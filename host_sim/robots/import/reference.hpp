@@ -1,7 +1,7 @@
 // Orocos KDL, built from the source itself: from no MDH rows, and from a URDF by another reader than theirs.
 #pragma once
 
-#include <host_sim/robots/import/urdf_reader.hpp>
+#include <host_sim/robots/import/urdf/urdf_reader.hpp>
 
 #include <kdl/tree.hpp>
 

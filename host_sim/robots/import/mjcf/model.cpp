@@ -1,7 +1,7 @@
 #include <host_sim/robots/description/description.hpp>
 #include <host_sim/robots/import/mjcf/model.hpp>
 #include <host_sim/robots/import/mjcf/shapes.hpp>
-#include <host_sim/robots/import/urdf_text.hpp>
+#include <host_sim/robots/import/right_angles.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include <host_sim/robots/import/mjcf/couplings.hpp>
-#include <host_sim/robots/import/mjcf_reader.hpp>
+#include <host_sim/robots/import/mjcf/mjcf_reader.hpp>
 
 #include <host_sim/robots/description/description.hpp>
 #include <host_sim/robots/description/numbers.hpp>

@@ -1,7 +1,7 @@
 // MuJoCo itself, asked about an MJCF: its WebAssembly module (npm's mujoco-js) in node.
 #pragma once
 
-#include <host_sim/robots/import/mjcf_reader.hpp>
+#include <host_sim/robots/import/mjcf/mjcf_reader.hpp>
 #include <host_sim/robots/import/verification.hpp>
 
 #include <string>

@@ -1,7 +1,7 @@
 #include <host_sim/robots/description/comment.hpp>
 #include <host_sim/robots/description/description.hpp>
 #include <host_sim/robots/description/table.hpp>
-#include <host_sim/robots/import/mujoco.hpp>
+#include <host_sim/robots/import/mjcf/mujoco.hpp>
 
 #include <kdl/treefksolverpos_recursive.hpp>
 #include <kdl/treeidsolver_recursive_newton_euler.hpp>

@@ -2,9 +2,9 @@
 #include <host_sim/robots/description/description.hpp>
 #include <host_sim/robots/description/numbers.hpp>
 #include <host_sim/robots/import/right_angles.hpp>
-#include <host_sim/robots/import/transmissions.hpp>
-#include <host_sim/robots/import/urdf_reader.hpp>
-#include <host_sim/robots/import/urdf_text.hpp>
+#include <host_sim/robots/import/urdf/transmissions.hpp>
+#include <host_sim/robots/import/urdf/urdf_reader.hpp>
+#include <host_sim/robots/import/urdf/urdf_text.hpp>
 
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
@@ -241,10 +241,6 @@ class Reader {
 };
 
 }  // namespace
-
-Nearness nearness_of(const ReadingOptions& options, double length_digit) {
-  return {options.right_angles, options.snap, length_digit};
-}
 
 SourceTree read_urdf(const std::string& text, const std::string& from, const ReadingOptions& options) {
   check_urdf_text(text, from);
