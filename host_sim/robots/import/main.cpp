@@ -31,6 +31,13 @@ nlohmann::json changes(const importer::Imported& imported) {
   return list;
 }
 
+nlohmann::json engine(const importer::EngineFigures& figures) {
+  if (figures.engine.empty()) return {{"name", ""}, {"why_not", figures.why_not}};
+  return {{"name", figures.engine}, {"states", figures.states}, {"bound", figures.bound},
+          {"pose", figures.pose},   {"torque", figures.torque}, {"mass_matrix", figures.mass_matrix},
+          {"body", figures.body},   {"joint", figures.joint}};
+}
+
 nlohmann::json to_json(const importer::Result& result, const std::string& header) {
   const auto& robot = result.imported.robot;
   const auto& figures = result.figures;
@@ -54,6 +61,7 @@ nlohmann::json to_json(const importer::Result& result, const std::string& header
           {"torque_error", figures.torque},
           {"mass_matrix_error", figures.mass_matrix},
           {"body_error", figures.body},
+          {"engine", engine(figures.engine)},
           {"changes", changes(result.imported)},
           {"within_bounds", figures.good()}};
 }
@@ -109,7 +117,7 @@ int import_robot(Arguments& arguments) {
 int main(int count, char** given) {
   Arguments arguments;
   auto& options = arguments.options;
-  host_sim::CommandLine line("a URDF or a Denavit-Hartenberg table as a verified header", "import");
+  host_sim::CommandLine line("a URDF, an MJCF or a Denavit-Hartenberg table as a verified header", "import");
   line.option("file", arguments.file, "URDF, MJCF, or JSON table").required();
   line.option("--engine", options.engine, "folder of the npm package mujoco-js, to ask MuJoCo about an MJCF");
   line.option("--root", options.reading.root, "link to start from; default: the URDF's root");
