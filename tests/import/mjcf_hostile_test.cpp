@@ -78,6 +78,7 @@ constexpr Broken mjcfs[] = {
     {"type=\"capsule\"", "type=\"mesh\" mesh=\"rod\"",
      "line 12: geom 'rod': its mass and inertia are those of mesh 'rod', which is not computed here; give the body an "
      "<inertial>"},
+    {"<joint name=\"elbow\"", "<frame><inertial/></frame><joint name=\"elbow\"", "inertial: stands in a frame"},
     {"type=\"capsule\"", "type=\"cone\"", "geom 'rod': type is 'cone'"},
     {"fromto=\"0 0 0 0.2 0 0\"", "", "size is '0.02', and a capsule has 2 numbers"},
     {"fromto=\"0 0 0 0.2 0 0\"", "fromto=\"0 0 0 0 0 0\"", "fromto has no direction"},

@@ -186,6 +186,20 @@ TEST(Mjcf, OrientationsAreThoseOfTheReference) {
   expect_near(x_axis_of("zaxis='0 0 -1'"), {1.0, 0.0, 0.0});
 }
 
+// As in MuJoCo: a class's angles stand in front of a quaternion of the element itself.
+TEST(Mjcf, AQuaternionGivesWayToAnyOtherOrientation) {
+  const auto inertia = [](const std::string& own) {
+    return link(read("<mujoco><default><geom type='box' size='0.1 0.2 0.3' euler='90 0 0'/></default><worldbody>"
+                     "<body name='b'><joint/><geom mass='3' " +
+                     own + "/></body></worldbody></mujoco>"),
+                "b")
+        .inertia;
+  };
+  EXPECT_NEAR(inertia("")[1], 0.01 + 0.04, tight);  // z becomes y
+  EXPECT_NEAR(inertia("quat='1 0 0 0'")[1], 0.01 + 0.04, tight);
+  EXPECT_NEAR(inertia("axisangle='0 0 1 90'")[1], 0.04 + 0.09, tight);
+}
+
 TEST(Mjcf, TheNearestClassGivesWhatAnElementDoesNot) {
   const auto found = read(
       "<mujoco><default><joint damping='1' armature='5'/><default class='a'><joint damping='2' frictionloss='0.5'/>"

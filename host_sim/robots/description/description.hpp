@@ -104,6 +104,7 @@ Description from_robot() {
   robot.gravity = R::chain.gravity, robot.base = R::chain.base.pose, robot.tool = R::chain.tool.pose;
   robot.payload_limit = R::chain.payload_limit, robot.tip_wrench_limit = R::chain.tip_wrench_limit;
   robot.tool_limit = R::chain.tool_limit;
+  if (R::chain.has_base_body) robot.base_body = R::chain.base_body;
   return robot;
 }
 

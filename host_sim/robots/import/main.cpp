@@ -96,6 +96,10 @@ int import_robot(Arguments& arguments) {
   print(result);
   const std::string output = arguments.output.empty() ? description::plain_name(robot) + ".hpp" : arguments.output;
   if (!arguments.json.empty()) write_json(arguments.json, to_json(result, output));
+  if (!result.figures.engine.good())
+    throw description::Refused(arguments.file +
+                               ": not written: MuJoCo understands the file otherwise, as the figures above say; "
+                               "import what it makes of it: load the file there and save it (mj_saveLastXML)");
   if (!result.figures.good())
     throw description::Refused(arguments.file +
                                ": not written: the figures above miss their bounds; axes that are almost "

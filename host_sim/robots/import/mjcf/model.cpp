@@ -69,6 +69,8 @@ class Reader {
   void read_frame(const Element& element, int body, const Pose& frame, const std::string& childclass) {
     const Attributes a({&element});
     a.allow("childclass pos quat axisangle euler xyaxes zaxis");
+    for (const auto& child : element.children)
+      if (child.name == "inertial") Attributes({&child}).refuse("stands in a frame", "put it into the body itself");
     read_children(element, body, frame * pose_of(a, m_.settings), class_of(element, childclass));
   }
   std::string class_of(const Element& element, const std::string& childclass) const {

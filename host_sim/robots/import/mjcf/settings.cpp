@@ -83,7 +83,10 @@ Matrix frame_of_axes(const Attributes& a, const std::vector<double>& v) {
   return result;
 }
 Matrix rotation_of(const Attributes& a, const Settings& settings) {
-  const std::string kind = a.only_one({"quat", "axisangle", "euler", "xyaxes", "zaxis"});
+  // A quaternion gives way to any other that is there, be it a class's: as in MuJoCo.
+  a.only_one({"quat", "axisangle", "euler", "xyaxes", "zaxis"});
+  std::string kind = a.only_one({"axisangle", "euler", "xyaxes", "zaxis"});
+  if (kind.empty() && a.has("quat")) kind = "quat";
   if (kind == "euler") return euler(a.numbers(kind, 3, 3), settings);
   if (kind == "xyaxes") return frame_of_axes(a, a.numbers(kind, 6, 6));
   if (kind == "zaxis") return from_z(unit(a, kind, vector(a.numbers(kind, 3, 3))));
