@@ -340,11 +340,11 @@ TEST(Mjcf, AFixedTendonThatIsHeldIsACoupling) {
 }
 TEST(Mjcf, ATendonsActuatorIsThatOfTheOneDriveBehindIt) {
   const std::string tendon =
-      "<tendon><fixed name='t'><joint joint='a' coef='2'/><joint joint='b' coef='-4'/></fixed></tendon>"
+      "<tendon><fixed name='t'><joint joint='a' coef='3'/><joint joint='b' coef='-4'/></fixed></tendon>"
       "<actuator><motor name='m' tendon='t' ctrlrange='-3 3'/></actuator>";
   const auto coupled =
       read(two_joints + tendon + "<equality><joint joint1='b' joint2='a' polycoef='0 -0.5'/></equality></mujoco>");
-  EXPECT_NEAR(joint(coupled, "a").effort, 3.0 * (2.0 + 0.5 * 4.0), tight);
+  EXPECT_NEAR(joint(coupled, "a").effort, 3.0 * (3.0 + 0.5 * 4.0), tight);
   const auto loose = read(two_joints + tendon + "</mujoco>");
   EXPECT_EQ(joint(loose, "a").effort, 0.0);
   EXPECT_TRUE(says(said(loose), "actuator 'm' pulls joints 'a', 'b' by one tendon"));
