@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 
@@ -24,14 +24,14 @@ std::string changed(std::string text, const Broken& broken) {
   return text.replace(at, std::string(broken.find).size(), broken.by);
 }
 std::string message_of(const std::string& text, const std::string& from = "arm.xml", const Options& options = {}) {
-  const auto begin = std::chrono::steady_clock::now();
+  const auto begin = std::clock();  // of the processor: the machine may be busy
   std::string message;
   try {
     importer::import_text(text, from, options);
   } catch (const description::Refused& refused) {
     message = refused.what();
   }
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1)) << message;
+  EXPECT_LT(std::clock() - begin, CLOCKS_PER_SEC) << message;
   return message;
 }
 void expect_says(const std::string& message, const std::string& says) {

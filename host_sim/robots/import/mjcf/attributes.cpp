@@ -44,7 +44,7 @@ std::string Attributes::word(const std::string& name, const std::string& otherwi
   return element != nullptr ? *element->find(name) : otherwise;
 }
 std::string Attributes::one_of(const std::string& name, const std::vector<std::string>& words) const {
-  const std::string given = word(name, words[0]);
+  std::string given = word(name, words[0]);
   if (std::find(words.begin(), words.end(), given) == words.end())
     refuse(name + " is '" + given + "'", "give one of " + listed(words));
   return given;

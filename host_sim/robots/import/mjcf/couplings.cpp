@@ -1,5 +1,4 @@
 #include <host_sim/robots/description/description.hpp>
-#include <host_sim/robots/description/numbers.hpp>
 #include <host_sim/robots/import/mjcf/couplings.hpp>
 
 #include <algorithm>
@@ -8,8 +7,6 @@
 
 namespace importer::mjcf {
 namespace {
-
-using description::number;
 
 /// Each element of a kind in a section.
 template <class Visit>

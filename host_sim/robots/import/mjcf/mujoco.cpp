@@ -50,6 +50,7 @@ class Scratch {
 /// Whether a program ended well, in a minute.
 bool run(std::vector<std::string> words) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (auto& word : words)
     arguments.push_back(word.data());
   arguments.push_back(nullptr);
