@@ -368,6 +368,23 @@ TEST(Mjcf, ASiteIsATool) {
   EXPECT_EQ(result.imported.robot.size(), 5);  // the rod beside the chain is held
 }
 
+// What is near a right angle is one, which is said and measured; or it is read as it is written.
+TEST(Mjcf, AngularNoiseIsSettled) {
+  const std::string text =
+      "<mujoco><worldbody><body name='a'><joint name='j'/><geom size='0.1'/><body name='b' pos='0 0 0.3' "
+      "quat='0.707105 0.707108 0 0'><joint name='k'/><geom size='0.1' pos='0.2 0 "
+      "0'/></body></body></worldbody></mujoco>";
+  const auto settled = imported(text);
+  EXPECT_TRUE(settled.figures.good());
+  EXPECT_EQ(std::abs(settled.imported.robot.links[1].parameters.alpha.radians), pi / 2.0);
+  EXPECT_NEAR(settled.figures.changed_angle, 2.0 * (std::atan2(0.707108, 0.707105) - pi / 4.0), 1e-12);
+  Options as_written;
+  as_written.reading.right_angles = 0.0;
+  const auto written = imported(text, as_written);
+  EXPECT_NE(std::abs(written.imported.robot.links[1].parameters.alpha.radians), pi / 2.0);
+  EXPECT_EQ(written.figures.changed_angle, 0.0);
+}
+
 TEST(Mjcf, RootsTurnGravity) {
   importer::ReadingOptions options;
   options.root = "r";
