@@ -1,4 +1,4 @@
-// A small sound arm in both formats: what broken ones and fuzzed ones are made of.
+// A small sound arm in each format: what broken ones and fuzzed ones are made of.
 #pragma once
 
 namespace arms {
@@ -38,6 +38,30 @@ constexpr const char* table = R"({"name": "arm", "source": "a test", "convention
     {"name": "fore", "type": "prismatic", "parent": "upper", "a": 0.25, "alpha_deg": -90, "theta": 0.4, "mass": 1.5,
      "inertia_origin": [0.1, 0.2, 0.2, 0.01, 0, 0], "position_limits": [0, 0.3], "rotor_inertia": 1e-5, "gear": 50}
   ]}
+)";
+
+constexpr const char* mjcf = R"(<mujoco model="arm">
+  <compiler angle="radian" autolimits="true"/>
+  <option gravity="0 0 -9.81"/>
+  <default><default class="link"><joint damping="0.3" armature="0.01"/><geom density="500"/></default></default>
+  <worldbody>
+    <body name="upper" pos="0 0 0.3" childclass="link">
+      <joint name="shoulder" axis="0 0 1" range="-1.5 1.25" frictionloss="0.2"/>
+      <inertial pos="0.1 0.02 0" mass="2.5" fullinertia="0.011 0.022 0.023 0.001 0 0"/>
+      <frame pos="0.2 0 0" euler="0 0.1 0">
+        <body name="fore" pos="0.05 0 0.1" quat="0.7 0.7 0.1 0">
+          <joint name="elbow" type="slide" axis="0 1 1" range="0 0.3" stiffness="2" springref="0.1"/>
+          <geom name="rod" type="capsule" fromto="0 0 0 0.2 0 0" size="0.02"/>
+          <body name="hand" pos="0.2 0 0"><joint name="wrist" axis="1 0 0"/><geom size="0.03" mass="0.5"/>
+            <site name="tool0" pos="0.05 0 0"/></body>
+        </body>
+      </frame>
+    </body>
+  </worldbody>
+  <tendon><fixed name="pull"><joint joint="elbow" coef="1"/></fixed></tendon>
+  <equality><joint name="law" joint1="wrist" joint2="shoulder" polycoef="0.1 0.5"/></equality>
+  <actuator><motor name="m" joint="shoulder" ctrlrange="-1 1" gear="10"/><motor tendon="pull" forcerange="-20 20"/></actuator>
+</mujoco>
 )";
 
 }  // namespace arms

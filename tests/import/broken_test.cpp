@@ -176,14 +176,14 @@ TEST(Broken, TooManyJoints) {
 
 TEST(Broken, RootsAndTipsThatAreNotThere) {
   Options options;
-  options.urdf.tip = "tool1";
+  options.reading.tip = "tool1";
   expect_says(message_of(arms::urdf, options), "--tip: there is no link 'tool1'; links at the ends are tool0");
-  options.urdf = {};
-  options.urdf.root = "ground";
+  options.reading = {};
+  options.reading.root = "ground";
   expect_says(message_of(arms::urdf, options), "--root: there is no link 'ground'");
-  options.urdf.root = "fore", options.urdf.tip = "upper";
+  options.reading.root = "fore", options.reading.tip = "upper";
   expect_says(message_of(arms::urdf, options), "link 'upper' does not hang on 'fore'");
-  options.urdf.root = "fore", options.urdf.tip = "tool0";
+  options.reading.root = "fore", options.reading.tip = "tool0";
   expect_says(message_of(arms::urdf, options), "no joint that moves");
 }
 

@@ -23,7 +23,7 @@ nlohmann::json catalogue() { return nlohmann::json::parse(description::read_text
 
 Options options_of(const nlohmann::json& entry) {
   Options options;
-  options.urdf.root = entry.value("root", ""), options.urdf.tip = entry.value("tip", "");
+  options.reading.root = entry.value("root", ""), options.reading.tip = entry.value("tip", "");
   options.as_published = entry.value("as_published", false);
   options.states = 20;
   return options;
@@ -97,7 +97,7 @@ TEST(Urdf, MergedInertiaIsTheParallelAxisTheorems) {
 
 TEST(Urdf, ChainsHoldTheJointsBesideThem) {
   Options options;
-  options.urdf.tip = "upper";
+  options.reading.tip = "upper";
   const auto imported = import_text(arms::urdf, "arm.urdf", options).imported;
   ASSERT_EQ(imported.robot.size(), 1);
   EXPECT_DOUBLE_EQ(imported.robot.links[0].parameters.mass, 4.5);  // carries fore and tool0 rigidly
@@ -110,7 +110,7 @@ TEST(Urdf, MimicJointsAreHeldWhereAsked) {
   const std::string axis = "<axis xyz=\"0 1 1\"/>";
   text.replace(text.find(axis), axis.size(), axis + "<mimic joint=\"shoulder\" multiplier=\"2\" offset=\"0.25\"/>");
   Options options;
-  options.urdf.hold_mimic = true;
+  options.reading.hold_mimic = true;
   const auto result = import_text(text, "arm.urdf", options);  // its KDL holds the elbow where the offset says
   EXPECT_TRUE(result.figures.good());
   const auto& robot = result.imported.robot;
@@ -172,7 +172,7 @@ TEST(Urdf, RightAnglesAreReadFromFewDigits) {
   const auto robot = import_text(text, "arm.urdf", {}).imported.robot;
   EXPECT_EQ(robot.links[1].parameters.alpha.sin, 0.0);  // two axes along the vertical
   Options as_written;
-  as_written.urdf.right_angles = 0.0;
+  as_written.reading.right_angles = 0.0;
   EXPECT_NE(import_text(text, "arm.urdf", as_written).imported.robot.links[1].parameters.alpha.sin, 0.0);
 }
 

@@ -99,9 +99,9 @@ void try_import(const std::string& text) {
 }
 
 template <class Change>
-void fuzz(const char* text, Change change) {
+void fuzz(const char* text, Change change, int times = rounds()) {
   constexpr auto longest = std::chrono::seconds(5);  // a file of this size takes a millisecond
-  for (int i = 0; i < rounds(); ++i) {
+  for (int i = 0; i < times; ++i) {
     Mutator mutator(seed + static_cast<unsigned>(i));
     const std::string broken = change(mutator, text);
     const auto begin = std::chrono::steady_clock::now();
@@ -116,6 +116,15 @@ TEST(Fuzz, BytesOfUrdfs) {
 }
 TEST(Fuzz, ValuesOfUrdfs) {
   fuzz(arms::urdf, [](Mutator& m, const std::string& text) { return m.values(text); });
+}
+// Most of these are imported, which takes longer than a refusal.
+TEST(Fuzz, BytesOfMjcfs) {
+  fuzz(
+      arms::mjcf, [](Mutator& m, const std::string& text) { return m.bytes(text); }, rounds() / 3);
+}
+TEST(Fuzz, ValuesOfMjcfs) {
+  fuzz(
+      arms::mjcf, [](Mutator& m, const std::string& text) { return m.values(text); }, rounds() / 3);
 }
 TEST(Fuzz, BytesOfTables) {
   fuzz(arms::table, [](Mutator& m, const std::string& text) { return m.bytes(text); });

@@ -4,6 +4,8 @@
 
 #include <coupled_arm.hpp>
 #include <kr5_sixx.hpp>
+#include <made_up_arm.hpp>
+#include <made_up_walker.hpp>
 #include <stanford_arm.hpp>
 #include <two_armed.hpp>
 
@@ -29,6 +31,8 @@ void expect_same(const axial::LinkParameters& read, const axial::LinkParameters&
   EXPECT_TRUE(std::equal(read.com, read.com + 3, written.com));
   EXPECT_TRUE(std::equal(read.inertia_com, read.inertia_com + 6, written.inertia_com));
   EXPECT_EQ(read.rotor_inertia, written.rotor_inertia);
+  EXPECT_EQ(read.spring_stiffness, written.spring_stiffness);
+  EXPECT_EQ(read.spring_rest, written.spring_rest);
   EXPECT_EQ(read.viscous, written.viscous);
   EXPECT_EQ(read.coulomb_backward, written.coulomb_backward);
   EXPECT_EQ(read.position_min, written.position_min);
@@ -59,6 +63,8 @@ void expect_header_of(const std::string& file) {
   EXPECT_TRUE(same(&read.base, &written.base, sizeof read.base));
   EXPECT_TRUE(same(&read.tool, &written.tool, sizeof read.tool));
   EXPECT_TRUE(same(&read.gravity, &written.gravity, sizeof read.gravity));
+  ASSERT_EQ(read.base_body.has_value(), written.base_body.has_value());
+  if (read.base_body) expect_same(*read.base_body, *written.base_body);
 }
 
 TEST(Headers, HoldBitForBitWhatWasImported) {
@@ -66,6 +72,8 @@ TEST(Headers, HoldBitForBitWhatWasImported) {
   expect_header_of<robots::StanfordArm>(AXIAL_ROOT "/tests/data/descriptions/stanford.json");
   expect_header_of<robots::CoupledArm>(AXIAL_ROOT "/tests/import/coupled_arm.urdf");
   expect_header_of<robots::TwoArmed>(AXIAL_ROOT "/tests/import/two_armed.urdf");
+  expect_header_of<robots::MadeUpArm>(AXIAL_ROOT "/tests/import/mjcf/arm.xml");
+  expect_header_of<robots::MadeUpWalker>(AXIAL_ROOT "/tests/import/mjcf/floating.xml");
 }
 
 TEST(Headers, AreTheSameTwice) {

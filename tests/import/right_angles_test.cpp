@@ -21,7 +21,7 @@ std::string changed(std::string text, const std::string& what, const std::string
 }
 Result imported(const std::string& text, bool snap = false) {
   Options options;
-  options.urdf.snap = snap;
+  options.reading.snap = snap;
   const auto result = importer::import_text(text, "arm", options);
   EXPECT_TRUE(result.figures.good());
   return result;

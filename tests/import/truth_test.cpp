@@ -303,7 +303,7 @@ TEST(Truth, LengthsFinerThanTheDigitsAreNone) {
   EXPECT_EQ(result.imported.robot.links[1].parameters.a, 0.0);
   EXPECT_TRUE(result.figures.changed_length > 1e-8 && result.figures.changed_length < 1e-7);
   Options options;
-  options.urdf.right_angles = 0.0;
+  options.reading.right_angles = 0.0;
   const auto written = importer::import_text(text, "arm", options);
   EXPECT_TRUE(written.figures.good());
   EXPECT_NEAR(std::abs(written.imported.robot.links[1].parameters.a), 1.5e-8, 1e-12);

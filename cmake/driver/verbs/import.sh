@@ -1,22 +1,23 @@
 # shellcheck shell=bash
-# summary: a URDF or a Denavit-Hartenberg table as a verified constexpr header
+# summary: a URDF, an MJCF or a Denavit-Hartenberg table as a verified constexpr header
 # group: use
 
 usage() {
   cat <<'END_OF_USAGE'
 usage: ./axial import FILE [options]
        ./axial import --documents
-Installs and builds what is missing, reads a URDF (any chain or tree of revolute, continuous, prismatic and fixed joints) or a JSON table
-of Denavit-Hartenberg rows, classical or modified (format: host_sim/robots/description/README.md), turns it into MDH rows, verifies poses, torques
-and mass matrix against Orocos KDL on random states, and writes a header with source, assumptions, warnings and the figures in its comment.
+Installs and builds what is missing, reads a URDF (any chain or tree of revolute, continuous, prismatic and fixed joints), an MJCF (hinges and
+slides; a free joint is a base that floats) or a JSON table of Denavit-Hartenberg rows, classical or modified (format:
+host_sim/robots/description/README.md), turns it into MDH rows, verifies poses, torques and mass matrix against Orocos KDL on random
+states, an MJCF against MuJoCo itself too, and writes a header with source, assumptions, warnings and the figures in its comment.
 Numbers that are read as others than they are written are counted, and listed by --json. Mimic joints and transmissions of a URDF become joints that share drives.
 A xacro file is expanded by the program xacro where that is installed. Of a header that is there, lines that end in "// kept" stay.
-  --root LINK         where the chain starts; default: the URDF's root
-  --tip LINK          where it ends, the tool's frame; joints beside the chain are held at 0. Default: every branch (a tree)
+  --root LINK         where the chain starts; default: the file's root
+  --tip LINK          where it ends, the tool's frame, a site too; joints beside the chain are held at 0. Default: every branch (a tree)
   --name NAME         of the robot; default: the file's
   -o, --output FILE   the header; default <name>.hpp
   --json FILE         figures, assumptions and warnings once more
-  --gravity NUMBER NUMBER NUMBER  m/s^2 in axes of the root link; default 0 0 -9.81 (URDF only)
+  --gravity NUMBER NUMBER NUMBER  m/s^2 in axes of the root link; default: an MJCF's, or 0 0 -9.81
   --right-angles NUMBER  rad: an angle or an axis this near to a special one is that one, and lengths finer than the
                       file's digits are 0 or what they nearly are; default 1e-5, 0 reads what is written
   --to-speed NUMBER   acceleration limits that are missing reach full speed in this time; default 0.25
@@ -26,16 +27,17 @@ A xacro file is expanded by the program xacro where that is installed. Of a head
   --snap              makes joints' angles and axes exact that are within 0.005 rad of a multiple of 90 degrees
   --states N, --seed N  random states to verify on; default 100, 1
   --as-published      keeps inertias, lengths and limits that no robot should have: .accept(axial::as_published)
+  --without-engine    does not fetch MuJoCo for an MJCF (11 MB, once), nor ask it
   --strict            writes nothing where there are warnings
 Exits with 1 and says link, value and remedy when a description cannot be used or the figures miss their bounds (poses 1e-12, torques
-and mass matrix 1e-9 relative, bodies 1e-11); warnings (no inertia, triangle inequality violated, ...) go to stderr and into the header.
+and mass matrix 1e-9 relative, bodies 1e-11; MuJoCo 1e-9, 1e-6 where it diagonalises an inertia); warnings (no inertia, triangle inequality violated, ...) go to stderr and into the header.
 maintainers:
   --documents         alone: imports tests/data/descriptions, writes doc/data/import.json and the table of doc/measurements/imported.md
 END_OF_USAGE
 }
 
 run() {
-  (($#)) || fail_usage "name a URDF or a table; see ./axial import --help"
+  (($#)) || fail_usage "name a URDF, an MJCF or a table; see ./axial import --help"
   build_import
   if [[ $1 == --documents ]]; then
     /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/robots/import/catalogue.py" "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/robots/import/import" \
@@ -47,8 +49,14 @@ run() {
 
 # Options after FILE, or before it: only the file that is xacro changes. It keeps its name, which the header tells.
 import_expanded() {
-  local arguments=("$@") folder='' i status=0
+  local arguments=() engine=$AXIAL_ROOT/build/mujoco-js-$MUJOCO_VERSION argument folder='' i status=0
+  for argument; do
+    if [[ $argument == --without-engine ]]; then engine=''; else arguments+=("$argument"); fi
+  done
   for i in "${!arguments[@]}"; do
+    if [[ -n $engine ]] && is_mjcf "${arguments[i]}" && ensure_mujoco "$engine"; then
+      arguments+=(--engine "$engine/package")
+    fi
     is_xacro "${arguments[i]}" || continue
     folder=$(mktemp -d)
     expand_xacro "${arguments[i]}" "$folder/$(basename "${arguments[i]}")"
@@ -62,6 +70,9 @@ import_expanded() {
 
 # Whether a file holds what only xacro understands, and there is a xacro. Without one the importer says what to do.
 is_xacro() { [[ $1 != -* && -f $1 ]] && command -v xacro >/dev/null && grep -qE '<xacro:|\$\{|\$\(' "$1"; }
+
+# A URDF may have an element of that name below its robot.
+is_mjcf() { [[ $1 != -* && -f $1 ]] && grep -q '<mujoco[ >]' "$1" && ! grep -q '<robot' "$1"; }
 
 expand_xacro() {
   xacro "$1" >"$2" || fail "$1: xacro refuses it"

@@ -3,6 +3,7 @@
 
 #include <axial/robot/chain.hpp>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,9 +28,10 @@ struct Description {
   std::string name;    ///< as the source calls it
   std::string source;  ///< file, table, paper: who says so
   std::vector<Link> links;
-  axial::GravityVector gravity{};  ///< m/s^2, free fall, axes of frame 0
-  axial::FixedPose base{};         ///< frame 0 in the world
-  axial::FixedPose tool{};         ///< the tool in the last link's frame
+  axial::GravityVector gravity{};                  ///< m/s^2, free fall, axes of frame 0
+  axial::FixedPose base{};                         ///< frame 0 in the world
+  axial::FixedPose tool{};                         ///< the tool in the last link's frame
+  std::optional<axial::LinkParameters> base_body;  ///< of a base that floats: mass, com, inertia in frame 0
   axial::PayloadLimit payload_limit{};
   axial::TipWrenchLimit tip_wrench_limit{};
   axial::ToolLimit tool_limit{};
@@ -102,6 +104,7 @@ Description from_robot() {
   robot.gravity = R::chain.gravity, robot.base = R::chain.base.pose, robot.tool = R::chain.tool.pose;
   robot.payload_limit = R::chain.payload_limit, robot.tip_wrench_limit = R::chain.tip_wrench_limit;
   robot.tool_limit = R::chain.tool_limit;
+  if (R::chain.has_base_body) robot.base_body = R::chain.base_body;
   return robot;
 }
 

@@ -223,6 +223,10 @@ std::vector<Finding> findings(const Description& robot) {
     const auto more = Inspector(link, robot.as_published).all();
     found.insert(found.end(), more.begin(), more.end());
   }
+  if (robot.base_body) {
+    const auto more = body_findings("base", *robot.base_body, robot.as_published);
+    found.insert(found.end(), more.begin(), more.end());
+  }
   unresisted(robot, found), absurd_inertias(robot, found);
   shared_drives(robot, found);
   return found;

@@ -58,18 +58,7 @@ class LinkText {
     return result + (kept.empty() ? comma : "");
   }
 
- private:
-  bool any_inertia() const {
-    return std::any_of(p_.inertia_com, p_.inertia_com + 6, [](double v) { return v != 0.0; });
-  }
-
-  std::string geometry(const std::string& parent) const {
-    std::string row = p_.type == axial::JointType::revolute ? "revolute()" : "prismatic()";
-    row += parent;
-    if (!is_zero(p_.gamma) || p_.b != 0.0) row += angle("branch", p_.gamma, ", " + arguments({p_.b}));
-    row += call_unless_zero("a", p_.a) + angle_unless_zero("alpha", p_.alpha);
-    return row + call_unless_zero("d", p_.d) + angle_unless_zero("theta", p_.theta);
-  }
+  /// Mass, centre of mass and inertia.
   std::string body() const {
     const double *c = p_.com, *j = p_.inertia_com;
     const bool has_com = c[0] != 0.0 || c[1] != 0.0 || c[2] != 0.0;
@@ -82,6 +71,19 @@ class LinkText {
     }
     if (needs_acceptance(p_)) row += ".accept(axial::as_published)";
     return row;
+  }
+
+ private:
+  bool any_inertia() const {
+    return std::any_of(p_.inertia_com, p_.inertia_com + 6, [](double v) { return v != 0.0; });
+  }
+
+  std::string geometry(const std::string& parent) const {
+    std::string row = p_.type == axial::JointType::revolute ? "revolute()" : "prismatic()";
+    row += parent;
+    if (!is_zero(p_.gamma) || p_.b != 0.0) row += angle("branch", p_.gamma, ", " + arguments({p_.b}));
+    row += call_unless_zero("a", p_.a) + angle_unless_zero("alpha", p_.alpha);
+    return row + call_unless_zero("d", p_.d) + angle_unless_zero("theta", p_.theta);
   }
   std::string drive() const {
     std::string row;
@@ -134,6 +136,11 @@ class LinkText {
   const axial::LinkParameters& p_;
 };
 
+/// `axial::base_body()...`, of a base that floats.
+std::string base_body_part(const Description& robot) {
+  return robot.base_body ? "axial::base_body()" + LinkText(*robot.base_body).body() : "";
+}
+
 std::string parent_call(const Description& robot, int i) {
   const int parent = robot.parent(i);
   if (parent == i - 1) return "";
@@ -169,7 +176,7 @@ std::string frame_parts(const Description& robot, const std::vector<std::string>
   };
   add("axial::gravity(" + arguments({g.x, g.y, g.z}) + ")");
   add(frames_are_far(robot) ? "axial::accept(axial::as_published)" : "");
-  add(pose_part("base", robot.base)), add(pose_part("tool", robot.tool));
+  add(pose_part("base", robot.base)), add(pose_part("tool", robot.tool)), add(base_body_part(robot));
   const auto& load = robot.payload_limit;
   if (load.declared) add("axial::payload_limit(" + arguments({load.mass, load.com_reach, load.inertia}) + ")");
   const auto& wrench = robot.tip_wrench_limit;

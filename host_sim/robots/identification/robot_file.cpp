@@ -16,7 +16,7 @@ bool ends_with(const std::string& text, const std::string& ending) {
 #ifdef AXIAL_WITH_URDF
 description::Description read_urdf(const std::string& path, const std::string& tip) {
   importer::Options options;
-  options.urdf.tip = tip;
+  options.reading.tip = tip;
   options.as_published = true;  // a nominal model is to be improved, whatever it is
   const auto result = importer::import_file(path, options);
   if (!result.figures.good())

@@ -41,7 +41,7 @@ void name_transmission(const SourceTransmission& transmission, Description& robo
 
 void add(std::string& list, const std::string& joint) { list += (list.empty() ? "" : ", ") + joint; }
 
-/// What URDFs say of joints and axial of drives.
+/// What files say of joints and axial of drives.
 class ToDrives {
  public:
   explicit ToDrives(Description& robot) : robot_(robot), g_(description::drive_matrix(robot)) {
@@ -70,6 +70,7 @@ class ToDrives {
     const bool own = drive >= 0 && g_.owner[drive] == i && ratio == 1.0;
     if (own) return;
     move_friction(p, drive, ratio, joint);
+    if (p.drives.follows && drive >= 0) move_inertia(p, ratio, g_.offset[i], parameters(robot_, g_.owner[drive]));
     if (std::isfinite(p.effort_limit) && !p.drives.follows) add(effort_, joint);
     p.effort_limit = Parameters::unlimited;
   }
@@ -81,6 +82,17 @@ class ToDrives {
     auto& owner = parameters(robot_, g_.owner[drive]);
     owner.viscous += ratio * ratio * viscous;
     owner.coulomb_forward += std::abs(ratio) * dry, owner.coulomb_backward -= std::abs(ratio) * dry;
+  }
+
+  /// Rotor and spring of a joint that follows, at the joint that it follows: energies are the same.
+  static void move_inertia(Parameters& p, double ratio, double offset, Parameters& owner) {
+    owner.rotor_inertia += ratio * ratio * p.rotor_inertia;
+    const double stiffness = ratio * ratio * p.spring_stiffness, sum = owner.spring_stiffness + stiffness;
+    if (stiffness != 0.0)
+      owner.spring_rest =
+          (owner.spring_stiffness * owner.spring_rest + ratio * p.spring_stiffness * (p.spring_rest - offset)) / sum;
+    owner.spring_stiffness = sum;
+    p.rotor_inertia = p.spring_stiffness = p.spring_rest = 0.0;
   }
 
   Description& robot_;

@@ -2,15 +2,19 @@
 #include <host_sim/robots/description/table.hpp>
 #include <host_sim/robots/import/couplings.hpp>
 #include <host_sim/robots/import/importer.hpp>
+#include <host_sim/robots/import/mjcf/mujoco.hpp>
 #include <host_sim/robots/import/right_angles.hpp>
 #include <host_sim/robots/import/to_mdh.hpp>
-#include <host_sim/robots/import/urdf_text.hpp>
+#include <host_sim/robots/import/urdf/urdf_reader.hpp>
+#include <host_sim/robots/import/urdf/urdf_text.hpp>
+#include <host_sim/robots/import/xml_text.hpp>
 
 #include <axial/robot/classical.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 
 namespace importer {
 namespace {
@@ -62,7 +66,8 @@ std::vector<Finding> other_findings(const description::Description& robot, const
     bool said = false;
     if (source != nullptr)
       for (const auto& link : source->links)
-        said = said || (link.name == finding.link && link.has_inertial && finding.what.rfind("joint '", 0) != 0);
+        said = said || (link.name == finding.link && (link.has_inertial || link.between) &&
+                        finding.what.rfind("joint '", 0) != 0);
     if (!said || finding.error || finding.must_be_accepted) found.push_back(finding);
   }
   return found;
@@ -116,40 +121,82 @@ Result verified(Imported& imported, const Reference& reference, const Options& o
   return result;
 }
 
-Result import_urdf(const std::string& text, const std::string& from, const Options& options) {
-  auto source = read_urdf(text, from, options.urdf);
-  const auto gravity = options.gravity.value_or(axial::GravityVector{});
+/// Of a tree whose warnings are its reader's: rows, couplings, findings. `source` is settled, and has its tool.
+Imported described(SourceTree& source, const axial::GravityVector& gravity, const std::string& from,
+                   const Options& options) {
   Imported imported;
   imported.warnings = source.warnings;
   check(imported, from, source_findings(source));
-  const auto near = nearness_of(options.urdf, source.length_digit);
+  const auto near = nearness_of(options.reading, source.length_digit);
   choose_tool(source, to_mdh(source, gravity, near));
   const auto warnings = imported.warnings;
   for (const auto& line : sentences(source.changes, near))
     source.notes.push_back(line);
   imported = to_mdh(source, gravity, {0.0});  // settled once
-  imported.warnings = warnings;
-  auto& robot = imported.robot;
-  robot.source = file_name(from) + " (URDF), links of '" + source.links[0].name + "'";
-  if (source.tool >= 0)
-    robot.source += " to '" + source.links[static_cast<std::size_t>(source.tool)].name + "', whose frame is the tool's";
-  if (!options.gravity)
-    robot.assumptions.push_back("gravity of 9.81 m/s^2 along -z of link '" + source.links[0].name + "'");
-  robot.assumptions.push_back(std::string(description::no_rotors) + ": a URDF has none");
-  robot.as_published = options.as_published;
-  couple(source, robot);
-  const auto found = other_findings(robot, &source);
+  imported.warnings = warnings, imported.changes = source.changes;
+  imported.robot.as_published = options.as_published;
+  couple(source, imported.robot);
+  const auto found = other_findings(imported.robot, &source);
   drop_repeated(imported.warnings, found);
   check(imported, from, found);
+  for (std::size_t i = 0; i < imported.frames.size(); ++i)
+    imported.frames[i].name = i == 0 && !source.floating ? "root" : segment_name(source.links[i].name);
+  return imported;
+}
+
+std::string source_of(const SourceTree& source, const std::string& from, const std::string& format,
+                      const std::string& parts) {
+  std::string text = file_name(from) + " (" + format + "), " + parts + " of '" + source.links[0].name + "'";
+  if (source.tool >= 0)
+    text += " to '" + source.links[static_cast<std::size_t>(source.tool)].name + "', whose frame is the tool's";
+  return text;
+}
+std::vector<std::string> joints_of(const description::Description& robot) {
   std::vector<std::string> joints;
   for (const auto& link : robot.links)
     joints.push_back(link.joint);
-  for (std::size_t i = 0; i < imported.frames.size(); ++i)
-    imported.frames[i].name = i == 0 ? "root" : segment_name(source.links[i].name);
+  return joints;
+}
+
+Result import_urdf(const std::string& text, const std::string& from, const Options& options) {
+  auto source = read_urdf(text, from, options.reading);
+  const auto gravity = options.gravity.value_or(axial::GravityVector{});
+  auto imported = described(source, gravity, from, options);
+  auto& robot = imported.robot;
+  robot.source = source_of(source, from, "URDF", "links");
+  std::vector<std::string> assumed;
+  if (!options.gravity) assumed.push_back("gravity of 9.81 m/s^2 along -z of link '" + source.links[0].name + "'");
+  assumed.push_back(std::string(description::no_rotors) + ": a URDF has none");
+  robot.assumptions.insert(robot.assumptions.begin(), assumed.begin(), assumed.end());
   const std::string tool = source.tool > 0 ? source.links[static_cast<std::size_t>(source.tool)].name : "";
-  imported.changes = source.changes;
-  const auto reference = reference_of(text, options.urdf, source.changes, gravity, joints, tool);
+  const auto reference = reference_of(text, options.reading, source.changes, gravity, joints_of(robot), tool);
   return verified(imported, reference, options);
+}
+
+/// What the header says of rotors: an armature is one, on the joint's side.
+void say_rotors(description::Description& robot) {
+  std::string without;
+  for (const auto& link : robot.links)
+    if (link.parameters.rotor_inertia == 0.0 && !link.parameters.drives.follows)
+      without += (without.empty() ? "" : ", ") + link.joint;
+  if (!without.empty())
+    robot.assumptions.insert(robot.assumptions.begin(),
+                             std::string(description::no_rotors) + ", where a joint has no armature: " + without);
+}
+
+Result import_mjcf(const std::string& text, const std::string& from, const Options& options) {
+  const auto read = read_mjcf(text, from, options.reading);
+  const auto gravity = options.gravity.value_or(read.gravity);
+  auto source = read.tree;  // what of it is near a special value becomes it
+  auto imported = described(source, gravity, from, options);
+  auto& robot = imported.robot;
+  robot.source = source_of(source, from, "MJCF", "bodies");
+  say_rotors(robot);
+  auto result =
+      verified(imported, reference_of(source, read.tree, options.reading, gravity, joints_of(robot)), options);
+  result.figures.against = "against Orocos KDL on the tree of the file's bodies, on ";
+  result.figures.engine = ask_mujoco(options.engine, from, read, options.seed, options.states);
+  return result;
 }
 
 /// m: how fine a table's lengths are written.
@@ -162,12 +209,12 @@ double length_digit_of(const description::Table& table) {
 }
 
 Result import_table(const std::string& text, const std::string& from, const Options& options) {
-  if (!options.urdf.root.empty() || !options.urdf.tip.empty() || options.gravity)
-    throw description::Refused(from +
-                               ": --root, --tip and --gravity are for a URDF; a table is imported whole, with its own");
+  if (!options.reading.root.empty() || !options.reading.tip.empty() || options.gravity)
+    throw description::Refused(
+        from + ": --root, --tip and --gravity are for a URDF or an MJCF; a table is imported whole, with its own");
   auto table = description::parse_table(text, from);
   Imported imported;
-  const auto near = nearness_of(options.urdf, length_digit_of(table));
+  const auto near = nearness_of(options.reading, length_digit_of(table));
   auto changed = table_right_angles(table, near);
   imported.warnings = changed.warnings, imported.changes = changed.changes;
   imported.robot = description::to_mdh(table);
@@ -182,12 +229,28 @@ Result import_table(const std::string& text, const std::string& from, const Opti
   return verified(imported, reference_of(text, imported.changes, near.of_joints()), options);
 }
 
+/// By its first element: the wrong kind says what it is.
+Result import_xml(const std::string& text, const std::string& from, const Options& options) {
+  static const std::map<std::string, std::string> others{
+      {"sdf", "an SDF"},
+      {"mujocoinclude", "a part of an MJCF, which another file includes"},
+      {"COLLADA", "a COLLADA mesh"},
+      {"launch", "a launch file of ROS"},
+      {"html", "a page of the web"}};
+  const std::string first = first_element(text);
+  if (first == "mujoco") return import_mjcf(text, from, options);
+  if (const auto other = others.find(first); other != others.end())
+    throw description::Refused(from + ": this is " + other->second +
+                               ", there is no <robot> element; give a URDF, an MJCF or a JSON table");
+  return import_urdf(text, from, options);
+}
+
 }  // namespace
 
 Result import_text(const std::string& text, const std::string& from, const Options& options) {
   const auto first = text.find_first_not_of(" \t\r\n");
   const bool json = first != std::string::npos && (text[first] == '{' || text[first] == '[');
-  Result result = json ? import_table(text, from, options) : import_urdf(text, from, options);
+  Result result = json ? import_table(text, from, options) : import_xml(text, from, options);
   auto& robot = result.imported.robot;
   if (!options.name.empty()) robot.name = options.name;
   assume_limits(robot, options.assumed);

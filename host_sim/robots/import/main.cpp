@@ -31,6 +31,13 @@ nlohmann::json changes(const importer::Imported& imported) {
   return list;
 }
 
+nlohmann::json engine(const importer::EngineFigures& figures) {
+  if (figures.engine.empty()) return {{"name", ""}, {"why_not", figures.why_not}};
+  return {{"name", figures.engine}, {"states", figures.states}, {"bound", figures.bound},
+          {"pose", figures.pose},   {"torque", figures.torque}, {"mass_matrix", figures.mass_matrix},
+          {"body", figures.body},   {"joint", figures.joint}};
+}
+
 nlohmann::json to_json(const importer::Result& result, const std::string& header) {
   const auto& robot = result.imported.robot;
   const auto& figures = result.figures;
@@ -54,6 +61,7 @@ nlohmann::json to_json(const importer::Result& result, const std::string& header
           {"torque_error", figures.torque},
           {"mass_matrix_error", figures.mass_matrix},
           {"body_error", figures.body},
+          {"engine", engine(figures.engine)},
           {"changes", changes(result.imported)},
           {"within_bounds", figures.good()}};
 }
@@ -88,6 +96,10 @@ int import_robot(Arguments& arguments) {
   print(result);
   const std::string output = arguments.output.empty() ? description::plain_name(robot) + ".hpp" : arguments.output;
   if (!arguments.json.empty()) write_json(arguments.json, to_json(result, output));
+  if (!result.figures.engine.good())
+    throw description::Refused(arguments.file +
+                               ": not written: MuJoCo understands the file otherwise, as the figures above say; "
+                               "import what it makes of it: load the file there and save it (mj_saveLastXML)");
   if (!result.figures.good())
     throw description::Refused(arguments.file +
                                ": not written: the figures above miss their bounds; axes that are almost "
@@ -109,19 +121,20 @@ int import_robot(Arguments& arguments) {
 int main(int count, char** given) {
   Arguments arguments;
   auto& options = arguments.options;
-  host_sim::CommandLine line("a URDF or a Denavit-Hartenberg table as a verified header", "import");
-  line.option("file", arguments.file, "URDF, or JSON table").required();
-  line.option("--root", options.urdf.root, "link to start from; default: the URDF's root");
-  line.option("--tip", options.urdf.tip, "link to end at, its frame is the tool's; default: every branch");
+  host_sim::CommandLine line("a URDF, an MJCF or a Denavit-Hartenberg table as a verified header", "import");
+  line.option("file", arguments.file, "URDF, MJCF, or JSON table").required();
+  line.option("--engine", options.engine, "folder of the npm package mujoco-js, to ask MuJoCo about an MJCF");
+  line.option("--root", options.reading.root, "link to start from; default: the URDF's root");
+  line.option("--tip", options.reading.tip, "link to end at, its frame is the tool's; default: every branch");
   line.option("--name", options.name, "name of the robot; default: the file's");
   line.option("-o,--output", arguments.output, "the header; default: <name>.hpp");
   line.option("--json", arguments.json, "figures, assumptions, warnings");
   line.option("--gravity", arguments.gravity, "m/s^2 in axes of the root link; default 0 0 -9.81").expected(3);
-  line.option("--right-angles", options.urdf.right_angles,
+  line.option("--right-angles", options.reading.right_angles,
               "rad within which an angle or an axis is one of a multiple of 90 degrees; 0: as written")
       .show_default()
       .range(0.0, 0.01);
-  line.flag("--snap", options.urdf.snap,
+  line.flag("--snap", options.reading.snap,
             "make joints' angles and axes exact that are within 0.005 rad of a multiple of 90 degrees");
   line.option("--to-speed", options.assumed.seconds_to_speed, "s to full speed, where no acceleration limit is given")
       .show_default()
@@ -136,7 +149,7 @@ int main(int count, char** given) {
   line.option("--seed", options.seed, "of those states").show_default();
   line.flag("--as-published", options.as_published,
             "keep inertias, lengths and limits that no robot should have: .accept(axial::as_published)");
-  line.flag("--hold-mimic", options.urdf.hold_mimic,
+  line.flag("--hold-mimic", options.reading.hold_mimic,
             "hold joints that mimic another one where that is 0, and carry their bodies along");
   line.flag("--strict", arguments.strict, "write nothing where there are warnings");
   return line.run(count, given, [&] { return import_robot(arguments); });

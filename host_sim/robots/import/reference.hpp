@@ -1,7 +1,7 @@
 // Orocos KDL, built from the source itself: from no MDH rows, and from a URDF by another reader than theirs.
 #pragma once
 
-#include <host_sim/robots/import/urdf_reader.hpp>
+#include <host_sim/robots/import/urdf/urdf_reader.hpp>
 
 #include <kdl/tree.hpp>
 
@@ -13,7 +13,8 @@ namespace importer {
 struct WrittenLimits {
   bool positions = false;  ///< whether it has limits of position
   double lower = 0.0, upper = 0.0, speed = 0.0, effort = 0.0, damping = 0.0, friction = 0.0;
-  double backward = 0.0;  ///< friction in the other direction, > 0
+  double backward = 0.0;               ///< friction in the other direction, > 0
+  double stiffness = 0.0, rest = 0.0;  ///< of a spring across the joint
 };
 
 /// A KDL tree and how the joints of a description stand in it.
@@ -40,9 +41,14 @@ inline std::string segment_name(const std::string& link) { return "link " + link
 
 /// A segment a URDF link, fixed joints and inertial frames as they are written in the text, but for the changes that
 /// are named. Throws description::Refused where these change what the file has not, or other joints move.
-Reference reference_of(const std::string& text, const UrdfOptions& options, const std::vector<Change>& changes,
+Reference reference_of(const std::string& text, const ReadingOptions& options, const std::vector<Change>& changes,
                        const axial::GravityVector& gravity, const std::vector<std::string>& joint_order,
                        const std::string& tool_link);
+
+/// A segment a link of a source tree as it is now, whatever was read into it; `written` is the tree before anything in
+/// it was changed, by as much as the options allow.
+Reference reference_of(const SourceTree& tree, const SourceTree& written, const ReadingOptions& options,
+                       const axial::GravityVector& gravity, const std::vector<std::string>& joint_order);
 
 /// A segment a row of a JSON table, by KDL's own classical or modified Denavit-Hartenberg frames, but for the changes
 /// that are named, which may be so far from what is written.

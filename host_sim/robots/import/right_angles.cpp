@@ -35,7 +35,21 @@ bool snap_rotation(axial::FixedPose& pose, double within, double& off) {
   return true;
 }
 
+/// Significant digits of a number.
+int digits(const std::string& number) {
+  const auto mantissa = number.substr(0, number.find_first_of("eE"));
+  const auto first = mantissa.find_first_of("123456789");
+  if (first == std::string::npos) return 0;
+  return static_cast<int>(std::count_if(mantissa.begin() + static_cast<std::ptrdiff_t>(first), mantissa.end(),
+                                        [](char c) { return c >= '0' && c <= '9'; }));
+}
+
 }  // namespace
+
+void LengthDigit::see(const std::string& written, double length) {
+  digits_ = std::max(digits_, digits(written)), longest_ = std::max(longest_, std::abs(length));
+}
+double LengthDigit::value() const { return std::min(1e-6, longest_ * std::pow(10.0, -digits_)); }
 
 void record(std::vector<Change>& changes, const Change& change) {
   for (auto& earlier : changes)

@@ -22,6 +22,17 @@ struct Nearness {
   bool changes() const { return of_joints() > 0.0; }
 };
 
+/// How fine lengths are written: the longest over 10 to as many digits as any has, at most 1e-6 m.
+class LengthDigit {
+ public:
+  void see(const std::string& written, double length);
+  double value() const;
+
+ private:
+  int digits_ = 0;
+  double longest_ = 0.0;
+};
+
 /// Reads a URDF's rotations, axes and positions. What is near a special value becomes it, exactly, and is recorded as a
 /// change; what is `nearly_right` and stays is a warning that names its joint.
 class RightAngles {

@@ -1,4 +1,4 @@
-// Links and joints as a URDF has them, cut to what is imported: nothing is merged or turned yet.
+// Links and joints as a file has them, whatever its format, cut to what is imported: nothing is merged or turned yet.
 #pragma once
 
 #include <host_sim/robots/description/findings.hpp>
@@ -48,8 +48,10 @@ struct SourceJoint {
   bool has_limits = false;                                     ///< of position; left blank, as 0 and 0, they are none
   double lower = 0.0, upper = 0.0, speed = 0.0, effort = 0.0;  ///< 0: none given
   double damping = 0.0, friction = 0.0;
-  std::string leader;                ///< joint that it mimics: position ratio * leader + offset; empty: none
-  double ratio = 1.0, offset = 0.0;  ///< rad or m
+  double rotor = 0.0;                  ///< kg m^2 or kg, on the joint's side
+  double stiffness = 0.0, rest = 0.0;  ///< of a spring across the joint, N m/rad or N/m; rad or m
+  std::string leader;                  ///< joint that it mimics: position ratio * leader + offset; empty: none
+  double ratio = 1.0, offset = 0.0;    ///< rad or m
 
   bool moves() const { return kind != Kind::fixed && !held; }
 };
@@ -59,6 +61,7 @@ struct SourceLink {
   std::string name;
   int parent = -1;  ///< index of an earlier link; -1 for the root, whose joint means nothing
   SourceJoint joint;
+  bool between = false;  ///< two joints of one body: it has no mass by itself
   bool has_inertial = false;
   double mass = 0.0;
   Placement inertial;               ///< frame of the centre of mass in the link's frame
@@ -79,6 +82,7 @@ struct SourceTree {
   std::string name;
   std::vector<SourceLink> links;  ///< parents first; the first is the root
   std::vector<SourceTransmission> transmissions;
+  bool floating = false;      ///< the root moves freely, and its body is the base's
   int tool = -1;              ///< the link whose frame is the tool's, or -1
   double length_digit = 0.0;  ///< m: how fine its joints' origins are written, at most 1e-6
   std::vector<Change> changes;

@@ -124,6 +124,7 @@ class Reader {
     limits.lower = range[0] * (degrees ? degree : 1.0), limits.upper = range[1] * (degrees ? degree : 1.0);
     limits.speed = row.value("speed_limit", 0.0), limits.effort = row.value("effort_limit", 0.0);
     limits.damping = row.value("viscous", 0.0);
+    limits.stiffness = list(row, "spring", 2)[0], limits.rest = list(row, "spring", 2)[1];
     const Json dry = row.value("coulomb", Json(0.0));
     limits.friction = dry.is_array() ? dry[0].get<double>() : dry.get<double>();
     limits.backward = dry.is_array() ? -dry[1].get<double>() : limits.friction;

@@ -207,6 +207,7 @@ class Converter {
   static void set_drive(const SourceJoint& joint, axial::LinkParameters& p) {
     p.type = joint.kind == Kind::prismatic ? axial::JointType::prismatic : axial::JointType::revolute;
     p.viscous = joint.damping, p.coulomb_forward = joint.friction, p.coulomb_backward = -joint.friction;
+    p.rotor_inertia = joint.rotor, p.spring_stiffness = joint.stiffness, p.spring_rest = joint.rest;
     if (joint.has_limits) p.position_min = joint.lower, p.position_max = joint.upper;
     if (joint.speed > 0.0) p.speed_limit = joint.speed;
     if (joint.effort > 0.0) p.effort_limit = joint.effort;
@@ -214,14 +215,18 @@ class Converter {
 
   void add_bodies() {
     std::vector<std::vector<Body>> bodies(movers_.size());
+    std::vector<Body> floating;
     for (std::size_t i = 0; i < source_.links.size(); ++i) {
-      if (carriers_[i] < 0 || !source_.links[i].has_inertial) continue;
+      if (!source_.links[i].has_inertial) continue;
+      if (carriers_[i] < 0) floating.push_back(body_of(source_.links[i], frame0_.inverse() * poses_[i]));
+      if (carriers_[i] < 0) continue;
       const auto carrier = static_cast<std::size_t>(carriers_[i]);
       bodies[carrier].push_back(body_of(source_.links[i], frames_[carrier].inverse() * poses_[i]));
     }
     for (std::size_t i = 0; i < movers_.size(); ++i)
       if (!bodies[i].empty())
         set_body(merged(bodies[i]), result_.robot.links[static_cast<std::size_t>(index_[i])].parameters);
+    if (source_.floating) set_body(merged(floating), result_.robot.base_body.emplace());
   }
   static void set_body(const Body& body, axial::LinkParameters& p) {
     p.mass = near_decimal(body.mass, 1e-15L * body.mass);

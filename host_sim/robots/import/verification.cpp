@@ -71,7 +71,7 @@ class Comparison {
     const KDL::Vector ours =
         reference_.world.M.Inverse() * (frame(imported_.robot.base).M * KDL::Vector(g.x, g.y, g.z));
     take(body_, (ours - reference_.gravity).Norm() / std::max(1.0, reference_.gravity.Norm()));
-    for (int i = 0; i < n_; ++i)
+    for (int i = imported_.robot.base_body ? -1 : 0; i < n_; ++i)
       body(i);
     if (reference_.limits.empty()) return;
     for (int i = 0; i < n_; ++i)
@@ -161,13 +161,17 @@ class Comparison {
     }
   }
 
+  /// A frame in that of the link that carries it; of the base in frame 0.
+  KDL::Frame where(const TrackedFrame& tracked) const {
+    return tracked.link < 0 ? frame(imported_.robot.base).Inverse() * frame(tracked.pose) : frame(tracked.pose);
+  }
   /// The bodies of the source that link i carries, as one, against the description's.
   void body(int i) {
     KDL::RigidBodyInertia sum = KDL::RigidBodyInertia::Zero();
     for (const auto& tracked : imported_.frames)
       if (tracked.link == i)
-        sum = sum + frame(tracked.pose) * reference_.tree.getSegment(tracked.name)->second.segment.getInertia();
-    const auto& p = imported_.robot.links[static_cast<std::size_t>(i)].parameters;
+        sum = sum + where(tracked) * reference_.tree.getSegment(tracked.name)->second.segment.getInertia();
+    const auto& p = i < 0 ? *imported_.robot.base_body : parameters(i);
     const KDL::RotationalInertia own(p.inertia_com[0], p.inertia_com[1], p.inertia_com[2], p.inertia_com[3],
                                      p.inertia_com[4], p.inertia_com[5]);
     const KDL::RigidBodyInertia ours(p.mass, KDL::Vector(p.com[0], p.com[1], p.com[2]), own);
@@ -204,14 +208,19 @@ class Comparison {
   /// Effort and friction of the joints that a drive moves alone, at the drive: the power is the same.
   void friction(int k) {
     const int owner = g_.owner[k];
-    double damping = 0.0, forward = 0.0, backward = 0.0;
+    double damping = 0.0, forward = 0.0, backward = 0.0, stiffness = 0.0, moment = 0.0;
     for (int i = 0; i < n_; ++i) {
       if (!moves_alone(k, i)) continue;
       damping += ratio(i, k) * ratio(i, k) * written(i).damping, forward += std::abs(ratio(i, k)) * written(i).friction;
       backward += std::abs(ratio(i, k)) * written(i).backward;
+      stiffness += ratio(i, k) * ratio(i, k) * written(i).stiffness;
+      moment +=
+          ratio(i, k) * written(i).stiffness * (written(i).rest - reference_.offsets[static_cast<std::size_t>(i)]);
     }
     const auto& p = parameters(owner);
     same(p.viscous, damping), same(p.coulomb_forward, forward), same(p.coulomb_backward, -backward);
+    same(p.spring_stiffness, stiffness);
+    if (stiffness != 0.0) same(p.spring_rest, moment / stiffness);
     if (moves_alone(k, owner) && ratio(owner, k) == 1.0 && written(owner).effort != 0.0)
       same(p.effort_limit, written(owner).effort);
   }
@@ -233,18 +242,34 @@ class Comparison {
 
 bool Figures::good() const {
   return pose <= pose_bound && torque <= torque_bound && mass_matrix <= torque_bound && body <= body_bound &&
-         limits <= limits_bound && changed_angle <= changed_angle_bound && changed_length <= changed_length_bound;
+         limits <= limits_bound && engine.good() && changed_angle <= changed_angle_bound &&
+         changed_length <= changed_length_bound;
+}
+
+bool EngineFigures::good() const {
+  return engine.empty() ||
+         (pose <= bound && torque <= bound && mass_matrix <= bound && body <= bound && joint <= bound);
+}
+std::string EngineFigures::line() const {
+  const auto two = [](double value) { return description::number(value, 2); };
+  if (engine.empty()) return why_not.empty() ? "" : "not against MuJoCo itself: " + why_not;
+  return "the file as it is written against " + engine + " on " + std::to_string(states) +
+         " of these states: poses within " + two(pose) + ", torques with rotors within " + two(torque) +
+         " of the largest, mass matrix within " + two(mass_matrix) + ", bodies within " + two(body) +
+         ", what joints have within " + two(joint) + " (bound of each " + two(bound) + ")";
 }
 
 std::vector<std::string> Figures::lines() const {
   const auto two = [](double value) { return description::number(value, 2); };
-  return {"against Orocos KDL, built from the text by another reader, on " + std::to_string(states) +
-              " random states (seed " + std::to_string(seed) + "), axial::Model in double:",
-          "frames and tool within " + two(pose) + " (bound " + two(pose_bound) + "), torques within " + two(torque) +
-              " of the largest, mass matrix within " + two(mass_matrix) + " of its largest entry (bound " +
-              two(torque_bound) + "), bodies within " + two(body) + " (bound " + two(body_bound) + ")",
-          "no angle is read more than " + two(changed_angle) + " rad, no origin more than " + two(changed_length) +
-              " m from what is written"};
+  std::vector<std::string> text{
+      against + std::to_string(states) + " random states (seed " + std::to_string(seed) + "), axial::Model in double:",
+      "frames and tool within " + two(pose) + " (bound " + two(pose_bound) + "), torques within " + two(torque) +
+          " of the largest, mass matrix within " + two(mass_matrix) + " of its largest entry (bound " +
+          two(torque_bound) + "), bodies within " + two(body) + " (bound " + two(body_bound) + ")",
+      "no angle is read more than " + two(changed_angle) + " rad, no origin more than " + two(changed_length) +
+          " m from what is written"};
+  if (const std::string line = engine.line(); !line.empty()) text.push_back(line);
+  return text;
 }
 
 Figures verify(const Imported& imported, const Reference& reference, unsigned seed, int states) {

@@ -11,6 +11,22 @@
 
 namespace importer {
 
+/// Largest differences between a tree as it is read and the format's own engine.
+struct EngineFigures {
+  std::string engine;   ///< its name and version; empty where it was not asked
+  std::string why_not;  ///< what it said where it could not be asked
+  int states = 0;
+  double pose = 0.0;         ///< entries of rotations, and positions over the larger of reach and 1 m
+  double torque = 0.0;       ///< with rotors, over the largest torque of all states
+  double mass_matrix = 0.0;  ///< with rotors, over its largest entry of all states
+  double body = 0.0;         ///< mass over itself, centre in m, inertia over its trace
+  double joint = 0.0;        ///< limits, friction, rotors and springs, over the larger of themselves and 1
+  double bound = 1e-9;       ///< of each
+
+  bool good() const;
+  std::string line() const;
+};
+
 /// Largest differences between axial::Model in double and KDL.
 struct Figures {
   int states = 0;
@@ -23,6 +39,10 @@ struct Figures {
   double changed_angle = 0.0, changed_length = 0.0;  ///< rad, m: how far what is read is from what is written
   double changed_angle_bound = 0.0;                  ///< rad: how far it may be
   std::vector<int> unresisted{};                     ///< drives that no mass and no rotor resists in any of the states
+
+  EngineFigures engine{};
+  /// What the lines begin with.
+  std::string against = "against Orocos KDL, built from the text by another reader, on ";
 
   bool good() const;
   /// Lines for a person, and for the header's comment.

@@ -1,6 +1,6 @@
 #include <host_sim/robots/description/comment.hpp>
 #include <host_sim/robots/description/numbers.hpp>
-#include <host_sim/robots/import/transmissions.hpp>
+#include <host_sim/robots/import/urdf/transmissions.hpp>
 
 #include <tinyxml.h>
 

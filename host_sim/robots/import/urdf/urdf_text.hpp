@@ -12,17 +12,6 @@ namespace importer {
 /// parents, no root or several, loops, types and mimic joints that are not known.
 void check_urdf_text(const std::string& text, const std::string& from);
 
-/// How fine lengths are written: the longest over 10 to as many digits as any has, at most 1e-6 m.
-class LengthDigit {
- public:
-  void see(const std::string& written, double length);
-  double value() const;
-
- private:
-  int digits_ = 0;
-  double longest_ = 0.0;
-};
-
 /// What urdfdom gives back as a quaternion or not at all.
 struct WrittenNumbers {
   std::map<std::string, std::array<double, 3>> joint_rpy, inertial_rpy;  ///< rad, by joint and by link, harmless names

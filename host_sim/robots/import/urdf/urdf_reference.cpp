@@ -83,7 +83,7 @@ KDL::Frame frame(const Three& xyz, const Three& rpy) {
 
 class Reader {
  public:
-  Reader(const std::string& text, const UrdfOptions& options, const std::vector<Change>& changes, Reference& result)
+  Reader(const std::string& text, const ReadingOptions& options, const std::vector<Change>& changes, Reference& result)
       : options_(options), result_(result), read_(changes, result.changed_angle, result.changed_length) {
     document_.Parse(text.c_str());
     robot_ = document_.FirstChildElement("robot");
@@ -244,7 +244,7 @@ class Reader {
     }
   }
 
-  const UrdfOptions& options_;
+  const ReadingOptions& options_;
   Reference& result_;
   Numbers read_;
   TiXmlDocument document_;
@@ -257,7 +257,7 @@ class Reader {
 
 }  // namespace
 
-Reference reference_of(const std::string& text, const UrdfOptions& options, const std::vector<Change>& changes,
+Reference reference_of(const std::string& text, const ReadingOptions& options, const std::vector<Change>& changes,
                        const axial::GravityVector& gravity, const std::vector<std::string>& joint_order,
                        const std::string& tool_link) {
   Reference result;

@@ -1,11 +1,12 @@
 #include <host_sim/robots/description/comment.hpp>
 #include <host_sim/robots/description/description.hpp>
-#include <host_sim/robots/import/urdf_text.hpp>
+#include <host_sim/robots/import/right_angles.hpp>
+#include <host_sim/robots/import/urdf/urdf_text.hpp>
+#include <host_sim/robots/import/xml_text.hpp>
 
 #include <tinyxml.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <locale>
 #include <map>
@@ -16,17 +17,6 @@ namespace importer {
 namespace {
 
 using description::harmless;
-
-/// Deepest nesting of elements, judged by brackets alone: the XML parser recurses.
-int nesting(const std::string& text) {
-  int depth = 0, deepest = 0;
-  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
-    if (text[i] == '<' && std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0) ++depth;
-    if ((text[i] == '<' && text[i + 1] == '/') || (text[i] == '/' && text[i + 1] == '>')) --depth;
-    deepest = depth > deepest ? depth : deepest;
-  }
-  return deepest;
-}
 
 /// What of an element, or below it, only xacro understands; empty for a URDF. One that xacro has expanded may still
 /// declare its namespace.
@@ -146,21 +136,7 @@ std::array<double, 3> three(const TiXmlElement* element, const char* attribute) 
   return values;
 }
 
-/// Significant digits of a number.
-int digits(const std::string& number) {
-  const auto mantissa = number.substr(0, number.find_first_of("eE"));
-  const auto first = mantissa.find_first_of("123456789");
-  if (first == std::string::npos) return 0;
-  return static_cast<int>(std::count_if(mantissa.begin() + static_cast<std::ptrdiff_t>(first), mantissa.end(),
-                                        [](char c) { return c >= '0' && c <= '9'; }));
-}
-
 }  // namespace
-
-void LengthDigit::see(const std::string& written, double length) {
-  digits_ = std::max(digits_, digits(written)), longest_ = std::max(longest_, std::abs(length));
-}
-double LengthDigit::value() const { return std::min(1e-6, longest_ * std::pow(10.0, -digits_)); }
 
 WrittenNumbers written_numbers(const std::string& text) {
   TiXmlDocument document;
@@ -203,17 +179,8 @@ std::string with_blank_limits(const std::string& text) {
 }
 
 void check_urdf_text(const std::string& text, const std::string& from) {
-  constexpr int deepest = 200;
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos) throw description::Refused(from + ": the file is empty");
-  if (text.find('\0') != std::string::npos)
-    throw description::Refused(from + ": not a text; give a URDF or a JSON table");
-  if (nesting(text) > deepest) throw description::Refused(from + ": elements are nested too deeply for a URDF");
   TiXmlDocument document;
-  document.Parse(text.c_str());
-  if (document.Error())
-    throw description::Refused(from + ": malformed XML at line " + std::to_string(document.ErrorRow()) + ", column " +
-                               std::to_string(document.ErrorCol()) + ": " + document.ErrorDesc() +
-                               " (xacro files are expanded first: xacro robot.urdf.xacro > robot.urdf)");
+  parse_xml(text, from, document);
   if (const auto* first = document.RootElement(); first != nullptr)
     if (const std::string found = xacro_in(*first); !found.empty())
       throw description::Refused(from + ": this is xacro, not a URDF yet: " + harmless(found) +

@@ -2,9 +2,9 @@
 #include <host_sim/robots/description/description.hpp>
 #include <host_sim/robots/description/numbers.hpp>
 #include <host_sim/robots/import/right_angles.hpp>
-#include <host_sim/robots/import/transmissions.hpp>
-#include <host_sim/robots/import/urdf_reader.hpp>
-#include <host_sim/robots/import/urdf_text.hpp>
+#include <host_sim/robots/import/urdf/transmissions.hpp>
+#include <host_sim/robots/import/urdf/urdf_reader.hpp>
+#include <host_sim/robots/import/urdf/urdf_text.hpp>
 
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
@@ -63,7 +63,7 @@ Kind kind_of(const urdf::Joint& joint) {
 
 class Reader {
  public:
-  Reader(const urdf::ModelInterface& model, const std::string& from, const UrdfOptions& options,
+  Reader(const urdf::ModelInterface& model, const std::string& from, const ReadingOptions& options,
          const WrittenNumbers& written, const Nearness& near)
       : model_(model), from_(from), written_(written), angles_(near), hold_mimic_(options.hold_mimic) {
     tree_.name = model.getName();
@@ -242,11 +242,7 @@ class Reader {
 
 }  // namespace
 
-Nearness nearness_of(const UrdfOptions& options, double length_digit) {
-  return {options.right_angles, options.snap, length_digit};
-}
-
-SourceTree read_urdf(const std::string& text, const std::string& from, const UrdfOptions& options) {
+SourceTree read_urdf(const std::string& text, const std::string& from, const ReadingOptions& options) {
   check_urdf_text(text, from);
   const auto model = parse(with_blank_limits(text), from);
   const auto written = written_numbers(text);

@@ -1,0 +1,17 @@
+// A text as XML, before anything is read from it.
+#pragma once
+
+#include <string>
+
+class TiXmlDocument;
+
+namespace importer {
+
+/// Parses. Throws description::Refused for an empty file, one that is no text, elements nested too deeply for a parser
+/// that recurses, more elements than any robot has, and malformed XML.
+void parse_xml(const std::string& text, const std::string& from, TiXmlDocument& document);
+
+/// The name of the first element of a text, without parsing: what kind of file it is. Empty where there is none.
+std::string first_element(const std::string& text);
+
+}  // namespace importer
