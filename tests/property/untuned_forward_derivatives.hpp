@@ -88,12 +88,14 @@ class UntunedForwardDerivatives : UntunedReference<R, Features...> {
   }
 };
 
-/// A matrix is inside its bounds; of answers with ok it is right to `right` of its largest entry.
+/// A matrix is inside its bounds; of answers with ok it is right to `right` of its largest entry, and no bound is above
+/// 30 times the largest error.
 inline void expect_slopes_inside(const char* name, const SeenSlopes& seen, double right) {
   std::printf("; %s up to %.3g, error %.1e, proved within %.1e, at most %.2f of a bound", name, seen.largest,
               seen.error, seen.bound, seen.share);
   EXPECT_LE(seen.share, 1.0) << name;
   EXPECT_LE(seen.error, right * seen.largest + 1e-12) << name;
+  EXPECT_LE(seen.bound, 30.0 * seen.error + 1e-12) << name;
 }
 
 /// Of one robot, whose answers with ok are right to `right` of the largest entry; of motions inside all limits at most
