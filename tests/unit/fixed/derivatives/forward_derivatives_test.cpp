@@ -210,33 +210,99 @@ TEST(ForwardDerivativesInWords, KnowWhatInverseDynamicsIsOff) {
   expect_known_errors<Scene<R, Gravity, RotorInertia, Looped>>(0.02);
 }
 
-// Jacobians are taken at accelerations that are off: their bounds know by how much.
-TEST(ForwardDerivativesInWords, KnowHowFarTheirAccelerationsAreOff) {
-  exhaustive::Random random(43);
-  double nearest = 0.0;
-  for (std::uint64_t k = 0; k < 200; ++k) {
-    auto state = state_of<R, R>(random, 0);
-    const auto exact = forward_dynamics_derivatives<R>(
-        exhaustive::in_double<R, T>(state.q), exhaustive::in_double<R>(state.qd), exhaustive::in_double<R>(state.tau));
+namespace {
+
+/// Jacobians taken at accelerations that lack what one effort makes of them, and what they are held against.
+struct OffAccelerations {
+  using Solve = detail::DerivativeSolve<R, T>;
+  exhaustive::FixedState<R, T> state;
+  ForwardDynamicsDerivatives<R, double> exact;
+  InverseDynamicsDerivatives<R, T> needs;
+  Solve solve;
+
+  OffAccelerations(exhaustive::Random& random, int effort) : state(state_of<R, R>(random, 0)) {
+    const auto qdd = exact_at_efforts().qdd;
     for (int i = 0; i < 3; ++i)
-      state.qdd[i].raw = static_cast<std::int32_t>(std::lrint(std::ldexp(exact.qdd[i] * 0.999, state.qdd.exponent(i))));
-    const auto needs = inverse_dynamics_derivatives<R>(state.q, state.qd, state.qdd);
-    detail::DerivativeSolve<R, T> solve;
+      state.qdd[i].raw = static_cast<std::int32_t>(std::lrint(std::ldexp(qdd[i], state.qdd.exponent(i))));
+    state.tau[effort].raw += 1 << 21;
+    exact = exact_at_efforts();
+    needs = inverse_dynamics_derivatives<R>(state.q, state.qd, state.qdd);
     solve.set_inverse(state.q, {});
     solve.hold_against(needs.M);
     solve.correct(state.tau, needs.tau);
-    ASSERT_TRUE(solve.known && solve.system.proved);
-    AccelerationMatrices<R, T>::ByPosition values{}, bounds{};
-    solve.write_slopes(by::Position{}, needs.dtau_dq, solve.drift, values, bounds, true);
-    nearest = std::fmax(nearest, share(values, bounds, exact.dqdd_dq));
+    EXPECT_TRUE(solve.known && solve.system.proved);
+  }
+  ForwardDynamicsDerivatives<R, double> exact_at_efforts() const {
+    return forward_dynamics_derivatives<R>(exhaustive::in_double<R, T>(state.q), exhaustive::in_double<R>(state.qd),
+                                           exhaustive::in_double<R>(state.tau));
+  }
+  /// Efforts lack what they leave, and nothing is known of its sign.
+  void forget_correction() {
     for (int i = 0; i < 3; ++i) {
-      const double unit = std::ldexp(1.0, -state.qdd.exponent(i));
-      const double corrected =
-          (static_cast<double>(state.qdd[i].raw) + static_cast<double>(solve.correction[i])) * unit;
-      EXPECT_LE(std::fabs(corrected - exact.qdd[i]), static_cast<double>(solve.bound[i]) * unit);
+      const std::int32_t left = std::abs(state.tau[i].raw - needs.tau[i].raw);
+      solve.lack[i] += left << detail::derivative_units<R, T>.effort_up[i];
+      solve.correction[i] = 0;
     }
   }
-  EXPECT_GT(nearest, 0.005);
+  detail::AccelerationDrift<R, T> drift() const {
+    return {solve, [&](const auto& qdd) { return inverse_dynamics_derivatives<R>(state.q, state.qd, qdd); }};
+  }
+  /// The largest share of a bound.
+  double nearest() {
+    AccelerationMatrices<R, T>::ByPosition values{}, bounds{};
+    solve.write_slopes(by::Position{}, needs.dtau_dq, drift(), values, bounds, true);
+    return share(values, bounds, exact.dqdd_dq);
+  }
+};
+
+}  // namespace
+
+// Jacobians are taken at accelerations that are off: their bounds know by how much.
+TEST(ForwardDerivativesInWords, KnowHowFarTheirAccelerationsAreOff) {
+  exhaustive::Random random(43);
+  double least = 1.0;
+  for (int k = 0; k < 200; ++k) {
+    OffAccelerations off(random, k % 2);
+    least = std::fmin(least, off.nearest());
+    for (int i = 0; i < 3; ++i) {
+      const double unit = std::ldexp(1.0, -off.state.qdd.exponent(i));
+      const double corrected =
+          (static_cast<double>(off.state.qdd[i].raw) + static_cast<double>(off.solve.correction[i])) * unit;
+      EXPECT_LE(std::fabs(corrected - off.exact.qdd[i]), static_cast<double>(off.solve.bound[i]) * unit);
+    }
+  }
+  EXPECT_GT(least, 0.9) << "what a correction makes of them is known";
+}
+TEST(ForwardDerivativesInWords, KnowHowFarTheirAccelerationsMayBeOff) {
+  exhaustive::Random random(47);
+  double least = 1.0;
+  for (int k = 0; k < 200; ++k) {
+    OffAccelerations off(random, k % 2);
+    off.forget_correction();
+    least = std::fmin(least, off.nearest());
+  }
+  EXPECT_GT(least, 0.9) << "of efforts that lack something each has its part";
+}
+
+// Jacobians at magnified accelerations have errors and roundings, too, of which a share counts.
+TEST(ForwardDerivativesInWords, KnowWhatTheirDriftIsOff) {
+  exhaustive::Random random(53);
+  OffAccelerations off(random, 1);
+  off.forget_correction();
+  double share = std::ldexp(1.0, -28);  // nothing is corrected, magnified by 2^29
+  for (int m = 0; m < 3; ++m)
+    share += std::ldexp(off.solve.lack[m], 2 - off.solve.system.shift[m]);
+  ASSERT_GT(share, 1e-3);
+  const auto drift = off.drift();
+  ASSERT_TRUE(drift.bounded);
+  const auto see = [share](std::int64_t found, double least) {
+    EXPECT_GE(static_cast<double>(found), share * least);
+    EXPECT_LE(static_cast<double>(found), share * least * 1.0001 + 4.0);
+  };
+  see(drift.noise(1 << 28, 31), (1 << 28) + 3.0);
+  see(drift.moved(), 1 << 29);
+  see(drift.spread(1 << 20), 2.0 * (1 << 23));
+  EXPECT_EQ(drift.noise(1 << 20, 1) - drift.noise(1 << 20, 31), 3) << "a correction's roundings in the finest words";
 }
 
 // What is left of the inverse or of the accelerations decides, each by itself.

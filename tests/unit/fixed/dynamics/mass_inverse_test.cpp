@@ -128,6 +128,66 @@ TEST(MassInverse, SolvesWithinItsBounds) {
   EXPECT_GT(nearest_to_bounds({full, full, full}, 0.0, true), 0.7);
 }
 
+namespace {
+// The same where the right-hand side is moved by up to `moved` of its rows besides, of what find_lack() says and of
+// what is lowered.
+struct Nearest {
+  double found = 0.0, lowered = 0.0;
+};
+Nearest nearest_where_moved(const double (&rows)[N], double errors, double moved, bool rough) {
+  std::mt19937_64 generator(9);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  Nearest nearest;
+  for (int k = 0; k < 5000; ++k) {
+    System s = drawn(generator, rough ? 1.0 : std::ldexp(1.0, -k % 10), rough ? 0.1 : 1e-4);
+    if (rough)
+      s.inverse.find_defects(s.units), s.inverse.bound();
+    else
+      refine(s);
+    if (!s.inverse.proved) continue;
+    std::int32_t words[N], added[N], both[N], error[N], lack[N], lower[N], most = 0;
+    double r[N], x[N];
+    std::int64_t shifted[N];
+    for (int i = 0; i < N; ++i) {
+      words[i] = static_cast<std::int32_t>(rows[i] * any(generator));
+      added[i] = static_cast<std::int32_t>(rows[i] * moved * any(generator));
+      both[i] = words[i] + added[i];
+      most = std::max(most, std::abs(added[i]));
+      error[i] = static_cast<std::int32_t>(rows[i] * errors * (k % 3));
+      r[i] = both[i] + (i % 2 == 0 ? 1.0 : -1.0) * static_cast<double>(error[i]);
+    }
+    solve(s.exact, r, x);
+    for (int i = 0; i < N; ++i)
+      shifted[i] = std::abs(s.inverse.solved(i, added)) + N;
+    s.inverse.find_lack(both, error, lack);
+    std::copy(lack, lack + N, lower);
+    s.inverse.lower_lack(s.units, words, error, most, shifted, lower);
+    for (int i = 0; i < N; ++i) {
+      EXPECT_LE(lower[i], lack[i]);
+      const auto solved = static_cast<double>(s.inverse.solved(i, words) + s.inverse.solved(i, added));
+      const double off = std::fmax(0.0, std::fabs(solved - x[i]) - N);
+      nearest.found = std::fmax(nearest.found, off / static_cast<double>(s.inverse.off(i, lack)));
+      nearest.lowered = std::fmax(nearest.lowered, off / static_cast<double>(s.inverse.off(i, lower)));
+    }
+  }
+  EXPECT_LE(nearest.lowered, 1.0);
+  return nearest;
+}
+}  // namespace
+
+TEST(MassInverse, LowersItsBoundsByItsUnknowns) {
+  constexpr double full = (1 << 28) - 1;
+  for (const bool rough : {false, true})
+    for (const double moved : {0.0, 0.5})
+      for (const double errors : {0.0, 1e-3, 0.3}) {
+        const Nearest nearest = nearest_where_moved({full, full, full}, errors, moved, rough);
+        EXPECT_GE(nearest.lowered, nearest.found);
+        EXPECT_GT(nearest.lowered, rough || errors > 0.0 ? 0.9 : 0.7);
+      }
+  const Nearest still = nearest_where_moved({full, full, full}, 0.0, 0.0, false);
+  EXPECT_GT(still.lowered, still.found + 0.1) << "unknowns are less than columns add up to";
+}
+
 TEST(MassInverse, IsRefined) {
   std::mt19937_64 generator(6);
   System s = drawn(generator, 0.5, 1e-4);

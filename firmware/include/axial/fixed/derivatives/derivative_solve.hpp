@@ -30,6 +30,7 @@ struct DerivativeSolve {
 
   MassInverse<size> system{};
   std::int64_t correction[size] = {}, bound[size] = {};  ///< of the accelerations
+  std::int32_t lack[size] = {};  ///< of efforts that are off by no more, B makes what the correction can be
   std::int64_t drift = 0;  ///< how far the exact accelerations can be from those of the Jacobians, of half of 2^30
   bool known = true;       ///< whether accelerations are bounded
   int spilt = -1;          ///< first joint one of whose entries does not fit its format
@@ -70,7 +71,7 @@ struct DerivativeSolve {
   constexpr void correct(const Tau& tau, const Tau& needs) {
     constexpr const auto& units = derivative_units<S, T>;
     constexpr std::int64_t limit = MassInverse<size>::right_sides;
-    std::int32_t left[size] = {}, lack[size] = {};
+    std::int32_t left[size] = {};
     for (int i = 0; i < size; ++i) {
       const std::int64_t apart = std::int64_t{tau[i].raw} - needs[i].raw;
       const std::int64_t wide = in_equation(i, apart);
@@ -111,24 +112,27 @@ struct DerivativeSolve {
         }
       }
   }
-  /// A Jacobian of forward dynamics: -B times that of inverse dynamics, whose accelerations are off by `apart`.
-  template <class By, class From, class Matrix, class Bounds>
-  constexpr void write_slopes(By by, const From& from, std::int64_t apart, Matrix& values, Bounds& bounds,
+  /// A Jacobian of forward dynamics: -B times that of inverse dynamics, which accelerations that are off move as
+  /// `moves` says.
+  template <class By, class From, class Drift, class Matrix, class Bounds>
+  constexpr void write_slopes(By by, const From& from, const Drift& moves, Matrix& values, Bounds& bounds,
                               bool answered) {
     constexpr const auto& sides = right_hand_sides<S, typename T::Word, By, EquationsOf<S, T>>;
     for (int j = 0; j < size; ++j) {
-      std::int32_t right[size] = {}, lack[size] = {};
-      for (int i = 0; i < size; ++i)
-        right[i] = -(from(i, j).raw >> sides.down[i][j]);
-      bool bounded = true;
-      if constexpr (is_asked<Bounds>) bounded = find_lack(by, j, right, apart, lack);
+      std::int32_t right[size] = {}, lacks[size] = {};
+      int coarser[size] = {};
       for (int i = 0; i < size; ++i) {
-        const int coarser = C::Requests::exponent(i) + sides.scale[j] - Matrix::exponent(i, j);
+        right[i] = -(from(i, j).raw >> sides.down[i][j]);
+        coarser[i] = C::Requests::exponent(i) + sides.scale[j] - Matrix::exponent(i, j);
+      }
+      bool bounded = true;
+      if constexpr (is_asked<Bounds>) bounded = find_lack(by, j, right, coarser, moves, lacks);
+      for (int i = 0; i < size; ++i) {
         bool fits = true, held = bounded;
-        const std::int64_t value = moved_wide(system.solved(i, right), coarser, fits);
+        const std::int64_t value = moved_wide(system.solved(i, right), coarser[i], fits);
         const bool is_held = put(i, values(i, j), value, fits, answered);
         if constexpr (is_asked<Bounds>) {
-          const std::int64_t off = moved_wide(system.off(i, lack), coarser, held) + 2;
+          const std::int64_t off = moved_wide(system.off(i, lacks), coarser[i], held) + moves.off(i, j) + 2;
           bounds(i, j) = {bound_word(select_wide(sides.filled[j], off, 0), is_held & held)};
         }
       }
@@ -154,20 +158,28 @@ struct DerivativeSolve {
   static constexpr bool is_asked = !std::is_same_v<Bounds, NoBounds::Matrix>;
 
   /// What column j of a Jacobian lacks as a right-hand side; false where that is more than words bound.
-  template <class By>
-  constexpr bool find_lack(By by, int j, const std::int32_t (&right)[size], std::int64_t apart,
-                           std::int32_t (&lack)[size]) const {
+  template <class By, class Drift>
+  constexpr bool find_lack(By by, int j, const std::int32_t (&right)[size], const int (&coarser)[size],
+                           const Drift& moves, std::int32_t (&lacks)[size]) const {
+    constexpr const auto& units = derivative_units<S, T>;
     constexpr const auto& sides = right_hand_sides<S, typename T::Word, By, EquationsOf<S, T>>;
-    std::int32_t error[size] = {};
-    bool bounded = true;
+    std::int32_t error[size] = {}, largest[size] = {};
+    std::int64_t shifted[size] = {};
+    bool bounded = moves.bounded;
     for (int i = 0; i < size; ++i) {
-      // Accelerations move an entry by their share of all that it can be.
-      const std::int64_t all = derivative_units<S, T>.errors(by, j)[i] + (apart >> (sides.down[i][j] - 2)) + 1;
-      const bool fits = is_less_wide(all, MassInverse<size>::right_sides);
+      const std::int32_t own = units.errors(by, j)[i];
+      const std::int64_t all = std::int64_t{own} + moves.noise(own, sides.down[i][j]) + 1;
+      const std::int64_t most = all + moves.spread(system.spread[i]);
+      const bool fits = is_less_wide(most, MassInverse<size>::right_sides);
       bounded = bounded & fits;
       error[i] = static_cast<std::int32_t>(all & -static_cast<std::int64_t>(fits));
+      largest[i] = static_cast<std::int32_t>(most & -static_cast<std::int64_t>(fits));
+      bool held = true;
+      const std::int64_t shift = moved_wide(moves.off(i, j), -coarser[i], held);
+      shifted[i] = select_wide(held, shift, std::int64_t{1} << 60);
     }
-    system.find_lack(right, error, lack);
+    system.find_lack(right, largest, lacks);
+    system.lower_lack(units.mass, right, error, moves.moved(), shifted, lacks);
     return bounded;
   }
   /// The word of an entry of row i, 0 where it is not known; whether it is.

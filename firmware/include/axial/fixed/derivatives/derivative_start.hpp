@@ -23,7 +23,8 @@ AXIAL_INLINE constexpr int first_beyond(const CertifiedDynamics<S, T>& answer, c
   return first;
 }
 
-/// Results of inverse dynamics that those of forward dynamics need; looped, a function that is called twice.
+/// Results of inverse dynamics that those of forward dynamics need; looped or certified, a function that is called
+/// for each of its accelerations.
 template <class S, class T, class Result, bool apart = scene_of<S>::template has<Looped>>
 AXIAL_INLINE constexpr auto slopes_for(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd,
                                        const Accelerations<robot_of<S>, T>& qdd, const Inputs<S, T>& in) {

@@ -3,6 +3,7 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
+#include <axial/fixed/derivatives/acceleration_drift.hpp>
 #include <axial/fixed/derivatives/derivative_start.hpp>
 
 #include <axial/options/begin.hpp>
@@ -36,6 +37,15 @@ inline constexpr bool is_certified = false;
 template <class S, class T, class... Wanted>
 inline constexpr bool is_certified<CertifiedDerivatives<S, T, Wanted...>> = true;
 
+/// How far d qdd / d q is off where its accelerations are; nothing where no bounds are asked for.
+template <class Result, class S, class T, class SlopesAt>
+AXIAL_INLINE constexpr auto drift_of(const DerivativeSolve<S, T>& solve, const SlopesAt& slopes_at) {
+  if constexpr (is_certified<Result>)
+    return AccelerationDrift<S, T>(solve, slopes_at);
+  else
+    return NoDrift{};
+}
+
 /// Results in words, with their bounds where those are CertifiedDerivatives.
 template <class Result, class S, class T>
 AXIAL_INLINE constexpr Result derivatives_in_words(const Positions<robot_of<S>, T>& q,
@@ -66,7 +76,9 @@ AXIAL_INLINE constexpr Result derivatives_in_words(const Positions<robot_of<S>, 
   typename Solve::C::Requests x{};
   static_cast<void>(requested<S>(answer, x));
 
-  const auto needs = slopes_for<S, T, Result>(q, qd, x, in);
+  constexpr bool apart = looped || is_certified<Result>;
+  const auto slopes_at = [&](const auto& qdd) AXIAL_INLINE { return slopes_for<S, T, Result, apart>(q, qd, qdd, in); };
+  const auto needs = slopes_at(x);
   Solve solve;
   if constexpr (looped)
     solve.set_columns(start.columns);
@@ -80,10 +92,12 @@ AXIAL_INLINE constexpr Result derivatives_in_words(const Positions<robot_of<S>, 
   const bool known = solved & solve.known, inside = is_negative(beyond);
   if constexpr (Result::template has<with_inverse_mass_matrix>)
     solve.write_inverse(result.M_inverse, bound.M_inverse, solved);
-  if constexpr (Result::template has<with_acceleration_by_position>)
-    solve.write_slopes(by::Position{}, needs.dtau_dq, solve.drift, result.dqdd_dq, bound.dqdd_dq, known & inside);
+  if constexpr (Result::template has<with_acceleration_by_position>) {
+    const auto drift = drift_of<Result>(solve, slopes_at);
+    solve.write_slopes(by::Position{}, needs.dtau_dq, drift, result.dqdd_dq, bound.dqdd_dq, known & inside);
+  }
   if constexpr (Result::template has<with_acceleration_by_velocity>)
-    solve.write_slopes(by::Velocity{}, needs.dtau_dqd, 0, result.dqdd_dqd, bound.dqdd_dqd, solved);
+    solve.write_slopes(by::Velocity{}, needs.dtau_dqd, NoDrift{}, result.dqdd_dqd, bound.dqdd_dqd, solved);
 
   const bool tight = publish<S, T>(answer, solve, x, known), accurate = tight & solve.is_accurate();
   for (int i = 0; i < Solve::size; ++i) {
@@ -101,14 +115,16 @@ AXIAL_INLINE constexpr Result derivatives_in_words(const Positions<robot_of<S>, 
 /// M^-1 starts from the structure's answers to one drive per joint, in the looped form from an elimination of M, is
 /// refined once by M in words, and what M leaves of it bounds every solution (mass_inverse.hpp): M, both Jacobians and
 /// the efforts at the accelerations found come with certified errors from one pass of inverse_dynamics_derivatives().
-/// In and out as there, and `bound`: |exact - result|, each in the format of the result, where the robot is what it
-/// declares and the inputs are what their words say; the largest word where nothing is known. Status: of
-/// forward_dynamics() where it has no answer, and everything is 0; acceleration_limit with the first joint that
-/// accelerates at more than it declares by a 256th, and dqdd_dq, whose formats end there, is 0; inaccurate where row
-/// sums of |1 - M B| are above 2^-10 in the units of the words, or an acceleration is off by more than a 128th of what
-/// its joint declares, at most; saturated with a joint that has an entry beyond its format, which is 0 then, with the
-/// largest word for a bound. Up to eight joints. Cost: forward dynamics, inverse_dynamics_derivatives(), and for each
-/// joint two solves; looped two passes of inverse_dynamics_derivatives(), and an elimination.
+/// By how much d qdd / d q is off where those accelerations are, further passes tell (acceleration_drift.hpp). In and
+/// out as there, and `bound`: |exact - result|, each in the format of the result, where the robot is what it declares
+/// and the inputs are what their words say; the largest word where nothing is known. Status: of forward_dynamics()
+/// where it has no answer, and everything is 0; acceleration_limit with the first joint that accelerates at more than
+/// it declares by a 256th, and dqdd_dq, whose formats end there, is 0; inaccurate where row sums of |1 - M B| are above
+/// 2^-10 in the units of the words, or an acceleration is off by more than a 128th of what its joint declares, at most;
+/// saturated with a joint that has an entry beyond its format, which is 0 then, with the largest word for a bound. Up
+/// to eight joints. Cost: forward dynamics, inverse_dynamics_derivatives(), and for each joint two solves; looped one
+/// pass of inverse_dynamics_derivatives() more, and an elimination; for bounds of dqdd_dq a pass for each joint, and
+/// two.
 template <class S, class... Wanted, class T>
 [[nodiscard]] constexpr CertifiedDerivatives<S, T, Wanted...> certified_forward_dynamics_derivatives(
     const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const EffortsOf<S, T>& tau,

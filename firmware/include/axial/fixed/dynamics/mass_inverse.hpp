@@ -128,6 +128,33 @@ struct MassInverse {
       lack[k] = error[k] + static_cast<std::int32_t>(sum >> defect_bits) + 1;
     }
   }
+  /// Lowers what find_lack() says, where the right-hand side is moved besides: f = r + v + g, |g| <= lack, |v| <=
+  /// `moved` and |B v| <= `shifted`. With words W of M, which are off by E, g = d + (1 - W B) f - E x for the unknowns
+  /// x = B f. What r has of the second is known with its sign; of the third unknowns count, not what columns of B add
+  /// up to.
+  constexpr void lower_lack(const MassUnits<N>& units, const std::int32_t (&r)[N], const std::int32_t (&error)[N],
+                            std::int64_t moved, const std::int64_t (&shifted)[N], std::int32_t (&lack)[N]) const {
+    std::int64_t unknown[N] = {}, largest = 0;
+    for (int i = 0; i < N; ++i) {
+      unknown[i] = wide_magnitude(solved(i, r)) + off(i, lack) + shifted[i];
+      largest |= unknown[i];
+    }
+    const int above = wide_bits(largest) - word_bits, coarser = select(is_negative(above), 0, above);
+    std::int32_t words[N] = {}, lower[N] = {};
+    for (int i = 0; i < N; ++i)
+      words[i] = static_cast<std::int32_t>(wide_shifted_by(unknown[i], coarser)) + 1;
+    for (int k = 0; k < N; ++k) {
+      std::int64_t by_mass = 0;
+      for (int j = 0; j < N; ++j)
+        by_mass += integer::multiply(units.error[k][j], words[j]);
+      bool fits = true;
+      const std::int64_t sum =
+          lost_of(k, r, lack, moved, fits) + moved_wide(by_mass, units.scale[k] - coarser, fits) + error[k] + 2;
+      lower[k] = static_cast<std::int32_t>(select_wide(fits & is_less_wide(sum, lack[k]), sum, lack[k]));
+    }
+    for (int k = 0; k < N; ++k)
+      lack[k] = lower[k];
+  }
   /// Row i of B r, to N units; |r| <= 2^30.
   [[nodiscard]] constexpr std::int64_t solved(int i, const std::int32_t (&r)[N]) const {
     std::int64_t sum = 0;
@@ -153,7 +180,25 @@ struct MassInverse {
   }
 
  private:
+  static constexpr int word_bits = 30;
   std::int32_t refined_[N][N] = {};
+
+  /// Row k of (1 - W B) f.
+  constexpr std::int64_t lost_of(int k, const std::int32_t (&r)[N], const std::int32_t (&lack)[N], std::int64_t moved,
+                                 bool& fits) const {
+    std::int64_t known = 0, open = 0;
+    for (int j = 0; j < N; ++j) {
+      const auto left = static_cast<std::int32_t>(defect[k][j]);  // rounded down
+      const std::int64_t besides = moved + lack[j];
+      const bool below = is_less_wide(besides, std::int64_t{1} << (word_bits + 1));
+      fits = fits & below;
+      known += integer::multiply(left, r[j]);
+      open += 2 * std::int64_t{word_magnitude(r[j])};
+      open += integer::multiply(word_magnitude(left) + 2,
+                                static_cast<std::int32_t>(besides & -static_cast<std::int64_t>(below)));
+    }
+    return (wide_magnitude(known) + open) >> defect_bits;
+  }
 };
 
 }  // namespace axial::detail
