@@ -126,7 +126,7 @@ template <class Method, class S, class T, class Stiffness = NoStiffness>
 [[nodiscard]] constexpr StepLimit<T> step_limit(const Positions<robot_of<S>, T>& q,
                                                 const Inputs<S, T>& in = no_inputs<S, T>(),
                                                 const Stiffness& drive = {}) {
-  detail::check_summed<T>();
+  detail::check_summed<S, T>();
   if constexpr (detail::is_word<T>)
     return {};
   else
@@ -137,7 +137,7 @@ template <class Method, int N, class... F, class T, class Stiffness = NoStiffnes
 [[nodiscard]] constexpr StepLimit<T> step_limit(const Model<N, F...>& model, const Positions<M, T>& q,
                                                 const Inputs<M, T>& in = no_inputs<M, T>(),
                                                 const Stiffness& drive = {}) {
-  detail::check_summed<T>();
+  detail::check_summed<M, T>();
   if constexpr (detail::is_word<T>)
     return {};
   else

@@ -36,7 +36,9 @@ struct StaticSystem {
   template <class T, class Q, class V, class Tau>
   static constexpr ForwardDynamicsOf<S, T> accelerations(const Q& q, const V& qd, const Tau& tau,
                                                          const Inputs<S, T>& in) {
-    return forward_dynamics<S>(q, qd, tau, in);
+    auto a = forward_dynamics<S>(q, qd, tau, in);
+    Summation<S, T>::name_lost(a.status, q, qd);
+    return a;
   }
 };
 
