@@ -2,6 +2,7 @@
 // bits.
 #include <axial/fixed.hpp>
 #include <axial/fixed/simulation/integrators.hpp>
+#include <axial/simulation/step_limit.hpp>
 
 #include <gtest/gtest.h>
 
@@ -50,9 +51,9 @@ TYPED_TEST_SUITE(Words, Methods);
 
 }  // namespace
 
-// A thousandth of a unit per step, a million times: words alone would stand still.
+// A hundredth of a unit per step, twenty thousand times: words alone would stand still.
 TYPED_TEST(Words, LoseNothingOfSmallSteps) {
-  constexpr int steps = 1'000'000;
+  constexpr int steps = 20'000;
   constexpr double h = 0x1p-20, turn_rate = 0x1p-19, slide_rate = 0x1p-14;
   auto x = moving(turn_rate, slide_rate);
   const double unit = std::ldexp(1.0, -Positions<Free, Fixed32>::exponent(1));
@@ -151,6 +152,45 @@ TYPED_TEST(Words, RefuseInputsBeyondWhatIsDeclared) {
   const Status status = advance<TypeParam>(x, 1e-3, held);
   EXPECT_EQ(status.code, Status::Code::payload_limit);
   EXPECT_EQ(x.steps, 0U);
+}
+
+namespace {
+
+/// A wheel in thick grease: 4000 1/s.
+struct Greased {
+  static constexpr auto chain = axial::chain(
+      gravity(0.0, 0.0, 0.0),
+      revolute().mass(1.0).inertia_com(0.25, 0.25, 0.5).viscous(2000.0).speed_limit(3.0).acceleration_limit(16000.0));
+};
+using Grease = Scene<Greased, Friction>;
+
+/// Status of the first step that is not made, of many from full speed; what is left of the speed.
+template <class Method>
+Status stopped(double h, double& speed) {
+  Motion<Grease, Fixed32> x;
+  x.qd = to_fixed<Velocities<Greased, Fixed32>>(Joints<Greased, double>{1.0}).values;
+  Status status;
+  for (int k = 0; k < 200 && status.ok(); ++k)
+    status = advance<Method>(x, h, Held<Grease, Fixed32>{});
+  speed = std::fabs(to_real<double>(x.qd)[0]);
+  return status;
+}
+
+}  // namespace
+
+// The limit in float is theirs; beyond it they say so before a word wraps.
+TYPED_TEST(Words, BlowUpIntoAStatus) {
+  const auto limit = step_limit<TypeParam, Grease>(Joints<Greased, float>{});
+  const double inside = 0.9 * static_cast<double>(limit), beyond = 1.2 * static_cast<double>(limit);
+  double speed = 0.0;
+  EXPECT_TRUE(limit.judge(static_cast<float>(inside)).ok());
+  EXPECT_FALSE(limit.judge(static_cast<float>(beyond)).ok());
+  EXPECT_TRUE(stopped<TypeParam>(inside, speed).ok());
+  EXPECT_LE(speed, 1e-6);
+  const Status status = stopped<TypeParam>(beyond, speed);
+  EXPECT_EQ(status.code, Status::Code::speed_limit);
+  EXPECT_EQ(status.joint, 0);
+  EXPECT_LE(speed, 3.0);
 }
 
 namespace {

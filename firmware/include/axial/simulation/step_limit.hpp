@@ -15,6 +15,11 @@ struct StepLimit {
   T seconds{};      ///< s; infinite where no step is too large, 0 where the status is not ok
   Status status{};  ///< not_finite or angle_range; about no joint
 
+  /// What there is to say against a step of h seconds: nothing, that there is no limit to hold it against, or
+  /// input_limit where it is longer, or none.
+  [[nodiscard]] constexpr Status judge(const T& h) const {
+    return !status.ok() || h <= seconds ? status : Status{Status::Code::input_limit, -1};
+  }
   /// the seconds
   [[nodiscard]] AXIAL_INLINE constexpr operator T() const { return seconds; }  // NOLINT(google-explicit-constructor)
 };

@@ -24,19 +24,20 @@ AXIAL_INLINE constexpr void add_exactly(T& x, T& rest, const T& dx) {
 /// that is moved, `rates` one rate or the four slopes of a Runge-Kutta step, then with a sixth of the step.
 template <class S, class T>
 struct Summation {
-  /// whether T is summed
-  static constexpr bool is_there = is_number_v<T> && std::numeric_limits<T>::is_iec559;
+  /// whether T is summed: float, double, what counts operations
+  static constexpr bool is_there =
+      is_number_v<T> && !is_word<T> && !std::is_integral_v<T> && std::is_same_v<Lane<T>, T>;
   using Step = T;   ///< a step of time, s
   using Time = T;   ///< s since step 0
   struct Rests {};  ///< what rounding leaves of every sum: nothing is kept
   /// Parts of a step.
   ///@{
-  AXIAL_INLINE static constexpr T half(const T& h) { return h * T(0.5); }
-  AXIAL_INLINE static constexpr T sixth(const T& h) { return h / T(6); }
+  AXIAL_INLINE static constexpr T half(const T& h) { return h * constant(0.5); }
+  AXIAL_INLINE static constexpr T sixth(const T& h) { return h / constant(6.0); }
   ///@}
   /// Seconds after that many steps of h and half steps, rounded twice, however many there were.
   AXIAL_INLINE static constexpr T time(std::uint64_t steps, const T& h, int halves) {
-    const T whole = static_cast<T>(steps + static_cast<std::uint64_t>(halves / 2)) * h;
+    const T whole = number(steps + static_cast<std::uint64_t>(halves / 2)) * h;
     return halves % 2 == 0 ? whole : whole + half(h);
   }
   /// f(i) for every joint.
@@ -52,14 +53,14 @@ struct Summation {
     if constexpr (X::is_compensated)
       add_exactly(x.qd[i], x.qd_rest[i], T(h * total(rates...)));
     else
-      x.qd[i] += h * total(rates...);
+      x.qd[i] = x.qd[i] + h * total(rates...);
   }
   template <class X, class... Rates>
   AXIAL_INLINE static constexpr void add_position(X& x, int i, const T& h, const Rates&... rates) {
     if constexpr (X::is_compensated)
       add_exactly(x.q[i], x.q_rest[i], T(h * total(rates...)));
     else
-      x.q[i] += h * total(rates...);
+      x.q[i] = x.q[i] + h * total(rates...);
   }
   ///@}
   /// Joint i of `moved` into x, or nothing.
@@ -85,9 +86,16 @@ struct Summation {
   AXIAL_INLINE static constexpr void name_lost(Status&, const Q&, const V&) {}
 
  private:
+  AXIAL_INLINE static constexpr T constant(double value) { return NumberTraits<T>::constant(value); }
+  AXIAL_INLINE static constexpr T number(std::uint64_t count) {
+    if constexpr (std::is_floating_point_v<T>)
+      return static_cast<T>(count);
+    else
+      return constant(static_cast<double>(count));
+  }
   AXIAL_INLINE static constexpr const T& total(const T& rate) { return rate; }
   AXIAL_INLINE static constexpr T total(const T& a, const T& b, const T& c, const T& d) {
-    return a + (T(2) * (b + c) + d);
+    return a + (constant(2.0) * (b + c) + d);
   }
 };
 
