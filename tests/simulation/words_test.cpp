@@ -142,6 +142,12 @@ TYPED_TEST(Words, SayWhatIsLostBeforeWhatIsTold) {
   EXPECT_EQ(status.code, Status::Code::speed_limit);
   EXPECT_EQ(status.joint, 1);
   EXPECT_EQ(x.steps, 1U);
+  // Beyond its end the slide has no acceleration, though it would be back after the step.
+  x.qd[1].raw = -(1 << 28), x.q[1].raw = fixed_limits_of<S, std::int32_t>.joints[1].max + 1;
+  const Status slid = advance<TypeParam>(x, 1e-3, Held<S, Fixed32>{});
+  EXPECT_EQ(slid.code, Status::Code::position_limit);
+  EXPECT_EQ(slid.joint, 1);
+  EXPECT_EQ(x.steps, 1U);
 }
 
 TYPED_TEST(Words, RefuseInputsBeyondWhatIsDeclared) {

@@ -86,8 +86,8 @@ struct SemiImplicitEuler {
   static constexpr void move(int joints, X& x, const Step& h, const A& a) {
     using Sums = detail::SummationOf<X>;
     Sums::each(joints, [&](auto i) AXIAL_INLINE {
-      Sums::add_velocity(x, i, h, a[i]);
-      Sums::add_position(x, i, h, x.qd[i]);
+      Sums::add_velocity(x, i, h, a);
+      Sums::add_position(x, i, h, x.qd);
     });
   }
 };
@@ -109,8 +109,8 @@ struct RungeKutta4 {
     const auto d = behind(system, start, h, c, x.time(h, 2), drive);
     const Step sixth = Sums::sixth(h);
     Sums::each(system.size(), [&](auto i) AXIAL_INLINE {
-      Sums::add_position(x, i, sixth, a.qd[i], b.qd[i], c.qd[i], d.qd[i]);
-      Sums::add_velocity(x, i, sixth, a.qdd[i], b.qdd[i], c.qdd[i], d.qdd[i]);
+      Sums::add_position(x, i, sixth, a.qd, b.qd, c.qd, d.qd);
+      Sums::add_velocity(x, i, sixth, a.qdd, b.qdd, c.qdd, d.qdd);
     });
     return detail::first_of<Sums>(detail::first_of<Sums>(a.status, b.status),
                                   detail::first_of<Sums>(c.status, d.status));
@@ -139,8 +139,8 @@ struct RungeKutta4 {
                                              const Time& time, const Drive& drive) {
     using Sums = detail::SummationOf<X>;
     Sums::each(system.size(), [&](auto i) AXIAL_INLINE {
-      Sums::add_position(x, i, h, last.qd[i]);
-      Sums::add_velocity(x, i, h, last.qdd[i]);
+      Sums::add_position(x, i, h, last.qd);
+      Sums::add_velocity(x, i, h, last.qdd);
     });
     return slope(system, x, time, drive);
   }
@@ -160,9 +160,13 @@ struct LinearlyImplicitEuler {
   [[nodiscard]] static constexpr Status step(const System& system, X& x, const Step& h, const Drive& drive) {
     using S = typename System::Subject;
     using T = typename X::Scalar;
+    static_assert(!detail::is_word<T>,
+                  "axial: formats follow from how stiff a robot is; declare it and take LinearlyImplicitFor");
     const Instant<S, T> instant{x.q, x.qd, x.time(h)};
     detail::Driven<S, T> driven{};
-    if constexpr (detail::tells_stiffness<Drive, S, T>) {
+    if constexpr (detail::is_word<T>) {
+      return {};  // which was refused
+    } else if constexpr (detail::tells_stiffness<Drive, S, T>) {
       DriveStiffness<S, T> stiffness{};
       drive(instant, driven.tau, driven.in, stiffness);
       return solved(system, x, h, driven, stiffness);
@@ -198,6 +202,10 @@ constexpr Status advance_in(const System& system, X& x, const Step& h, const Dri
 
 }  // namespace detail
 
+/// Whether a method is for one step alone, which it knows.
+template <class Method>
+inline constexpr bool knows_its_step = false;
+
 /// Moves x on by one step of h seconds: advance<RungeKutta4>(x, h, drive), x a Motion or a CompensatedMotion.
 /// `drive(instant, tau, in)` fills the efforts and inputs at an Instant; one with a fourth argument, a
 /// DriveStiffness&, tells an implicit method how stiff it is. A Held drive does not change during the step.
@@ -208,6 +216,7 @@ constexpr Status advance_in(const System& system, X& x, const Step& h, const Dri
 template <class Method, class X, class Drive>
 [[nodiscard]] constexpr Status advance(X& x, const StepOf<typename X::Subject, typename X::Scalar>& h,
                                        const Drive& drive) {
+  static_assert(!knows_its_step<Method>, "axial: this method knows its step; call advance<Method>(x, drive)");
   detail::check_fixed_base<typename X::Subject>();
   if constexpr (!detail::SummationOf<X>::is_there || !every_joint_is_resisted<typename X::Subject>())
     return {};  // which was refused

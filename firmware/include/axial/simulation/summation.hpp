@@ -51,18 +51,24 @@ struct Summation {
   template <class X, class... Rates>
   AXIAL_INLINE static constexpr void add_velocity(X& x, int i, const T& h, const Rates&... rates) {
     if constexpr (X::is_compensated)
-      add_exactly(x.qd[i], x.qd_rest[i], T(h * total(rates...)));
+      add_exactly(x.qd[i], x.qd_rest[i], T(h * total(rates[i]...)));
     else
-      x.qd[i] = x.qd[i] + h * total(rates...);
+      x.qd[i] = x.qd[i] + h * total(rates[i]...);
   }
   template <class X, class... Rates>
   AXIAL_INLINE static constexpr void add_position(X& x, int i, const T& h, const Rates&... rates) {
     if constexpr (X::is_compensated)
-      add_exactly(x.q[i], x.q_rest[i], T(h * total(rates...)));
+      add_exactly(x.q[i], x.q_rest[i], T(h * total(rates[i]...)));
     else
-      x.q[i] = x.q[i] + h * total(rates...);
+      x.q[i] = x.q[i] + h * total(rates[i]...);
   }
   ///@}
+  /// to_i = from_i - Coefficient::of(i) rate_i; whether it does not fit.
+  template <class Coefficient, class To, class From, class Rate>
+  AXIAL_INLINE static constexpr bool subtract(To& to, const From& from, const Rate& rate, int i) {
+    to[i] = from[i] - constant(Coefficient::of(i)) * rate[i];
+    return false;
+  }
   /// Joint i of `moved` into x, or nothing.
   template <class X>
   AXIAL_INLINE static constexpr void keep_joint(bool keep, const X& moved, X& x, int i) {

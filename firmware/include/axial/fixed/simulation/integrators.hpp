@@ -50,7 +50,6 @@ struct Summation<S, Stored<Word>> {
   using Time = std::uint64_t;
   using Q = Positions<robot_of<S>, T>;
   using V = Velocities<robot_of<S>, T>;
-  using A = FreeAccelerations<subject_of<S, T>, T>;
   static constexpr bool is_there = true;
   static constexpr int joints = joint_count<S>;
   /// In 2^-32 of a unit of the word.
@@ -68,23 +67,38 @@ struct Summation<S, Stored<Word>> {
     each_of(f, std::make_integer_sequence<int, joints>{});
   }
 
-  template <class X, int I, class... Rates>
-  AXIAL_INLINE static constexpr void add_velocity(X& x, Index<I>, const FixedStep& h, const Rates&... rates) {
+  template <class X, int I, class A, class... More>
+  AXIAL_INLINE static constexpr void add_velocity(X& x, Index<I>, const FixedStep& h, const A& a, const More&... more) {
     constexpr int shift = A::exponent(I) - V::exponent(I) - 32;
-    add(x.qd[I], x.qd_rest[I], h.seconds(), shift, rates...);
+    add(x.qd[I], x.qd_rest[I], h.seconds(), shift, a.values[I], more.values[I]...);
   }
   template <class X, int I, class... Rates>
   AXIAL_INLINE static constexpr void add_position(X& x, Index<I>, const FixedStep& h, const Rates&... rates) {
     if constexpr (turns<I>) {
       bool wraps = false;
       const std::int64_t change =
-          moved_product(product(h.turns().mantissa, rates...), V::exponent(I) + h.turns().shift - 64, wraps);
+          moved_product(product(h.turns().mantissa, rates.values[I]...), V::exponent(I) + h.turns().shift - 64, wraps);
       const FineSum sum(x.q[I].raw, x.q_rest[I], change, wraps);
       x.q[I].raw = static_cast<std::int32_t>(sum.word), x.q_rest[I] = sum.rest;
     } else {
       constexpr int shift = V::exponent(I) - Q::exponent(I) - 32;
-      add(x.q[I], x.q_rest[I], h.seconds(), shift, rates...);
+      add(x.q[I], x.q_rest[I], h.seconds(), shift, rates.values[I]...);
     }
+  }
+  template <class Coefficient, class To, class From, class Rate, int I>
+  AXIAL_INLINE static constexpr bool subtract(To& to, const From& from, const Rate& rate, Index<I>) {
+    using Words = Arithmetic<Word, true, false>;
+    constexpr double coefficient = Coefficient::of(I);
+    bool spilt = false;
+    const Fx<From::exponent(I), Words> whole{from.values[I].raw};
+    if constexpr (coefficient > 0.0) {
+      const Fx<Rate::exponent(I), Words> by{rate.values[I].raw};
+      to.values[I].raw = saturated<To::exponent(I)>(spilt, whole - Literal<bits_of(coefficient), Words>{} * by).raw;
+    } else {
+      constexpr Literal<bits_of(1.0), Words> one{};
+      to.values[I].raw = saturated<To::exponent(I)>(spilt, one * whole).raw;
+    }
+    return spilt;
   }
   template <class X, int I>
   AXIAL_INLINE static constexpr void keep_joint(bool keep, const X& moved, X& x, Index<I>) {
