@@ -13,10 +13,10 @@ template <class S, class T>
 using StepOf = typename detail::Summation<S, T>::Step;
 
 /// State of a robot's joints: q (rad or m), qd (rad/s or m/s), owned by the caller. Time is the number of steps made:
-/// a sum of steps in float is 2 % short after 2e6 of them, and stands still in the end. In fixed point it holds what
-/// rounding left of each sum, too.
+/// a sum of steps in float is 2 % short after 2e6 of them, and stands still in the end. Numbers with formats specialise
+/// it, and keep what rounding left of each sum (fixed/simulation/motion.hpp).
 template <class S, class T>
-struct Motion : detail::Summation<S, T>::Rests {
+struct Motion {
   static_assert((detail::check_summed<S, T>(), true));
   using Subject = S;                             ///< the robot or scene that moves
   using Scalar = T;                              ///< float, double, or a word
@@ -25,7 +25,7 @@ struct Motion : detail::Summation<S, T>::Rests {
   Velocities<robot_of<S>, T> qd{};               ///< rad/s or m/s
   std::uint64_t steps = 0;                       ///< made since time 0
 
-  /// Seconds after that many steps of h and so many halves of one; in fixed point a count of half steps.
+  /// Seconds after that many steps of h and so many halves of one.
   [[nodiscard]] AXIAL_INLINE constexpr auto time(const StepOf<S, T>& h, int halves = 0) const {
     return detail::Summation<S, T>::time(steps, h, halves);
   }

@@ -27,9 +27,8 @@ struct Summation {
   /// whether T is summed: float, double, what counts operations
   static constexpr bool is_there =
       is_number_v<T> && !is_word<T> && !std::is_integral_v<T> && std::is_same_v<Lane<T>, T>;
-  using Step = T;   ///< a step of time, s
-  using Time = T;   ///< s since step 0
-  struct Rests {};  ///< what rounding leaves of every sum: nothing is kept
+  using Step = T;  ///< a step of time, s
+  using Time = T;  ///< s since step 0
   /// Parts of a step.
   ///@{
   AXIAL_INLINE static constexpr T half(const T& h) { return h * constant(0.5); }
@@ -63,6 +62,12 @@ struct Summation {
       x.q[i] = x.q[i] + h * total(rates[i]...);
   }
   ///@}
+  /// qd_i = speed.
+  template <class X>
+  AXIAL_INLINE static constexpr void set_velocity(X& x, int i, const T& speed) {
+    x.qd[i] = speed;
+    if constexpr (X::is_compensated) x.qd_rest[i] = constant(0.0);
+  }
   /// to_i = from_i - Coefficient::of(i) rate_i; whether it does not fit.
   template <class Coefficient, class To, class From, class Rate>
   AXIAL_INLINE static constexpr bool subtract(To& to, const From& from, const Rate& rate, int i) {

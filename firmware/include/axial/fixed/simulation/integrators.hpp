@@ -3,7 +3,7 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/fixed/dynamics/forward_dynamics.hpp>
-#include <axial/fixed/simulation/step.hpp>
+#include <axial/fixed/simulation/motion.hpp>
 #include <axial/simulation/integrators.hpp>
 
 #include <axial/options/begin.hpp>
@@ -52,16 +52,8 @@ struct Summation<S, Stored<Word>> {
   using V = Velocities<robot_of<S>, T>;
   static constexpr bool is_there = true;
   static constexpr int joints = joint_count<S>;
-  /// In 2^-32 of a unit of the word.
-  struct Rests {
-    std::int32_t q_rest[joints] = {};   ///< what q lacks
-    std::int32_t qd_rest[joints] = {};  ///< what qd lacks
-  };
   AXIAL_INLINE static constexpr FixedStep half(const FixedStep& h) { return h.half(); }
   AXIAL_INLINE static constexpr FixedStep sixth(const FixedStep& h) { return h.sixth(); }
-  AXIAL_INLINE static constexpr std::uint64_t time(std::uint64_t steps, const FixedStep&, int halves) {
-    return 2 * steps + static_cast<std::uint64_t>(halves);
-  }
   template <class F>
   AXIAL_INLINE static constexpr void each(int, const F& f) {
     each_of(f, std::make_integer_sequence<int, joints>{});
