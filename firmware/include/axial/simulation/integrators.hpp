@@ -102,7 +102,7 @@ struct RungeKutta4 {
   [[nodiscard]] static constexpr Status step(const System& system, X& x, const Step& h, const Drive& drive) {
     using Sums = detail::SummationOf<X>;
     const Step half = Sums::half(h);
-    const Start<X> start = x;
+    const Start<X>& start = x;  // until its last slope is known
     const auto a = slope(system, start, x.time(h), drive);
     const auto b = behind(system, start, half, a, x.time(h, 1), drive);
     const auto c = behind(system, start, half, b, x.time(h, 1), drive);
@@ -214,8 +214,7 @@ inline constexpr bool knows_its_step = false;
 /// every other status x is moved all the same. See step_limit.hpp for how large h may be.
 /// In fixed point (fixed/simulation/integrators.hpp) a state has limits instead: see there.
 template <class Method, class X, class Drive>
-[[nodiscard]] constexpr Status advance(X& x, const StepOf<typename X::Subject, typename X::Scalar>& h,
-                                       const Drive& drive) {
+[[nodiscard]] constexpr Status advance(X& x, StepOf<typename X::Subject, typename X::Scalar> h, const Drive& drive) {
   static_assert(!knows_its_step<Method>, "axial: this method knows its step; call advance<Method>(x, drive)");
   detail::check_fixed_base<typename X::Subject>();
   if constexpr (!detail::SummationOf<X>::is_there || !every_joint_is_resisted<typename X::Subject>())
@@ -226,7 +225,7 @@ template <class Method, class X, class Drive>
 /// Overload for a run-time model.
 template <class Method, int N, class... F, class X, class Drive>
 [[nodiscard]] constexpr Status advance(const Model<N, F...>& model, X& x,
-                                       const StepOf<typename X::Subject, typename X::Scalar>& h, const Drive& drive) {
+                                       StepOf<typename X::Subject, typename X::Scalar> h, const Drive& drive) {
   detail::check_fixed_base<Model<N, F...>>();
   if constexpr (!detail::SummationOf<X>::is_there)
     return {};
