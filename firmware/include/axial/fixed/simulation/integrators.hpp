@@ -31,8 +31,8 @@ struct FineSum {
 
   AXIAL_INLINE constexpr FineSum(std::int32_t word_before, std::int32_t rest_before, std::int64_t change, bool& spilt)
       : word(0), rest(0) {
-    const std::int64_t before =
-        static_cast<std::int64_t>(static_cast<std::uint64_t>(std::int64_t{word_before}) << 32) + rest_before;
+    const std::uint64_t whole = static_cast<std::uint64_t>(std::int64_t{word_before}) << 32;
+    const auto before = static_cast<std::int64_t>(whole + static_cast<std::uint64_t>(std::int64_t{rest_before}));
     const std::uint64_t sum = static_cast<std::uint64_t>(before) + static_cast<std::uint64_t>(change);
     const auto after = static_cast<std::int64_t>(sum);
     spilt = spilt | (((before ^ after) & (change ^ after)) < 0);
