@@ -200,8 +200,8 @@ REFUSALS = (
             lambda c: c["number"] == "fixed16", {"number": "fixed16"}, ("Observer",)),
     Refusal("the payload estimator in 16 bits", "axial: the payload estimator takes Fixed32, float or double",
             lambda c: c["number"] == "fixed16" and c["gravity"] == "Gravity", {"number": "fixed16"}, ("PayloadEstimator",)),
-    Refusal("integrators in fixed point",
-            "axial: integrators move float and double; fixed point has no format for what they sum",
+    Refusal("integrators in fixed point without their header",
+            "axial: integrators move float and double; in fixed point add #include <axial/fixed/simulation/integrators.hpp>",
             is_fixed, {"number": "fixed32"}, ("Integrators",)),
     # Algorithms
     Refusal("separation on a base that moves",

@@ -1,9 +1,10 @@
 // doc/guides/choosing.md, doc/measurements/counts.md, doc/guides/scenes.md, doc/measurements/separation.md,
-// doc/measurements/simulation.md: lines in a control loop.
+// doc/measurements/simulation.md, doc/measurements/plant.md: lines in a control loop.
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
 #include <axial/cost.hpp>
 #include <axial/fixed.hpp>
+#include <axial/fixed/simulation/integrators.hpp>
 #include <axial/simulation/integrators.hpp>
 #include <axial/simulation/step_limit.hpp>
 #include <cmath>
@@ -56,6 +57,12 @@ TEST(Simulation, AStepIsTaken) {
   EXPECT_TRUE(status.ok());
   EXPECT_NE(x.qd[1], 0.0F);
   EXPECT_GT(most, 0.0F);
+}
+
+TEST(Plant, AStepIsTaken) {
+#include "plant-1.inc"
+  EXPECT_TRUE(status.ok());
+  EXPECT_NE(x.qd[1].raw, 0);
 }
 
 }  // namespace

@@ -128,11 +128,12 @@ TYPED_TEST(Steps, ThatOverflowAreNotMade) {
 
 // Whatever comes before it, what is not finite is what a step of several evaluations says.
 TEST(StepStatus, NotFiniteComesFirst) {
+  using Sums = detail::Summation<S, double>;
   const Status singular{Code::near_singular, 2}, broken{Code::not_finite, -1}, ok{};
-  EXPECT_EQ(detail::first_trouble(singular, broken).code, Code::not_finite);
-  EXPECT_EQ(detail::first_trouble(broken, singular).code, Code::not_finite);
-  EXPECT_EQ(detail::first_trouble(ok, singular).joint, 2);
-  EXPECT_EQ(detail::first_trouble(singular, ok).joint, 2);
+  EXPECT_EQ(detail::first_of<Sums>(singular, broken).code, Code::not_finite);
+  EXPECT_EQ(detail::first_of<Sums>(broken, singular).code, Code::not_finite);
+  EXPECT_EQ(detail::first_of<Sums>(ok, singular).joint, 2);
+  EXPECT_EQ(detail::first_of<Sums>(singular, ok).joint, 2);
 }
 
 TYPED_TEST(Steps, HaveNoLimitWhereNumbersAreNone) {

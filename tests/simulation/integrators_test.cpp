@@ -1,11 +1,14 @@
 // What each integrator computes: its order, the system it solves, its sums, its status. What becomes of motions is in
 // motion_test.cpp.
 #include <axial/axial.hpp>
+#include <axial/cost.hpp>
 #include <axial/simulation/integrators.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include <robots/puma560.hpp>
 
 namespace {
 
@@ -203,6 +206,45 @@ TEST(Integrators, AreConstantExpressions) {
   }();
   static_assert(x.steps == 3 && x.q[0] < 0.5F && x.qd[0] < 0.0F);
   EXPECT_EQ(sizeof(Motion<Pendulum, float>), 2 * sizeof(float) + sizeof(std::uint64_t));
+}
+
+namespace {
+
+/// Operations of one step from any state under held efforts.
+template <class S, class Method>
+Operations operations_of_a_step() {
+  Trace trace;
+  const auto symbols = [&](auto& values) {
+    for (auto& value : values.values)
+      value = Counting(trace);
+  };
+  Motion<S, Counting> x;
+  Held<S, Counting> held;
+  symbols(x.q), symbols(x.qd), symbols(held.tau);
+  EXPECT_TRUE(advance<Method>(x, Counting(trace), held).ok());
+  for (int i = 0; i < joint_count<S>; ++i)
+    x.q[i].need(), x.qd[i].need();
+  EXPECT_FALSE(trace.overflowed());
+  return trace.operations();
+}
+
+}  // namespace
+
+// Evaluations of forward dynamics, and sums: two a joint and evaluation, and the mean of four slopes. Nothing asks for
+// the angle of a first joint that stands upright, so that three of its sums are not needed.
+TEST(Integrators, CostWhatTheyEvaluate) {
+  const auto check = [](auto scene) {
+    using S = decltype(scene);
+    constexpr int n = joint_count<S>;
+    const Operations one = cost<S>(algorithm::forward_dynamics);
+    const auto times = [&](int k, int mul, int add, int div) {
+      return Operations{k * one.mul + mul, k * one.add + add, k * one.div + div, k * one.sincos};
+    };
+    EXPECT_TRUE((operations_of_a_step<S, SemiImplicitEuler>() == times(1, 2 * n, 2 * n, 0)));
+    EXPECT_TRUE((operations_of_a_step<S, RungeKutta4>() == times(4, 1 + 10 * n - 3, 14 * n - 3, 1)));
+  };
+  check(Scene<Elastic, Gravity, RotorInertia>{});
+  check(Scene<robots::Puma560, Gravity, RotorInertia>{});
 }
 
 TEST(Integrators, PassOnWhatForwardDynamicsSays) {

@@ -178,6 +178,14 @@ TEST(StepLimit, OfSharedDrivesIsThatOfWhatTheyMove) {
             Status::Code::not_finite);
 }
 
+TEST(StepLimit, JudgesSteps) {
+  const StepLimit<double> limit{1e-3, {}}, none{0.0, {Status::Code::not_finite, -1}};
+  EXPECT_TRUE(limit.judge(1e-3).ok());
+  EXPECT_EQ(limit.judge(1.001e-3).code, Status::Code::input_limit);
+  EXPECT_EQ(limit.judge(NAN).code, Status::Code::input_limit);
+  EXPECT_EQ(none.judge(0.0).code, Status::Code::not_finite);
+}
+
 TEST(StepLimit, IsInfiniteWithoutSpringsAndForTheImplicitMethod) {
   EXPECT_TRUE((std::isinf(step_limit<RungeKutta4, Scene<Wheel>>(Joints<Wheel, double>{}))));
   EXPECT_TRUE((std::isinf(step_limit<LinearlyImplicitEuler, Scene<Wheel, JointSprings>>(Joints<Wheel, double>{}))));

@@ -22,7 +22,7 @@ LAYERS |= {
     "calls": {*KERNELS, "control"},
     "batch": {*KERNELS, "control"},
     "c_interface": {*KERNELS, "control", "calls"},
-    "fixed": {*KERNELS, "closed_form", "control", "calls", "c_interface", "algorithm.hpp", "fixed.hpp"},
+    "fixed": {*KERNELS, "closed_form", "control", "simulation", "calls", "c_interface", "algorithm.hpp", "fixed.hpp"},
 }
 MOST_HEADERS, LONGEST_PAGE = 20, 70  # of a folder; of its README.md, in lines
 HOST_ROOMS = ("tools", "robots", "boards", "plants", "figures")  # of host_sim; each may include itself and what stands in front of it

@@ -187,56 +187,13 @@ Model leg() {
   return model;
 }
 
-namespace {
-
-template <class M, class Values>
-double kinetic_energy(const M& model, const Values& q, const Values& qd) {
-  const auto mass = axial::mass_matrix(model, q, {});
-  double sum = 0.0;
-  for (int i = 0; i < model.size(); ++i)
-    for (int j = 0; j < model.size(); ++j)
-      sum += 0.5 * mass(i, j) * qd[i] * qd[j];
-  return sum;
-}
-
-/// `joints`: the links of the tree.
-template <class M, class Joints, class Values>
-double height_energy(const M& model, const Joints& joints, const Values& q) {
-  const auto poses = axial::forward_kinematics(model, q, {});
-  const auto up = joints.base_acceleration();  // minus gravity, in frame 0
-  const auto frame_0 = joints.base_pose();
-  double sum = 0.0;
-  for (int i = 0; i < model.link_count(); ++i) {
-    const auto& c = model.constants(i);
-    const auto moment = poses.frames[i].rotation * axial::Vec3<double>{c.hx, c.hy, c.hz};
-    sum += axial::dot(frame_0.rotation * up, moment + c.mass * poses.frames[i].position);
-  }
-  return sum;
-}
-
-/// `q`: of the joints.
-template <class Joints, class Values>
-double spring_energy(const Joints& joints, const Values& q) {
-  double sum = 0.0;
-  for (int i = 0; i < joints.size(); ++i) {
-    const double stretch = q[i] - joints.link(i).spring_rest();
-    sum += 0.5 * joints.link(i).spring_stiffness() * stretch * stretch;
-  }
-  return sum;
-}
-
-}  // namespace
-
 double energy(const Model& model, const Values<double>& q, const Values<double>& qd) {
-  const auto links = model.links<double>();
-  return kinetic_energy(model, q, qd) + height_energy(model, links, q) + spring_energy(links, q);
+  return axial::energy(model, q, qd, {}).total();
 }
 
 double energy(const DrivenModel& model, const axial::Joints<DrivenModel, double>& u,
               const axial::Joints<DrivenModel, double>& ud) {
-  const auto links = model.links<double>();
-  return kinetic_energy(model, u, ud) + height_energy(model, links.joints(), u) +
-         spring_energy(links.joints(), links.positions(u));
+  return axial::energy(model, u, ud, {}).total();
 }
 
 }  // namespace host_sim::simulation

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/axial.hpp>
+#include <axial/simulation/energy.hpp>
 #include <axial/simulation/step_limit.hpp>
 
 #include <string>

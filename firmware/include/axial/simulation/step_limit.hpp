@@ -15,6 +15,11 @@ struct StepLimit {
   T seconds{};      ///< s; infinite where no step is too large, 0 where the status is not ok
   Status status{};  ///< not_finite or angle_range; about no joint
 
+  /// What there is to say against a step of h seconds: nothing, that there is no limit to hold it against, or
+  /// input_limit where it is longer, or none.
+  [[nodiscard]] constexpr Status judge(const T& h) const {
+    return !status.ok() || h <= seconds ? status : Status{Status::Code::input_limit, -1};
+  }
   /// the seconds
   [[nodiscard]] AXIAL_INLINE constexpr operator T() const { return seconds; }  // NOLINT(google-explicit-constructor)
 };
@@ -126,7 +131,7 @@ template <class Method, class S, class T, class Stiffness = NoStiffness>
 [[nodiscard]] constexpr StepLimit<T> step_limit(const Positions<robot_of<S>, T>& q,
                                                 const Inputs<S, T>& in = no_inputs<S, T>(),
                                                 const Stiffness& drive = {}) {
-  detail::check_summed<T>();
+  detail::check_summed<S, T>();
   if constexpr (detail::is_word<T>)
     return {};
   else
@@ -137,7 +142,7 @@ template <class Method, int N, class... F, class T, class Stiffness = NoStiffnes
 [[nodiscard]] constexpr StepLimit<T> step_limit(const Model<N, F...>& model, const Positions<M, T>& q,
                                                 const Inputs<M, T>& in = no_inputs<M, T>(),
                                                 const Stiffness& drive = {}) {
-  detail::check_summed<T>();
+  detail::check_summed<M, T>();
   if constexpr (detail::is_word<T>)
     return {};
   else

@@ -3,6 +3,7 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/forward_dynamics.hpp>
+#include <axial/dynamics/mass_matrix.hpp>
 #include <axial/simulation/driven_step.hpp>
 #include <axial/simulation/motion.hpp>
 #include <axial/simulation/stiff_links.hpp>
@@ -36,7 +37,13 @@ struct StaticSystem {
   template <class T, class Q, class V, class Tau>
   static constexpr ForwardDynamicsOf<S, T> accelerations(const Q& q, const V& qd, const Tau& tau,
                                                          const Inputs<S, T>& in) {
-    return forward_dynamics<S>(q, qd, tau, in);
+    auto a = forward_dynamics<S>(q, qd, tau, in);
+    Summation<S, T>::name_lost(a.status, q, qd);
+    return a;
+  }
+  template <class T, class Q>
+  static constexpr auto masses(const Q& q, const Inputs<S, T>& in) {
+    return mass_matrix<S>(q, in);
   }
 };
 
@@ -54,6 +61,10 @@ struct ModelSystem {
   constexpr ForwardDynamicsOf<M, T> accelerations(const Q& q, const V& qd, const Tau& tau,
                                                   const Inputs<M, T>& in) const {
     return forward_dynamics(model, q, qd, tau, in);
+  }
+  template <class T, class Q>
+  constexpr auto masses(const Q& q, const Inputs<M, T>& in) const {
+    return mass_matrix(model, q, in);
   }
 };
 

@@ -1,0 +1,149 @@
+// Dry friction that sticks: a joint at rest stays there, exactly, while what pulls it is less than breaks it away.
+#pragma once
+#include <axial/scalar/language.hpp>
+
+#include <axial/dynamics/mass_matrix.hpp>
+#include <axial/recursion/drives.hpp>
+#include <axial/simulation/integrators.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+namespace detail {
+
+/// Whether a robot's friction is smooth somewhere; what a run-time model adds is not known.
+template <class R>
+constexpr bool is_smoothed() {
+  if constexpr (is_described<R>)
+    for (const LinkParameters& link : R::chain.links)
+      if (link.smooth_speed > 0.0) return true;
+  return false;
+}
+
+/// Dry friction of a joint, N m or N, as its drive spends it: when sliding forward and backward at the speed at hand,
+/// what breaks it away, and what forward dynamics takes at that speed.
+template <class T>
+struct DryFriction {
+  T forward{}, backward{}, breaks_forward{}, breaks_backward{}, taken{};
+
+  template <class Link>
+  AXIAL_INLINE static constexpr DryFriction of(const Link& link, const T& qd) {
+    const T fall = reciprocal(T(T(One{}) + qd * qd * link.inverse_stribeck_speed2()));
+    const T forward = T(link.coulomb_forward()), backward = T(link.coulomb_backward());
+    const T more_forward = T(link.stribeck_forward()), more_backward = T(link.stribeck_backward());
+    return {forward + more_forward * fall, backward + more_backward * fall, forward + more_forward,
+            backward + more_backward, T(friction_effort(link, qd) - link.viscous() * qd)};
+  }
+};
+
+/// How a joint moves in a step: forward, backward, or not at all.
+struct Contact {
+  int direction = 0;
+  AXIAL_INLINE constexpr bool sticks() const { return direction == 0; }
+
+  /// By a speed: of a joint at rest not at all.
+  template <class T>
+  AXIAL_INLINE static constexpr Contact of_speed(const T& qd) {
+    return {select(qd > T(0), 1, select(qd < T(0), -1, 0))};
+  }
+  /// After a step that led to the speed v, with the effort `holds` that kept the joint where it sticks: it slides where
+  /// that breaks it away, and sticks where friction would turn it around.
+  template <class T>
+  AXIAL_INLINE constexpr Contact after(const T& v, const T& holds, const DryFriction<T>& dry) const {
+    const int broken = select(holds > dry.breaks_forward, 1, select(holds < dry.breaks_backward, -1, 0));
+    return {select(sticks(), broken, select(turned(v), 0, direction))};
+  }
+  /// Whether a speed is against the direction.
+  template <class T>
+  AXIAL_INLINE constexpr bool turned(const T& v) const {
+    return direction > 0 ? v < T(0) : v > T(0);
+  }
+};
+
+}  // namespace detail
+
+/// Linearly implicit Euler, of friction whose dry part sticks: Coulomb's effort against the direction of motion, and at
+/// rest whatever is less than the static effort of that side. A joint that sticks has the speed 0 and its position to
+/// the last bit, however long; the others move as if it were locked, to the root of epsilon. Which joints stick is
+/// found in a fixed number of passes, each a linearly implicit step in which a joint that sticks has a damper as heavy
+/// as the root of 1/epsilon of its inertia: first those at rest; then those that the damper would have to hold with
+/// more than their static effort slide, and those that friction would turn around stick. A change that more passes
+/// would find is the next step's. The scene names Friction; a joint without a dry part pays for it in vain, and none
+/// has a smooth_speed(): smooth friction does not stick. Float and double.
+struct StickingEuler {
+  /// order of its error in h, and how often it asks for accelerations
+  static constexpr int order = 1, evaluations = 4;
+
+  /// One step of h seconds; `system` answers accelerations. Out: status of forward dynamics in the last pass.
+  template <class System, class X, class Step, class Drive>
+  [[nodiscard]] static constexpr Status step(const System& system, X& x, const Step& h, const Drive& drive) {
+    using S = typename System::Subject;
+    using T = typename X::Scalar;
+    static_assert(!detail::is_word<T> && scene_of<S>::template has<Friction>,
+                  "axial: what sticks is dry friction, of float and double; name Friction in the scene");
+    static_assert(!detail::is_smoothed<robot_of<S>>(),
+                  "axial: friction that sticks has no smooth_speed(); take it out, or take LinearlyImplicitEuler");
+    const auto driven = detail::ask<S, T>(drive, {x.q, x.qd, x.time(h)});
+    State<S, T> state(system, x, driven.in, h);
+    Status status{};
+    for (int pass = 0; pass < evaluations; ++pass) {
+      if (pass > 0) state.change(system.size());
+      status = state.solve(system, x, h, driven);
+    }
+    state.move(system.size(), x, h);
+    return status;
+  }
+
+ private:
+  /// Joints in a step.
+  template <class S, class T>
+  struct State {
+    static constexpr int n = joint_count<S>;
+    detail::DryFriction<T> dry[n] = {};
+    detail::Contact contact[n] = {};
+    T damper[n] = {}, v[n] = {};  // N m s/rad or N s/m; speed after the step
+
+    template <class System, class X>
+    constexpr State(const System& system, const X& x, const Inputs<S, T>& in, const T& h) {
+      const auto links = system.template links<T>();
+      for_each_link(execute<Actuators>(links), [&](auto i) AXIAL_INLINE {
+        dry[i] = detail::DryFriction<T>::of(execute<Actuators>(links).link(i), x.qd[i]);
+      });
+      const auto mass = system.masses(x.q, in);
+      const T heavy = reciprocal(T(h * square_root(NumberTraits<T>::epsilon())));
+      for (int i = 0; i < system.size(); ++i)
+        contact[i] = detail::Contact::of_speed(x.qd[i]), damper[i] = heavy * mass(i, i);
+    }
+    constexpr void change(int size) {
+      for (int i = 0; i < size; ++i)
+        contact[i] = contact[i].after(v[i], T(damper[i] * v[i]), dry[i]);
+    }
+    template <class System, class X, class Driven>
+    constexpr Status solve(const System& system, const X& x, const T& h, const Driven& driven) {
+      auto tau = driven.tau;
+      DriveStiffness<S, T> held{};
+      for (int i = 0; i < system.size(); ++i) {
+        const T slides = select(contact[i].direction > 0, dry[i].forward, dry[i].backward);
+        held.damping[i] = select(contact[i].sticks(), damper[i], T(0));
+        tau[i] = tau[i] + dry[i].taken - select(contact[i].sticks(), T(damper[i] * x.qd[i]), slides);
+      }
+      const auto a = detail::implicit_accelerations(system, h, x.q, x.qd, tau, driven.in, held);
+      for (int i = 0; i < system.size(); ++i)
+        v[i] = x.qd[i] + h * a[i];
+      return a.status;
+    }
+    template <class X>
+    constexpr void move(int size, X& x, const T& h) {
+      using Sums = detail::SummationOf<X>;
+      for (int i = 0; i < size; ++i) {
+        const bool turned = contact[i].turned(v[i]), rests = contact[i].sticks() | turned;
+        Sums::set_velocity(x, i, select(rests, T(0), v[i]));
+        Sums::add_position(x, i, h, x.qd);
+      }
+    }
+  };
+};
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>
