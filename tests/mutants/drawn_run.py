@@ -57,8 +57,11 @@ class DrawnRun:
         """(mutant, its row) as they come."""
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
             futures = {pool.submit(self.judge, mutant, verdicts.get(mutant.breaks, {}).get("tried", {})): mutant for mutant in mutants}
-            for future in concurrent.futures.as_completed(futures):
-                yield futures[future], future.result()
+            try:
+                for future in concurrent.futures.as_completed(futures):
+                    yield futures[future], future.result()
+            finally:
+                pool.shutdown(cancel_futures=True)
 
     def judge(self, mutant, tried):
         """killed_by is empty where no test noticed the change, and where none was there to try. What was tried once is not, as long as that source is the same."""

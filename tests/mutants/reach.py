@@ -36,7 +36,7 @@ def words_of(file):
 @functools.lru_cache(maxsize=None)
 def words_of_test(test):
     """Of a test source and of the headers beside it."""
-    return frozenset().union(*(words_of(file) for file in read_by(f"tests/{test}") if file.startswith("tests/") and not file.startswith("tests/oracle/")))
+    return frozenset().union(*(words_of(file) for file in read_by(f"tests/{test}") if file == f"tests/{test}" or re.match("tests/(?!oracle)", file)))
 
 
 def stems_of(path):
