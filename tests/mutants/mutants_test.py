@@ -148,12 +148,13 @@ class Runner(unittest.TestCase):
 class Drawn(unittest.TestCase):
     """In a folder below the build's, for the sources are read from the project."""
 
-    def setUp(self):
+    @classmethod
+    def setUpClass(cls):
         place = table.ROOT / "build"
         place.mkdir(exist_ok=True)
         folder = tempfile.TemporaryDirectory(prefix="mutants-", dir=place)
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
 
     def judged(self, *changes):
         with contextlib.redirect_stdout(io.StringIO()):
