@@ -1,7 +1,6 @@
 """Mutants from the code, not from the tests: single changes by operators, drawn over the headers, hal, apps and host_sim."""
 
 import collections
-import pathlib
 import random
 import re
 

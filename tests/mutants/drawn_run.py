@@ -2,7 +2,6 @@
 
 import concurrent.futures
 import json
-import pathlib
 import queue
 import subprocess
 import threading
