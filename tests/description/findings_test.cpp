@@ -119,6 +119,36 @@ TEST(Findings, LimitsLeaveRoom) {
   expect_refused_beyond(&LinkParameters::effort_limit, 1e-300, nan, "effort limit");
 }
 
+TEST(Findings, DrivesThatJointsShareAreThereAndMoveThem) {
+  const auto with = [](const std::function<void(LinkParameters&)>& change) {
+    return found([&](auto& p) { p.drives.name(0, 0.5), change(p); });
+  };
+  EXPECT_EQ(with([](auto&) {}), "") << "a drive of the first joint, and its own";
+  for (const double ratio : {0.0, nan})
+    EXPECT_NE(with([=](auto& p) { p.drives.ratio[0] = ratio; }).find("a ratio that is 0 or not finite"),
+              std::string::npos);
+  EXPECT_EQ(with([](auto& p) { p.drive_min = -1, p.drive_max = 1; }), "");
+  EXPECT_NE(with([](auto& p) { p.drive_min = 1, p.drive_max = -1; }).find("limits upside down"), std::string::npos);
+  EXPECT_NE(with([](auto& p) { p.drives.of[0] = -1; }).find("what is not there"), std::string::npos);
+  EXPECT_EQ(with([](auto& p) { p.drives.follows = true; }), "") << "no drive of its own, and no limit either";
+  for (auto field : {&LinkParameters::effort_limit, &LinkParameters::rotor_inertia, &LinkParameters::viscous})
+    EXPECT_NE(with([=](auto& p) { p.drives.follows = true, p.*field = 0.25; }).find("has no drive of its own"),
+              std::string::npos);
+}
+
+TEST(Findings, DrivesThatJointsShareMoveThemIndependently) {
+  const auto with = [](double ratio) {  // both joints are moved by both drives
+    LinkParameters first = sound(), second = sound();
+    for (auto* p : {&first, &second})
+      p->drives.complete = true, p->drives.name(0, 1.0), p->drives.name(1, p == &first ? 1.0 : ratio);
+    Description robot = arm(second);
+    robot.links[0].parameters = first;
+    return description::lines(description::findings(robot), true);
+  };
+  EXPECT_EQ(with(-1.0), "") << "a differential";
+  EXPECT_NE(with(1.0).find("independently of each other"), std::string::npos);
+}
+
 TEST(Findings, BodiesHaveMassAndPlaceAndInertia) {
   expect_refused_beyond(&LinkParameters::mass, huge, above(huge), "mass");
   expect_refused_beyond(&LinkParameters::mass, 1.0, -1e-300, "negative");

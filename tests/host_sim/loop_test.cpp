@@ -121,6 +121,22 @@ TEST(Loop, MotorsThatLeadTheirLinksAreTenTimesAsExact) {
   }
 }
 
+// Of what is wrong with the springs the firmware knows nothing. A damper of the ratio zeta lets a link run ahead of its
+// spring by zeta / (pi f) of the rate at which its torque changes: in proportion.
+TEST(Loop, SpringsThatAreSofterAndDampersAreFelt) {
+  const auto tool_error = [](double stiffness_error, double damping_ratio) {
+    Case c;
+    c.robot = "puma560", c.resonance = 12, c.seconds = 2.0;
+    c.stiffness_error = stiffness_error, c.damping_ratio = damping_ratio;
+    const auto controller = elastic_on_host(c.robot, c.resonance);
+    return follow(c, *controller).tool_rms;
+  };
+  const double exact = tool_error(0.0, 0.0), half = tool_error(0.0, 0.5), whole = tool_error(0.0, 1.0);
+  EXPECT_GT(tool_error(-0.1, 0.0), 20.0 * exact);
+  EXPECT_GT(half, 3.0 * exact);
+  EXPECT_NEAR(whole / half, 2.0, 0.3);
+}
+
 TEST(Loop, ASetPointWithoutItsDerivativesIsRefused) {
   const auto controller = elastic_on_host("scara", 12);
   link::SetPoint still{};

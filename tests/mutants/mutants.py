@@ -12,11 +12,11 @@ import re
 import subprocess
 import sys
 import tempfile
-import threading
 import time
 
 import build
 import drawn
+import drawn_run
 import essence
 import table
 import trim
@@ -41,6 +41,8 @@ def arguments():
     parser.add_argument("--essence", metavar="N", type=int, help="N mutants, which ones the commit tells, against tests of ./axial test alone")
     parser.add_argument("--draw", metavar="N", type=int, help="N mutants made from the code by operators, each against tests of its file and folder")
     parser.add_argument("--seed", metavar="N", type=int, help="of --essence and --draw, instead of the commit")
+    parser.add_argument("--again", action="store_true", help="of --draw: try survivors of an earlier run once more")
+    parser.add_argument("--seconds", metavar="N", type=float, default=drawn_run.SECONDS, help="of --draw: of compiling and running that a mutant is worth")
     parser.add_argument("--record", action="store_true", help="remember which test killed which mutant: it is tried first")
     parser.add_argument("--list", action="store_true", help="say which mutants there are, and run none")
     parser.add_argument("--check", action="store_true", help="only see whether every mutant's text stands in its file, once")
@@ -65,7 +67,7 @@ def chosen(mutants, options):
     seed = commit_number() if options.seed is None else options.seed
     if options.essence:
         mutants = essence.sample(mutants, options.essence, seed)
-    return drawn.draw(mutants, options.draw, seed, known_killers()) if options.draw else mutants
+    return mutants
 
 
 def known_killers():
@@ -113,7 +115,7 @@ class Run:
         filters = collections.defaultdict(set)
         for mutant in mutants:
             filters[f"tests/{mutant.test}"].add("" if mutant.by_compiler else self.tests_of(mutant)[0])
-        sources = {(source, tuple(flags)) for mutant in mutants if not is_compile_fail(mutant.test)
+        sources = {(source, tuple(flags)) for mutant in mutants if not drawn_run.is_refusal(mutant.test)
                    for source, flags in self.programs.of(mutant.test)[0]}
         items = [(source, flags, "" if "" in filters[source] else ":".join(filters[source])) for source, flags in sorted(sources)]
         for (source, *_), _ in self.each(self.compile_one, items):
@@ -146,8 +148,8 @@ class Run:
     def unchanged_failure(self, copy, item):
         """What fails, and the filters that select no test."""
         test, filters = item
-        if is_compile_fail(test):
-            return compile_fail_failure(copy, test), set()
+        if drawn_run.is_refusal(test):
+            return drawn_run.refusal_failure(copy, test), set()
         sources, libraries = self.programs.of(test)
         program, missing = self.folder / re.sub(r"\W", "_", test), set()
         build.link([self.objects.path(source, flags) for source, flags in sources], libraries, program)
@@ -163,9 +165,9 @@ class Run:
         """The test that fails, empty where none does; and what is wrong with the mutant itself."""
         try:
             with copy.changed(mutant.file, mutant.apply):
-                if is_compile_fail(mutant.test):
-                    failure = compile_fail_failure(copy, mutant.test)
-                    return (f"{mutant.test}: {failure}" if failure else ""), ""
+                if drawn_run.is_refusal(mutant.test):
+                    failure = drawn_run.refusal_failure(copy, mutant.test)
+                    return failure, ""
                 return self.failing_test(copy, mutant), ""
         except (table.TableError, build.BuildError) as error:
             return "", str(error)
@@ -181,14 +183,14 @@ class Run:
         sources, libraries = self.programs.of(mutant.test)
         suite, objects = tests.split(".")[0], []
         if not any(self.objects.depend_on(source, flags, mutant.file) for source, flags in sources):
-            return self.has_nothing_of(mutant)
+            raise table.TableError(f"{mutant.test} does not include {mutant.file}")
         for source, flags in sources:
             path = self.objects.path(source, flags)
             if not self.objects.depend_on(source, flags, mutant.file):
-                objects.append(self.unchanged(copy, source, flags))
+                objects.append(path)
                 continue
             text = (copy.folder / source).read_text()
-            if source == f"tests/{mutant.test}" and self.is_trimmed(mutant):
+            if source == f"tests/{mutant.test}" and not mutant.by_compiler:
                 text, tests = trim.trimmed(text, tests)
             path = copy.folder / "mutant" / path.name
             path.parent.mkdir(exist_ok=True)
@@ -205,66 +207,6 @@ class Run:
         return build.run(program, tests)[2].replace(tests.split(".")[0], suite)
 
 
-    def is_trimmed(self, mutant):
-        return not mutant.by_compiler
-
-    def unchanged(self, _, source, flags):
-        return self.objects.path(source, flags)
-
-    def has_nothing_of(self, mutant):
-        raise table.TableError(f"{mutant.test} does not include {mutant.file}")
-
-
-class DrawnRun(Run):
-    """Drawn mutants, each against one test after the other until one notices it; what is not changed is built where it is asked for."""
-
-    def __init__(self, folder, jobs):
-        super().__init__(folder, jobs)
-        self.noticed, self.building = set(), threading.Lock()
-
-    def compile_unchanged(self, _):
-        pass
-
-    def unchanged_failures(self, _):
-        return {}
-
-    def tests_of(self, mutant):
-        return [mutant.filter]
-
-    def killed_by(self, copy, mutant):
-        if drawn.base(mutant.name) in self.noticed:
-            return "noticed before", ""
-        killer, fault = super().killed_by(copy, mutant)
-        self.noticed |= {drawn.base(mutant.name)} if killer else set()
-        return killer, fault
-
-    def is_trimmed(self, mutant):
-        return bool(mutant.filter)
-
-    def unchanged(self, copy, source, flags):
-        path = super().unchanged(copy, source, flags)
-        with self.building:
-            if not path.exists():
-                build.compile_source(copy, source, list(flags), path, self.objects.precompiled)
-        return path
-
-    def has_nothing_of(self, _):
-        return ""
-
-
-def is_compile_fail(test):
-    return test.startswith("compile_fail/")
-
-
-def compile_fail_failure(copy, test):
-    """What tests/compile_fail/check.cmake says of a source of its own."""
-    folder = copy.folder / "tests/compile_fail"
-    command = ["cmake", "-DCOMPILER=g++", f"-DSOURCE={copy.folder / 'tests' / test}", f"-DROOT={copy.folder}", "-P", "check.cmake"]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
-    said = [line.strip() for line in done.stderr.splitlines() if line.startswith("  ")]
-    return (said[0] if said else "check.cmake failed") if done.returncode else ""
-
-
 def progress(text):
     """A line that the next one overwrites; nothing where nobody looks."""
     if sys.stderr.isatty():
@@ -275,7 +217,7 @@ def run_all(mutants, jobs, rows):
     """Appends a row per mutant; raises TableError or BuildError where the table or the unchanged sources are at fault."""
     faults = []
     with tempfile.TemporaryDirectory(prefix="axial-mutants-") as folder:
-        run = (DrawnRun if mutants and mutants[0].name.startswith("drawn.") else Run)(pathlib.Path(folder), jobs)
+        run = Run(pathlib.Path(folder), jobs)
         run.compile_unchanged(mutants)
         failures = run.unchanged_failures(mutants)
         faults += [f"{test}: {failure}" for test, failure in sorted(failures.items())]
@@ -306,11 +248,29 @@ def record(rows):
     KILLERS.write_text(json.dumps({name: killer for name, killer in sorted(known.items()) if name in names}, indent=0) + "\n")
 
 
+def draw(options):
+    """Ends with status 0 whatever survives: whether a change means something, a person says."""
+    seed = commit_number() if options.seed is None else options.seed
+    mutants = [mutant for mutant in drawn.draw(options.draw, seed) if re.search(options.only or "", mutant.breaks)]
+    if options.list:
+        print(*(f"{mutant.name:10} {mutant.breaks}" for mutant in mutants), sep="\n")
+        return 0
+    verdicts = drawn_run.Verdicts(drawn_run.FOLDER / f"drawn-{seed}.json")
+    rows = drawn_run.run(mutants, options.jobs, table.read(), known_killers(), verdicts, options.again, options.seconds)
+    alive = [f"{row['mutant']}: {row['change']}" for row in rows if not row["killed_by"]]
+    print(f"{len(rows)} judged, {len(alive)} not noticed", *alive, sep="\n")
+    if options.json:
+        pathlib.Path(options.json).write_text(json.dumps(rows, indent=1) + "\n")
+    return 0
+
+
 def main():
     options = arguments()
     start = time.monotonic()
     rows = []
     try:
+        if options.draw:
+            return draw(options)
         mutants = chosen(table.read(), options)
         rows += [{"mutant": mutant.name, "file": mutant.file, "killed_by": ""} for mutant in mutants if not mutant.test]
         mutants = [mutant for mutant in mutants if mutant.test]
@@ -333,10 +293,6 @@ def main():
     print(f"{time.monotonic() - start:.0f} s")
     if options.json:
         pathlib.Path(options.json).write_text(json.dumps(rows, indent=1) + "\n")
-    if options.draw:
-        alive = drawn.survivors(rows, mutants)
-        print(f"{options.draw} drawn, {len(alive)} not noticed", *alive, sep="\n")
-        return 0
     if options.essence:
         survivors = [row["mutant"] for row in rows if not row["killed_by"]]
         print(f"not killed by the essence: {' '.join(survivors) or 'none'}")

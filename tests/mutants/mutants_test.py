@@ -10,7 +10,10 @@ import unittest
 import unittest.mock
 
 import drawn
+import drawn_run
 import mutants
+import programs
+import reach
 import table
 import trim
 
@@ -57,12 +60,11 @@ class Table(unittest.TestCase):
         self.assertLessEqual(max(map(len, parts)) - min(map(len, parts)), 1)
 
     def test_drawn_ones_apply_and_are_the_same_for_a_seed(self):
-        some = drawn.draw(table.read(), 40, 1, {})
-        self.assertEqual(table.stale(some), [])
-        self.assertEqual(len({mutant.name.split("/")[0] for mutant in some}), 40)
-        self.assertEqual([m.new for m in some], [m.new for m in drawn.draw(table.read(), 40, 1, {})])
-        self.assertNotEqual([m.new for m in some], [m.new for m in drawn.draw(table.read(), 40, 2, {})])
-        self.assertTrue(all(mutant.test for mutant in some))
+        some = drawn.draw(40, 1)
+        self.assertEqual([mutant for mutant in some if (table.ROOT / mutant.file).read_text().count(mutant.old) != 1], [])
+        self.assertEqual(len({mutant.breaks for mutant in some}), 40)
+        self.assertEqual([m.new for m in some], [m.new for m in drawn.draw(40, 1)])
+        self.assertNotEqual([m.new for m in some], [m.new for m in drawn.draw(40, 2)])
 
     def test_operators_change_what_they_name(self):
         line = "if (a < b) return x + larger(c, 2.0) * d;"
@@ -141,6 +143,41 @@ class Runner(unittest.TestCase):
     def test_a_test_that_does_not_see_the_file_is_told(self):
         with self.assertRaises(table.TableError):
             killers(entry(test="hal/link/crc32_test.cpp"))
+
+
+class Drawn(unittest.TestCase):
+    """In a folder below the build's, for the sources are read from the project."""
+
+    @classmethod
+    def setUpClass(cls):
+        place = table.ROOT / "build"
+        place.mkdir(exist_ok=True)
+        folder = tempfile.TemporaryDirectory(prefix="mutants-", dir=place)
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+
+    def judged(self, *changes):
+        with contextlib.redirect_stdout(io.StringIO()):
+            return drawn_run.run(list(changes), 1, table.read(), {}, drawn_run.Verdicts(self.folder / "verdicts.json"), seconds=0, folder=self.folder)
+
+    def change(self, old, new):
+        line = (table.ROOT / SOURCE).read_text().split(old)[0].count("\n")
+        return entry(old=old, new=new, filter=str(line), breaks=f"{old} is {new}")
+
+    def test_a_change_is_tried_until_a_test_notices_it_and_judged_once(self):
+        changes = self.change(">= capacity", "> capacity"), self.change("#pragma once", "#pragma once ")
+        killed, alive = self.judged(*changes)
+        self.assertTrue(killed["killed_by"].startswith("Ring."), killed)
+        self.assertEqual((alive["killed_by"], len(alive["tried"])), ("", 1))
+        with unittest.mock.patch.object(drawn_run, "DrawnRun", None):
+            self.assertEqual(self.judged(*changes), [killed, alive])
+
+    def test_programs_are_those_of_cmake(self):
+        known = programs.CMakePrograms(self.folder / "cmake")
+        self.assertTrue(reach.is_read_by(known, "host_sim/collide_test.cpp", "host_sim/plants/collide/collide.cpp"))
+        self.assertFalse(reach.is_read_by(known, TEST, "host_sim/plants/collide/collide.cpp"))
+        first = reach.Reach(known, [], {}).attempts(SOURCE, 1)[0]
+        self.assertEqual(first[0], TEST)
 
 
 if __name__ == "__main__":

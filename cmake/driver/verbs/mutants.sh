@@ -11,8 +11,10 @@ with the change, must fail, and pass without. Ends with status 1 if one survives
   --part K/N    the K-th of N parts of the same size
   --rotate N    one part of N: which one, the commit tells
   --essence N   N mutants, drawn by the commit, against the essence of the tests alone: at least 85 in 100 are killed
-  --draw N      N mutants made from the code by operators, each against tests of its file and folder; lists what none notices
+  --draw N      N mutants made from the code by operators, each against tests of its file until one notices; goes on where it was interrupted
   --seed N      of --essence and --draw: draw by this number
+  --seconds N   of --draw: of compiling and running that a mutant is worth (default 40), in seconds of the tests' recorded costs
+  --again       of --draw: try those once more that no test noticed
   --record      remember in tests/mutants/killers.json which test killed which: it is compiled alone next time
   --list        say which mutants there are, and run none
   --check       only see whether the text that each changes stands in its file, once

@@ -106,7 +106,7 @@ struct Calls {
   /// An answer whose numbers are `values`, behind which stands its status.
   template <class Answer>
   static Verdict answered(const Draw& draw, const Answer& answer) {
-    return judged(answer.status, draw.finite() && all_finite<T>(answer.values));
+    return judged(answer.status, draw.finite(), all_finite<T>(answer.values));
   }
 
   static Verdict forward(Draw& draw) {
@@ -125,31 +125,29 @@ struct Calls {
   static Verdict poses(Draw& draw) {
     const Asked x(draw);
     const auto answer = forward_kinematics<S>(x.q, x.in);
-    return judged(answer.status, draw.finite() && all_finite<T>(answer.tool) && all_finite<T>(answer.frames));
+    return judged(answer.status, draw.finite(), all_finite<T>(answer.tool, answer.frames));
   }
   static Verdict columns(Draw& draw) {
     const Asked x(draw);
     const auto answer = jacobian<S>(x.q, x.in);
-    return judged(answer.status, draw.finite() && all_finite<T>(answer.columns));
+    return judged(answer.status, draw.finite(), all_finite<T>(answer.columns));
   }
   static Verdict separated(Draw& draw) {
     const Asked x(draw);
     const auto answer = separate<S>(x.q, x.in);
-    return judged(answer.status, draw.finite() && terms_finite(answer));
+    return judged(answer.status, draw.finite(), terms_finite(answer));
   }
   static Verdict momenta(Draw& draw) {
     const Asked x(draw);
     const auto answer = momentum_terms<S>(x.q, draw.joints<Qd>(2.0), x.in);
-    return judged(answer.status,
-                  draw.finite() && all_finite<T>(answer.momentum.values) && all_finite<T>(answer.drift.values));
+    return judged(answer.status, draw.finite(), all_finite<T>(answer.momentum.values, answer.drift.values));
   }
   static Verdict derivatives(Draw& draw) {
     const Asked x(draw);
     const Qd qd = draw.joints<Qd>(2.0);
     const auto answer = forward_dynamics_derivatives<S>(x.q, qd, draw.joints<Tau>(20.0), x.in);
-    return judged(answer.qdd.status, draw.finite() && all_finite<T>(answer.qdd.values) &&
-                                         all_finite<T>(answer.dqdd_dq) && all_finite<T>(answer.dqdd_dqd) &&
-                                         all_finite<T>(answer.M_inverse));
+    return judged(answer.qdd.status, draw.finite(),
+                  all_finite<T>(answer.qdd.values, answer.dqdd_dq, answer.dqdd_dqd, answer.M_inverse));
   }
   static Verdict along(Draw& draw) {
     const Asked x(draw);
@@ -157,8 +155,7 @@ struct Calls {
     const Tau tau = draw.joints<Tau>(20.0);
     const Joints<R, T> way = draw.joints<Joints<R, T>>(1.0);
     const auto answer = forward_dynamics_along<S>(x.q, qd, tau, {way, way, way}, x.in);
-    return judged(answer.qdd.status,
-                  draw.finite() && all_finite<T>(answer.qdd.values) && all_finite<T>(answer.dqdd.values));
+    return judged(answer.qdd.status, draw.finite(), all_finite<T>(answer.qdd.values, answer.dqdd.values));
   }
 
   static Verdict fed_forward(Draw& draw) {
@@ -220,7 +217,7 @@ struct Calls {
     const Status status = update_payload<S, T, HostedTuning>(state, q, qd, draw.joints<Joints<R, T>>(2.0));
     if (!status.ok()) return Verdict::refused;
     const auto answer = estimate<HostedTuning>(state);
-    const bool number = !answer.status.ok() || (all_finite<T>(answer.mass) && all_finite<T>(answer.first_moment));
+    const bool number = !answer.status.ok() || all_finite<T>(answer.mass, answer.first_moment);
     return number && draw.finite() ? Verdict::right : Verdict::wrong;
   }
   static Verdict limited(Draw& draw) {
@@ -269,9 +266,9 @@ struct Calls {
     const Held<S, T> drive{draw.joints<Tau>(10.0), draw.inputs<S, T>()};
     const Motion<S, T> before = x;
     const Status status = advance<Method>(x, h, drive);
-    const bool finite = all_finite<T>(x.q.values) && all_finite<T>(x.qd.values);
-    const bool spoilt = !finite && all_finite<T>(before.q.values) && all_finite<T>(before.qd.values);
-    return spoilt ? Verdict::wrong : judged(status, draw.finite() && finite);
+    const bool finite = all_finite<T>(x.q.values, x.qd.values);
+    const bool spoilt = !finite && all_finite<T>(before.q.values, before.qd.values);
+    return spoilt ? Verdict::wrong : judged(status, draw.finite(), finite);
   }
 
   static Verdict batched(Draw& draw) {
@@ -289,8 +286,7 @@ struct Calls {
     Verdict verdict = Verdict::refused;
     for (int k = 0; k < 4; ++k) {
       const bool right = finite[k] && all_finite<T>(lane(answer, k).values);
-      if ((answer.status[k].ok() && !right) ||
-          (terms.status[k].ok() && !(all_finite<T>(q[k].values) && all_finite<T>(qd[k].values))) ||
+      if ((answer.status[k].ok() && !right) || (terms.status[k].ok() && !all_finite<T>(q[k].values, qd[k].values)) ||
           (poses.status[k].ok() && !all_finite<T>(q[k].values)))
         return Verdict::wrong;
       if (answer.status[k].ok()) verdict = Verdict::right;
@@ -313,7 +309,7 @@ struct Calls {
   static Verdict closed(Draw& draw) {
     using robots::Scara;
     const auto answer = closed_form::scara<Scara>(draw.joints<Positions<Scara, T>>(0.1));
-    return judged(answer.status, draw.finite() && terms_finite(answer));
+    return judged(answer.status, draw.finite(), terms_finite(answer));
   }
   static Verdict converted(Draw& draw) {
     const auto q = draw.joints<Joints<R, T>>(1.0);
@@ -335,7 +331,7 @@ struct Calls {
  private:
   template <class Terms>
   static bool terms_finite(const Terms& terms) {
-    return all_finite<T>(terms.A) && all_finite<T>(terms.B) && all_finite<T>(terms.C) && all_finite<T>(terms.G);
+    return all_finite<T>(terms.A, terms.B, terms.C, terms.G);
   }
   /// What a safe call answers is a number whatever it says.
   static Verdict safe(const Status& status, const Tau& tau, bool finite) {
@@ -351,8 +347,9 @@ struct CalledFromC {
       x = draw.number<float>(size);
     return all;
   }
-  static Verdict judged_in_c(const axial_status& status, bool finite) {
-    return status.code != AXIAL_OK ? Verdict::refused : finite ? Verdict::right : Verdict::wrong;
+  template <class... Finite>
+  static Verdict judged_in_c(const axial_status& status, Finite... finite) {
+    return judged(Status{static_cast<Status::Code>(status.code), status.joint}, finite...);
   }
   static Verdict forward(Draw& draw) {
     const hosted_joints q = joints(draw, 1.2), qd = joints(draw, 2.0), tau = joints(draw, 20.0);
@@ -364,13 +361,13 @@ struct CalledFromC {
     const hosted_joints q = joints(draw, 1.2), qd = joints(draw, 2.0), qdd = joints(draw, 5.0);
     hosted_joints tau{};
     const axial_status status = hosted_inverse_dynamics(&q, &qd, &qdd, &tau);
-    return judged_in_c(status, draw.finite() && all_finite<float>(tau));
+    return judged_in_c(status, draw.finite(), all_finite<float>(tau));
   }
   static Verdict inverse_slopes(Draw& draw) {
     const hosted_joints q = joints(draw, 1.2), qd = joints(draw, 2.0), qdd = joints(draw, 5.0);
     hosted_inverse_derivatives all{};
     const axial_status status = hosted_inverse_dynamics_derivatives(&q, &qd, &qdd, &all);
-    return judged_in_c(status, draw.finite() && all_finite<float>(all));
+    return judged_in_c(status, draw.finite(), all_finite<float>(all));
   }
   static Verdict forward_slopes(Draw& draw) {
     const hosted_joints q = joints(draw, 1.2), qd = joints(draw, 2.0), tau = joints(draw, 20.0);
@@ -382,13 +379,13 @@ struct CalledFromC {
     const hosted_joints q = joints(draw, 1.2);
     hosted_matrix m{};
     const axial_status status = hosted_mass_matrix(&q, &m);
-    return judged_in_c(status, draw.finite() && all_finite<float>(m));
+    return judged_in_c(status, draw.finite(), all_finite<float>(m));
   }
   static Verdict pose(Draw& draw) {
     const hosted_joints q = joints(draw, 1.2);
     hosted_pose at{};
     const axial_status status = hosted_tool_pose(&q, &at);
-    return judged_in_c(status, draw.finite() && all_finite<float>(at));
+    return judged_in_c(status, draw.finite(), all_finite<float>(at));
   }
 };
 

@@ -18,9 +18,9 @@ template <class T>
 inline constexpr BitsOfNumber<T> exponent_bits =
     BitsOfNumber<T>{sizeof(T) == 4 ? 0xFFu : 0x7FFu} << (sizeof(T) == 4 ? 23 : 52);
 
-/// Whether an object that holds nothing but numbers T holds NaN or infinity.
-template <class T, class X>
-bool all_finite(const X& x) {
+/// Whether objects that hold nothing but numbers T hold neither NaN nor infinity.
+template <class T, class X, class... Others>
+bool all_finite(const X& x, const Others&... others) {
   static_assert(std::is_trivially_copyable_v<X> && sizeof(X) % sizeof(T) == 0);
   constexpr std::size_t bytes = sizeof(X), one = sizeof(T);
   BitsOfNumber<T> words[bytes / one];
@@ -28,7 +28,7 @@ bool all_finite(const X& x) {
   bool finite = true;
   for (const auto word : words)
     finite = finite && (word & exponent_bits<T>) != exponent_bits<T>;
-  return finite;
+  return (finite && ... && all_finite<T>(others));
 }
 
 /// Draws what a call is asked; remembers whether all of it was finite.
@@ -66,7 +66,7 @@ class Draw {
     PayloadBody<T> load;
     load.mass = number<T>(0.25) + T(0.25), load.com = vector<T>(0.02);
     load.inertia_com.xx = load.inertia_com.yy = load.inertia_com.zz = number<T>(0.002) + T(0.002);
-    finite_ = finite_ && all_finite<T>(load.mass) && all_finite<T>(load.inertia_com.xx);
+    finite_ = finite_ && all_finite<T>(load.mass, load.inertia_com.xx);
     return load;
   }
   /// What a scene names.
@@ -116,8 +116,9 @@ class Draw {
 };
 
 /// An answer with a status: ok is right where what was asked and what was answered is finite.
-inline Verdict judged(const Status& status, bool finite) {
-  return !status.ok() ? Verdict::refused : finite ? Verdict::right : Verdict::wrong;
+template <class... Finite>
+Verdict judged(const Status& status, Finite... finite) {
+  return !status.ok() ? Verdict::refused : (... && finite) ? Verdict::right : Verdict::wrong;
 }
 
 }  // namespace axial::apps

@@ -1,3 +1,4 @@
+#include <host_sim/figures/compare/joint_errors.hpp>
 #include <host_sim/figures/compare/methods.hpp>
 
 #include <axial/axial.hpp>
@@ -38,35 +39,6 @@ struct ClosedForm {
   }
 };
 
-/// Largest value and difference of every joint, as they come.
-class JointErrors {
- public:
-  explicit JointErrors(int joints) : largest_(std::size_t(joints)), worst_(largest_), squares_(largest_) {}
-  void add(int joint, double exact, double difference) {
-    const auto i = static_cast<std::size_t>(joint);
-    largest_[i] = std::fmax(largest_[i], std::fabs(exact));
-    worst_[i] = std::fmax(worst_[i], std::fabs(difference));
-    squares_[i] += difference * difference;
-    if (i == 0) ++states_;
-  }
-  double worst() const {
-    double result = 0.0;
-    for (std::size_t i = 0; i < worst_.size(); ++i)
-      if (largest_[i] > 0.0) result = std::fmax(result, worst_[i] / largest_[i]);
-    return result;
-  }
-  double rms() const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < worst_.size(); ++i)
-      if (largest_[i] > 0.0) sum += squares_[i] / (largest_[i] * largest_[i]);
-    return std::sqrt(sum / (static_cast<double>(states_) * static_cast<double>(worst_.size())));
-  }
-
- private:
-  std::vector<double> largest_, worst_, squares_;
-  int states_ = 0;
-};
-
 template <class R, class T>
 axial::Joints<R, T> joints(const std::vector<double>& values) {
   axial::Joints<R, T> result{};
@@ -102,10 +74,8 @@ MethodError error_of(const std::vector<State>& all, const char* scalar) {
   JointErrors errors(R::chain.size);
   for (const State& s : all) {
     const auto tau = Method::template torque<R, T>(joints<R, T>(s.q), joints<R, T>(s.qd), joints<R, T>(s.qdd));
-    for (int i = 0; i < R::chain.size; ++i) {
-      const oracle::quad exact = s.tau[static_cast<std::size_t>(i)];
-      errors.add(i, static_cast<double>(exact), static_cast<double>(oracle::quad(tau[i]) - exact));
-    }
+    for (int i = 0; i < R::chain.size; ++i)
+      errors.add(i, oracle::quad(tau[i]), s.tau[static_cast<std::size_t>(i)]);
   }
   return {R::name, Method::name, scalar, errors.worst(), errors.rms()};
 }
@@ -138,7 +108,7 @@ JointErrors errors_of_rate(const host_sim::Trajectory& trajectory, std::size_t t
       terms = axial::separate<R>(joints<R, double>(trajectory[std::min(k + ahead, trajectory.size() - 1)].q));
     const auto full = axial::inverse_dynamics<R>(q, qd, qdd), held = axial::torque(terms, qd, qdd);
     for (int i = 0; i < R::chain.size; ++i)
-      errors.add(i, full[i], held[i] - full[i]);
+      errors.add(i, held[i], full[i]);
   }
   return errors;
 }

@@ -1,6 +1,7 @@
 // guiding: a hand guides an arm whose torques an image in QEMU computes, held to the same source on the host.
 #include <host_sim/plants/guiding/guiding.hpp>
 #include <host_sim/tools/output/command_line.hpp>
+#include <host_sim/tools/output/verdict.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +22,6 @@ struct Options {
   std::string robot = "scara", board = "stm32f405", number = "float";
 };
 
-bool expect(bool good, const char* what) {
-  if (!good) std::fprintf(stderr, "guiding: %s\n", what);
-  return good;
-}
-
 int judge(const Options& options) {
   const auto board = in_firmware(options.board, options.robot, options.number);
   const auto host = on_host(options.robot, options.number);
@@ -42,14 +38,15 @@ int judge(const Options& options) {
       "%ld answers of %u to %u instructions; largest difference from the host: %u last places\n",
       options.robot.c_str(), options.board.c_str(), options.number.c_str(), felt.way, felt.largest_force,
       1e3 * felt.drift, felt.answers, both.least, both.most, both.worst);
-  bool good = expect(both.worst <= (loop::is_fixed(options.number) ? 0 : most_places), "image and host differ");
-  good = expect(felt.refused == 0, "answers were refused") && good;
-  good = expect(slow, "an effort changed faster than declared") && good;
-  good = expect(felt.way > 0.1, "the hand did not move the arm") && good;
-  good = expect(felt.largest_force < largest_force, "the arm is heavy in the hand") && good;
-  good = expect(felt.drift < largest_drift && std::fabs(felt.sag) < largest_sag, "the arm does not float") && good;
-  good = expect(felt.held < largest_drift, "set-points do not hold the arm") && good;
-  return good ? 0 : 1;
+  Verdict verdict("guiding");
+  verdict.expect(both.worst <= (loop::is_fixed(options.number) ? 0 : most_places), "image and host differ");
+  verdict.expect(felt.refused == 0, "answers were refused");
+  verdict.expect(slow, "an effort changed faster than declared");
+  verdict.expect(felt.way > 0.1, "the hand did not move the arm");
+  verdict.expect(felt.largest_force < largest_force, "the arm is heavy in the hand");
+  verdict.expect(felt.drift < largest_drift && std::fabs(felt.sag) < largest_sag, "the arm does not float");
+  verdict.expect(felt.held < largest_drift, "set-points do not hold the arm");
+  return verdict.status();
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // ones with the same gains.
 #include <host_sim/boards/on_board/provenance.hpp>
 #include <host_sim/plants/loop/elastic.hpp>
-#include <host_sim/plants/loop/loop.hpp>
+#include <host_sim/plants/loop/verdicts.hpp>
 #include <host_sim/tools/output/command_line.hpp>
 #include <host_sim/tools/output/files.hpp>
 #include <host_sim/tools/output/table.hpp>
@@ -17,8 +17,7 @@ namespace {
 
 using namespace host_sim::loop;
 
-constexpr int harmonic = 12;           // Hz, of the image
-constexpr double needed_ratio = 10.0;  // rigid feed-forward's tool error over elastic's
+constexpr int harmonic = 12;  // Hz, of the image
 constexpr std::uint32_t most_places = 4;
 
 struct Options {
@@ -100,18 +99,6 @@ nlohmann::json to_json(const std::vector<ElasticRow>& rows) {
   return list;
 }
 
-bool sound(const Row& r) {
-  bool good = true;
-  if (r.tracking.refused > 0)
-    good = false, std::fprintf(stderr, "elastic: %s: %ld answers were refused\n", r.name.c_str(), r.tracking.refused);
-  const bool exact = r.name == "harmonic drives" && !r.situation.as_rigid;
-  if (exact && !(r.ratio >= needed_ratio))
-    good = false,
-    std::fprintf(stderr, "elastic: the tool's error is %.3g times below that of rigid feed-forward, not %g\n", r.ratio,
-                 needed_ratio);
-  return good;
-}
-
 int measure(const Options& options) {
   host_sim::make_folder(options.output);
   std::vector<ElasticRow> rows;
@@ -126,10 +113,10 @@ int measure(const Options& options) {
   for (const std::string& path : {data, options.json})
     if (!path.empty()) host_sim::write_json(path, to_json(rows));
   std::printf("\ndata  %s\n", data.c_str());
-  bool good = true;
+  host_sim::Verdict verdict("elastic");
   for (const auto& r : rows)
-    good = sound(r.row) && good;
-  return good ? 0 : 1;
+    expect_elastic(verdict, r.row);
+  return verdict.status();
 }
 
 int check(const Options& options) {

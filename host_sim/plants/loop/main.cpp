@@ -1,7 +1,7 @@
 // loop: the closed loop with the firmware in it, and sweeps of the same sources on the host.
 #include <host_sim/boards/on_board/provenance.hpp>
 #include <host_sim/plants/loop/cycle.hpp>
-#include <host_sim/plants/loop/loop.hpp>
+#include <host_sim/plants/loop/verdicts.hpp>
 #include <host_sim/tools/output/command_line.hpp>
 #include <host_sim/tools/output/files.hpp>
 #include <host_sim/tools/output/progress.hpp>
@@ -18,7 +18,6 @@ namespace {
 
 using namespace host_sim::loop;
 
-constexpr double needed_ratio = 20.0;
 constexpr unsigned seeds = 8;
 constexpr std::uint32_t most_places = 4;
 constexpr std::size_t drawn_ticks = 4000;
@@ -132,18 +131,6 @@ void print(const std::vector<Row>& rows) {
   std::printf("%s", table.text().c_str());
 }
 
-int verdict(const std::vector<Row>& rows) {
-  bool good = true;
-  for (const Row& r : rows) {
-    if (r.tracking.refused > 0)
-      good = false, std::fprintf(stderr, "loop: %ld answers were refused\n", r.tracking.refused);
-    if (r.name != "exact parameters" || !r.situation.feeds_forward || r.ratio >= needed_ratio) continue;
-    good = false;
-    std::fprintf(stderr, "loop: feed-forward cuts the error %.3g-fold, not %g-fold\n", r.ratio, needed_ratio);
-  }
-  return good ? 0 : 1;
-}
-
 int measure(const Options& options) {
   host_sim::make_folder(options.output);
   const std::string stem =
@@ -171,7 +158,10 @@ int measure(const Options& options) {
   if (!options.json.empty()) host_sim::write_json(options.json, to_json(rows));
   host_sim::run_plot("loop.py", {stem + ".csv", stem + ".json"});
   std::printf("\npicture  %s.png\ndata     %s.csv, %s.json\n", stem.c_str(), stem.c_str(), stem.c_str());
-  return verdict(rows);
+  host_sim::Verdict verdict("loop");
+  for (const Row& r : rows)
+    expect_tracking(verdict, r);
+  return verdict.status();
 }
 
 int check(const Options& options) {

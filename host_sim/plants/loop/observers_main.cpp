@@ -1,6 +1,6 @@
 // observers: the image whose feedback comes from an extended Kalman filter, beside the tracking image, which
 // differences encoders.
-#include <host_sim/plants/loop/observers.hpp>
+#include <host_sim/plants/loop/verdicts.hpp>
 #include <host_sim/plants/simulation/models.hpp>
 #include <host_sim/tools/output/command_line.hpp>
 #include <host_sim/tools/output/files.hpp>
@@ -16,10 +16,6 @@ namespace {
 
 using namespace host_sim::loop;
 
-constexpr std::uint32_t core_Hz = 168'000'000, ticks_a_second = 1000;
-// Of the velocity errors of differences over those of the filter: of counts of 2^-14 turns, and of steps of 2^-14 of a
-// drive's unit, which differences know 2 pi times as well.
-constexpr double needed_ratio = 10.0, needed_of_drives = 2.0;
 constexpr int drawn_ticks = 1500;
 
 struct Options {
@@ -51,35 +47,22 @@ class Watched : public Observer {
   Both both;
 };
 
-bool expect(bool good, const char* what) {
-  if (!good) std::fprintf(stderr, "observers: %s\n", what);
-  return good;
-}
-
-/// Of the joint that the filter helps least.
-double least_ratio(const VelocityErrors& errors) {
-  double least = errors.difference[0] / errors.filter[0];
-  for (std::size_t i = 1; i < errors.filter.size(); ++i)
-    least = std::min(least, errors.difference[i] / errors.filter[i]);
-  return least;
-}
-
-bool sound(const Options& options, const Both& both, const VelocityErrors& errors) {
+int judged(const Options& options, const Both& both, const VelocityErrors& errors) {
   std::printf(
       "%u to %u instructions; board and host differ by %u last places at most; velocities are at least %.1f times as "
       "exact as differences of a tick\n",
       both.least, both.most, both.worst, least_ratio(errors));
-  bool good = expect(both.worst == 0, "image and host differ");
-  good = expect(errors.tracking.refused == 0, "answers were refused") && good;
-  good = expect(both.most < core_Hz / ticks_a_second, "an answer takes longer than a tick") && good;
-  const double needed = host_sim::simulation::shares_drives(options.robot) ? needed_of_drives : needed_ratio;
-  return expect(least_ratio(errors) >= needed, "the filter is hardly better than differences") && good;
+  host_sim::Verdict verdict("observers");
+  verdict.expect(both.worst == 0, "image and host differ");
+  expect_filter(verdict, errors, both.most,
+                host_sim::simulation::shares_drives(options.robot) ? filter_ratio_of_drives : filter_ratio);
+  return verdict.status();
 }
 
 int check(const Options& options) {
   Watched watched(options);
   const auto errors = observe(noisy(options), watched);
-  return sound(options, watched.both, errors) ? 0 : 1;
+  return judged(options, watched.both, errors);
 }
 
 ObserverRow on_host_row(const std::string& controller, const std::string& name, const Case& situation) {
@@ -151,7 +134,7 @@ int measure(const Options& options) {
     if (!path.empty()) host_sim::write_json(path, to_json(rows));
   host_sim::run_plot("observers.py", {stem + ".csv", stem + ".json"});
   std::printf("\npicture  %s.png\ndata     %s.csv, %s.json\n", stem.c_str(), stem.c_str(), stem.c_str());
-  return sound(options, watched.both, rows[0].errors) ? 0 : 1;
+  return judged(options, watched.both, rows[0].errors);
 }
 
 }  // namespace

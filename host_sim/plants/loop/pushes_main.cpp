@@ -1,7 +1,7 @@
 // pushes: the regulator's image brings an arm back onto its motion, beside the tracking image in the same situations.
 #include <host_sim/boards/on_board/provenance.hpp>
-#include <host_sim/plants/loop/pushes.hpp>
 #include <host_sim/plants/loop/regulators.hpp>
+#include <host_sim/plants/loop/verdicts.hpp>
 #include <host_sim/tools/output/command_line.hpp>
 #include <host_sim/tools/output/files.hpp>
 #include <host_sim/tools/output/table.hpp>
@@ -16,11 +16,8 @@ namespace {
 
 using namespace host_sim::loop;
 
-constexpr double back_within = 0.5;  // s
-constexpr double pushed_at = 0.5;    // s into the cycle, in motion
-constexpr double watched = 1.5;      // s, of a push
-constexpr double ticks_a_second = 1000.0;
-constexpr std::uint32_t core_Hz = 168'000'000;
+constexpr double pushed_at = 0.5;  // s into the cycle, in motion
+constexpr double watched = 1.5;    // s, of a push
 
 struct Options {
   std::string robot = "puma560", board = "stm32f405", number = "float", output = "output/lqr", json, provenance;
@@ -66,7 +63,7 @@ std::vector<PushRow> in_loop(const Options& options, const std::string& csv) {
     rows.push_back(row_of(controller, options.board, "the motion", following(options, options.seconds)));
     int ticks = 0;
     const auto draw = [&](const auto& wanted, const JointState& state, const auto&, const link::Torque& answer) {
-      file.cell(controller), file.cell(ticks++ / ticks_a_second);
+      file.cell(controller), file.cell(static_cast<double>(ticks++) / ticks_a_second);
       for (std::size_t i = 0; i < joints; ++i)
         file.cell(state.q[i] - wanted.q[i], 5);
       for (std::size_t i = 0; i < joints; ++i)
@@ -121,29 +118,13 @@ void print(const std::vector<PushRow>& rows) {
   std::printf("%s", table.text().c_str());
 }
 
-bool expect(bool good, const std::string& what) {
-  if (!good) std::fprintf(stderr, "pushes: %s\n", what.c_str());
-  return good;
-}
-
-bool sound(const PushRow& r) {
-  const std::string who = r.controller + ", " + r.name + ": ";
-  bool good = expect(r.recovery.tracking.refused == 0, who + "answers were refused");
-  good = expect(r.recovery.effort <= 1.0 + 1e-6, who + "a torque is beyond its limit") && good;
-  if (r.controller != "lqr") return good;
-  if (!r.situation.push.empty())
-    good = expect(r.recovery.seconds <= back_within, who + "the arm did not come back in time") && good;
-  if (r.board != "host")
-    good = expect(r.recovery.most * ticks_a_second < core_Hz, who + "an answer takes longer than a tick") && good;
-  return good;
-}
-
 int measure(const Options& options) {
   host_sim::make_folder(options.output);
   const std::string stem = options.output + "/lqr-" + options.robot;
   auto rows = in_loop(options, stem + ".csv");
-  bool good = expect(rows[0].recovery.tracking.tool_rms < rows[2].recovery.tracking.tool_rms,
-                     "the regulator follows the motion less well than the tracking image");
+  host_sim::Verdict verdict("pushes");
+  verdict.expect(rows[0].recovery.tracking.tool_rms < rows[2].recovery.tracking.tool_rms,
+                 "the regulator follows the motion less well than the tracking image");
   if (options.sweep) {
     const auto more = sweep(options);
     rows.insert(rows.end(), more.begin(), more.end());
@@ -155,8 +136,8 @@ int measure(const Options& options) {
   host_sim::run_plot("pushes.py", {stem + ".csv", stem + ".json"});
   std::printf("\npicture  %s.png\ndata     %s.csv, %s.json\n", stem.c_str(), stem.c_str(), stem.c_str());
   for (const PushRow& r : rows)
-    good = sound(r) && good;
-  return good ? 0 : 1;
+    expect_recovery(verdict, r);
+  return verdict.status();
 }
 
 int check(const Options& options) {
@@ -170,8 +151,10 @@ int check(const Options& options) {
       "last places at most\n",
       options.robot.c_str(), options.board.c_str(), row.recovery.seconds, row.recovery.effort, row.recovery.least,
       row.recovery.most, both.worst);
-  const bool same = expect(both.worst == 0, "image and host differ");
-  return sound(row) && same ? 0 : 1;
+  host_sim::Verdict verdict("pushes");
+  verdict.expect(both.worst == 0, "image and host differ");
+  expect_recovery(verdict, row);
+  return verdict.status();
 }
 
 }  // namespace

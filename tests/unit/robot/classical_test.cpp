@@ -160,6 +160,18 @@ TEST(ClassicalChain, LastRowLeadsToTheTool) {
   static_assert(arm.links[0].a == 0.0 && arm.links[0].alpha.cos == 1.0);
 }
 
+TEST(ClassicalChain, AToolThatIsTurnedIsTurnedWithTheLastRow) {
+  // Its axes are y, z, x of the last classical frame, in rows (0 0 1), (1 0 0), (0 1 0); half a turn about x turns the
+  // lower two, a quarter puts the one in place of the other.
+  constexpr auto turned = [](double degrees) {
+    return classical_chain(classical_revolute().alpha_deg(degrees), tool({{0, 0, 1, 1, 0, 0, 0, 1, 0}, {0.5, 0.25, 1}}))
+        .tool.pose;
+  };
+  static_assert(same(turned(0), {{0, 0, 1, 1, 0, 0, 0, 1, 0}, {0.5, 0.25, 1}}));
+  static_assert(same(turned(180), {{0, 0, 1, -1, 0, 0, 0, -1, 0}, {0.5, -0.25, -1}}));
+  static_assert(same(turned(90), {{0, 0, 1, 0, -1, 0, 1, 0, 0}, {0.5, -1, 0.25}}));
+  static_assert(same(turned(-90), {{0, 0, 1, 0, 1, 0, -1, 0, 0}, {0.5, 1, -0.25}}));
+}
 TEST(ClassicalChain, PayloadLimitReachesAroundTheFarEnd) {
   constexpr auto arm = classical_chain(payload_limit(1, 0.25, 0.1), classical_revolute().a(-0.5));
   static_assert(arm.payload_limit.com_reach == 0.75);
