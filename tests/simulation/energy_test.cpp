@@ -63,7 +63,8 @@ TEST(Energy, OfAPointMassIsTheTextbooks) {
     EXPECT_EQ(found.total(), found.kinetic + found.potential);
     EXPECT_TRUE(found.status.ok());
   }
-  EXPECT_EQ(energy<Sprung>(Joints<Rod, double>{NAN}, Joints<Rod, double>{0.0}).status.code, Status::Code::not_finite);
+  EXPECT_EQ(energy<Sprung>(Joints<Rod, double>{std::nan("")}, Joints<Rod, double>{0.0}).status.code,
+            Status::Code::not_finite);
 }
 
 TEST(Energy, HasThePayloads) {

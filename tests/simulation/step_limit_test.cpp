@@ -182,7 +182,7 @@ TEST(StepLimit, JudgesSteps) {
   const StepLimit<double> limit{1e-3, {}}, none{0.0, {Status::Code::not_finite, -1}};
   EXPECT_TRUE(limit.judge(1e-3).ok());
   EXPECT_EQ(limit.judge(1.001e-3).code, Status::Code::input_limit);
-  EXPECT_EQ(limit.judge(NAN).code, Status::Code::input_limit);
+  EXPECT_EQ(limit.judge(std::nan("")).code, Status::Code::input_limit);
   EXPECT_EQ(none.judge(0.0).code, Status::Code::not_finite);
 }
 

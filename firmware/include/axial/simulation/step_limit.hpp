@@ -26,6 +26,14 @@ struct StepLimit {
 
 namespace detail {
 
+/// Says which numbers have no limits: one sentence of words whose sums are not there.
+template <class S, class T>
+constexpr auto check_limited() {
+  check_summed<S, T>();
+  static_assert(!is_word<T> || !Summation<S, T>::is_there,
+                "axial: how large a step may be is asked in float; give step_limit() axial::to_real<float>(q)");
+}
+
 /// w^1/2 M(q)^-1 w^1/2 of the diagonal w, column by column: accelerations of the structure at rest under unit efforts.
 template <class Links, class Input, class Q, class T, int N>
 constexpr Square<T, N> weighted_mobility(const Links& links, const Input& in, const Q& q, const T (&weight)[N]) {
@@ -131,7 +139,7 @@ template <class Method, class S, class T, class Stiffness = NoStiffness>
 [[nodiscard]] constexpr StepLimit<T> step_limit(const Positions<robot_of<S>, T>& q,
                                                 const Inputs<S, T>& in = no_inputs<S, T>(),
                                                 const Stiffness& drive = {}) {
-  detail::check_summed<S, T>();
+  detail::check_limited<S, T>();
   if constexpr (detail::is_word<T>)
     return {};
   else
@@ -142,7 +150,7 @@ template <class Method, int N, class... F, class T, class Stiffness = NoStiffnes
 [[nodiscard]] constexpr StepLimit<T> step_limit(const Model<N, F...>& model, const Positions<M, T>& q,
                                                 const Inputs<M, T>& in = no_inputs<M, T>(),
                                                 const Stiffness& drive = {}) {
-  detail::check_summed<M, T>();
+  detail::check_limited<M, T>();
   if constexpr (detail::is_word<T>)
     return {};
   else
