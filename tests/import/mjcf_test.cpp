@@ -85,6 +85,13 @@ TEST(Mjcf, IsWhatMujocoMakesOfIt) {
   }
 }
 
+TEST(Mjcf, AnAnswerThatIsNoneIsSaid) {
+  const std::string text = description::read_text(folder + "arm.xml");
+  for (const std::string answer : {"", "{}", "[1]", "{\"states\": 3}"})
+    EXPECT_EQ(figures_of(text, answer).line(), "not against MuJoCo itself: its answer is none") << answer;
+  EXPECT_EQ(figures_of(text, R"({"refused": "no"})").line(), "not against MuJoCo itself: it refuses the file: no");
+}
+
 /// Each number of a text behind a place: where it stands, and how long it is.
 std::vector<std::pair<std::size_t, std::size_t>> numbers_of(const std::string& text, std::size_t from) {
   std::vector<std::pair<std::size_t, std::size_t>> found;

@@ -241,14 +241,17 @@ EngineFigures without(const std::string& reason) {
 }  // namespace
 
 std::string mujoco_questions(const std::string& file, const MjcfTree& read, unsigned seed, int states) {
-  return Comparison(read, seed, states).questions(file).dump();
+  return Comparison(read, seed, states).questions(file).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 EngineFigures compared_with_mujoco(const MjcfTree& read, unsigned seed, int states, const std::string& answer) {
   const Json found = Json::parse(answer, nullptr, false);
-  if (found.is_discarded()) return without("its answer is none");
-  if (found.contains("refused")) return without("it refuses the file: " + found.at("refused").get<std::string>());
-  return Comparison(read, seed, states).compare(found);
+  try {
+    if (found.contains("refused")) return without("it refuses the file: " + found.at("refused").get<std::string>());
+    return Comparison(read, seed, states).compare(found);
+  } catch (const Json::exception&) {
+    return without("its answer is none");
+  }
 }
 
 EngineFigures ask_mujoco(const std::string& package, const std::string& file, const MjcfTree& read, unsigned seed,
