@@ -120,19 +120,17 @@ struct DerivativeSolve {
     constexpr const auto& sides = right_hand_sides<S, typename T::Word, By, EquationsOf<S, T>>;
     for (int j = 0; j < size; ++j) {
       std::int32_t right[size] = {}, lacks[size] = {};
-      int coarser[size] = {};
-      for (int i = 0; i < size; ++i) {
+      for (int i = 0; i < size; ++i)
         right[i] = -(from(i, j).raw >> sides.down[i][j]);
-        coarser[i] = C::Requests::exponent(i) + sides.scale[j] - Matrix::exponent(i, j);
-      }
       bool bounded = true;
-      if constexpr (is_asked<Bounds>) bounded = find_lack(by, j, right, coarser, moves, lacks);
+      if constexpr (is_asked<Bounds>) bounded = find_lack<Matrix>(by, j, right, moves, lacks);
       for (int i = 0; i < size; ++i) {
+        const int coarser = C::Requests::exponent(i) + sides.scale[j] - Matrix::exponent(i, j);
         bool fits = true, held = bounded;
-        const std::int64_t value = moved_wide(system.solved(i, right), coarser[i], fits);
+        const std::int64_t value = moved_wide(system.solved(i, right), coarser, fits);
         const bool is_held = put(i, values(i, j), value, fits, answered);
         if constexpr (is_asked<Bounds>) {
-          const std::int64_t off = moved_wide(system.off(i, lacks), coarser[i], held) + moves.off(i, j) + 2;
+          const std::int64_t off = moved_wide(system.off(i, lacks), coarser, held) + moves.off(i, j) + 2;
           bounds(i, j) = {bound_word(select_wide(sides.filled[j], off, 0), is_held & held)};
         }
       }
@@ -158,9 +156,9 @@ struct DerivativeSolve {
   static constexpr bool is_asked = !std::is_same_v<Bounds, NoBounds::Matrix>;
 
   /// What column j of a Jacobian lacks as a right-hand side; false where that is more than words bound.
-  template <class By, class Drift>
-  constexpr bool find_lack(By by, int j, const std::int32_t (&right)[size], const int (&coarser)[size],
-                           const Drift& moves, std::int32_t (&lacks)[size]) const {
+  template <class Matrix, class By, class Drift>
+  constexpr bool find_lack(By by, int j, const std::int32_t (&right)[size], const Drift& moves,
+                           std::int32_t (&lacks)[size]) const {
     constexpr const auto& units = derivative_units<S, T>;
     constexpr const auto& sides = right_hand_sides<S, typename T::Word, By, EquationsOf<S, T>>;
     std::int32_t error[size] = {}, largest[size] = {};
@@ -175,7 +173,8 @@ struct DerivativeSolve {
       error[i] = static_cast<std::int32_t>(all & -static_cast<std::int64_t>(fits));
       largest[i] = static_cast<std::int32_t>(most & -static_cast<std::int64_t>(fits));
       bool held = true;
-      const std::int64_t shift = moved_wide(moves.off(i, j), -coarser[i], held);
+      const int finer = Matrix::exponent(i, j) - C::Requests::exponent(i) - sides.scale[j];
+      const std::int64_t shift = moved_wide(moves.off(i, j), finer, held);
       shifted[i] = select_wide(held, shift, std::int64_t{1} << 60);
     }
     system.find_lack(right, largest, lacks);
