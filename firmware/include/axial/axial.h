@@ -132,8 +132,10 @@ static inline const char* axial_status_text(axial_status of) { return axial_code
 #define AXIAL_C_TAKEN_motion(prefix) AXIAL_C_TAKEN_state(prefix), const prefix##_joints* qdd
 #define AXIAL_C_TAKEN_driven(prefix) AXIAL_C_TAKEN_state(prefix), const prefix##_joints* tau
 #define AXIAL_C_TAKEN_highest(prefix) AXIAL_C_TAKEN_motion(prefix), const prefix##_joints *q3, const prefix##_joints *q4
+/* NOLINTBEGIN(bugprone-macro-parentheses): a parameter's name */
 #define AXIAL_C_DECLARED(prefix, with, name, algorithm, order, type, result) \
   AXIAL_C_FUNCTION axial_status prefix##_##name(AXIAL_C_TAKEN_##order(prefix), prefix##_##type* result);
+/* NOLINTEND(bugprone-macro-parentheses) */
 /**@}*/
 
 /** Declares the types and functions of a robot with so many joints; `number` is float, double or fixed32.

@@ -56,12 +56,14 @@ static_assert(AXIAL_OK == static_cast<int>(Status::Code::ok) &&
 #define AXIAL_C_SHADOWS_END _Pragma("GCC diagnostic pop")
 ///@}
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a parameter's name
 /// The C function of an algorithm, by the order of its arguments.
 #define AXIAL_C_DEFINED(prefix, calls, name, algorithm, order, type, result)                                   \
   AXIAL_C_FUNCTION axial_status prefix##_##name(AXIAL_C_TAKEN_##order(prefix), prefix##_##type* result) {      \
     return calls::order::call([](const auto&... at) { return axial::algorithm<calls::Scene>(at...); }, result, \
                               AXIAL_C_NAMES_##order);                                                          \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 /// The arguments' names, in each order.
 ///@{
 #define AXIAL_C_NAMES_position q

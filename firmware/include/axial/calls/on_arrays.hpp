@@ -6,6 +6,7 @@
 
 #include <axial/options/begin.hpp>
 
+// NOLINTBEGIN(bugprone-macro-parentheses): types, packs and names, around which there are none
 /// The first arguments of a call, so many: what EACH makes of a type, its value and X.
 ///@{
 #define AXIAL_ARGUMENTS_1(EACH, X) EACH(A, a, X)
@@ -59,5 +60,6 @@
   AXIAL_CALL_ON_ARRAYS(name, count, order, (answer<S, T>), (class S, class T), S, T, (S, T), (state<S, T> & memory, ), \
                        (memory, ), (name<S>))
 ///@}
+// NOLINTEND(bugprone-macro-parentheses)
 
 #include <axial/options/end.hpp>
