@@ -2,6 +2,7 @@
 #pragma once
 
 #include <axial/links/model.hpp>
+#include <axial/spatial/pose.hpp>
 
 namespace combinations {
 

@@ -1,4 +1,4 @@
-// expect: axial: in fixed point a Motion keeps what rounding leaves; take axial::Motion
+// expect: axial: in fixed point a Motion keeps what rounding leaves
 #include <axial/fixed.hpp>
 #include <axial/fixed/simulation/integrators.hpp>
 #include <robots/scara.hpp>

@@ -1,4 +1,4 @@
-// expect: axial: LinearlyImplicitFor has no joints that share drives; take LinearlyImplicitEuler in float
+// expect: axial: LinearlyImplicitFor has no joints that share drives
 #include <axial/axial.hpp>
 #include <axial/simulation/declared_stiffness.hpp>
 #include <robots/wrist_arm.hpp>

@@ -1,4 +1,4 @@
-// expect: axial: formats follow from how stiff a robot is; declare it and take LinearlyImplicitFor
+// expect: axial: formats follow from how stiff a robot is
 #include <axial/fixed.hpp>
 #include <axial/fixed/simulation/integrators.hpp>
 #include <axial/simulation/declared_stiffness.hpp>

@@ -1,4 +1,4 @@
-// expect: axial: how large a step may be is asked in float; give step_limit() axial::to_real<float>(q)
+// expect: axial: how large a step may be is asked in float
 #include <axial/fixed.hpp>
 #include <axial/fixed/simulation/integrators.hpp>
 #include <axial/simulation/step_limit.hpp>

@@ -1,4 +1,4 @@
-// expect: axial: this method knows its step; call advance<Method>(x, drive)
+// expect: axial: this method knows its step
 #include <axial/fixed.hpp>
 #include <axial/fixed/simulation/integrators.hpp>
 #include <axial/simulation/declared_stiffness.hpp>

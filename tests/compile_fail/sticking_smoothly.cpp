@@ -1,4 +1,4 @@
-// expect: axial: friction that sticks has no smooth_speed(); take it out, or take LinearlyImplicitEuler
+// expect: axial: friction that sticks has no smooth_speed()
 #include <axial/axial.hpp>
 #include <axial/simulation/sticking.hpp>
 

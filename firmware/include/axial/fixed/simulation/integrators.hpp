@@ -26,11 +26,10 @@ AXIAL_INLINE constexpr std::int64_t moved_product(std::int64_t product, int shif
 /// word + rest 2^-32 += change 2^-32, with rest in [-1/2, 1/2): nothing is lost but where words end.
 struct FineSum {
   /// What comes out: the nearest word, and what it lacks.
-  std::int64_t word;
-  std::int32_t rest;
+  std::int64_t word{0};
+  std::int32_t rest{0};
 
-  AXIAL_INLINE constexpr FineSum(std::int32_t word_before, std::int32_t rest_before, std::int64_t change, bool& spilt)
-      : word(0), rest(0) {
+  AXIAL_INLINE constexpr FineSum(std::int32_t word_before, std::int32_t rest_before, std::int64_t change, bool& spilt) {
     const std::uint64_t whole = static_cast<std::uint64_t>(std::int64_t{word_before}) << 32;
     const auto before = static_cast<std::int64_t>(whole + static_cast<std::uint64_t>(std::int64_t{rest_before}));
     const std::uint64_t sum = static_cast<std::uint64_t>(before) + static_cast<std::uint64_t>(change);
