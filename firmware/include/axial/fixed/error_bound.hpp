@@ -7,6 +7,7 @@
 #include <axial/fixed/links/fixed_links.hpp>
 #include <axial/fixed/transmissions/driven_forward_error.hpp>
 #include <axial/fixed/transmissions/shared_drives_error.hpp>
+#include <axial/scene/joint_roles.hpp>
 
 #include <axial/options/begin.hpp>
 
