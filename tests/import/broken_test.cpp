@@ -2,6 +2,7 @@
 #include <host_sim/robots/import/importer.hpp>
 
 #include "arms.hpp"
+#include "broken.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,16 +10,9 @@ namespace {
 
 using importer::Options;
 
-/// What was done to the sound arm, and what the message must say.
-struct Broken {
-  const char *find, *by, *says;
-};
-
-std::string changed(std::string text, const Broken& broken) {
-  const auto at = text.find(broken.find);
-  EXPECT_NE(at, std::string::npos) << broken.find;
-  return text.replace(at, std::string(broken.find).size(), broken.by);
-}
+using broken::Broken;
+using broken::changed;
+using broken::expect_says;
 
 std::string message_of(const std::string& text, const Options& options = {}) {
   try {
@@ -27,10 +21,6 @@ std::string message_of(const std::string& text, const Options& options = {}) {
     return refused.what();
   }
   return "";
-}
-
-void expect_says(const std::string& message, const std::string& says) {
-  EXPECT_NE(message.find(says), std::string::npos) << "message: '" << message << "', expected: " << says;
 }
 
 constexpr Broken urdfs[] = {

@@ -2,6 +2,7 @@
 #include <host_sim/robots/import/importer.hpp>
 
 #include "arms.hpp"
+#include "broken.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,16 +14,10 @@ namespace {
 
 using importer::Options;
 
-/// What was done to the sound arm, and what the message must say.
-struct Broken {
-  const char *find, *by, *says;
-};
+using broken::Broken;
+using broken::changed;
+using broken::expect_says;
 
-std::string changed(std::string text, const Broken& broken) {
-  const auto at = text.find(broken.find);
-  EXPECT_NE(at, std::string::npos) << broken.find;
-  return text.replace(at, std::string(broken.find).size(), broken.by);
-}
 std::string message_of(const std::string& text, const std::string& from = "arm.xml", const Options& options = {}) {
   const auto begin = std::clock();  // of the processor: the machine may be busy
   std::string message;
@@ -34,10 +29,6 @@ std::string message_of(const std::string& text, const std::string& from = "arm.x
   EXPECT_LT(std::clock() - begin, CLOCKS_PER_SEC) << message;
   return message;
 }
-void expect_says(const std::string& message, const std::string& says) {
-  EXPECT_NE(message.find(says), std::string::npos) << "message: '" << message.substr(0, 300) << "', expected: " << says;
-}
-
 constexpr Broken mjcfs[] = {
     {"<worldbody>", "<worldbodies>", "malformed XML"},
     {"</mujoco>", "", "malformed XML"},
