@@ -8,7 +8,7 @@ import harness
 
 # Cycles at most, where the board counts them: 9 200 are 73.6 us at 125 MHz.
 PROMISED_CYCLES = {"inverse_dynamics,puma560,32_nearest": 9200}
-IMAGES = [f"{app}-{robot}" for app in ("fixed", "fixed-derivatives") for robot in ("scara", "puma560")]
+IMAGES = [f"{app}-{robot}" for app in ("fixed", "fixed-derivatives", "fixed-motions") for robot in ("scara", "puma560")]
 # Images that some boards run; a Puma's looped derivatives of forward dynamics take more than the 8 kB of an stm32f100.
 SOME = {"fixed-drives-wrist_arm": ("stm32f405", "stm32f100", "nrf51", "rv32_virt"),
         "fixed-looped-scara": ("stm32f405", "stm32f100", "nrf51", "rv32_virt"),

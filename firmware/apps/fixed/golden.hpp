@@ -3,8 +3,10 @@
 
 #include <axial/axial.hpp>
 #include <axial/fixed.hpp>
+#include <axial/fixed/simulation/integrators.hpp>
 
 #include <cstdint>
+#include <new>
 
 namespace axial::apps::fixed {
 
@@ -191,13 +193,52 @@ Golden golden(const char* arithmetic, Count count) {
   std::uint32_t least = ~0U, most = 0;
   for (int k = 0; k < golden_states; ++k) {
     const auto call = next_call<S, T>(random, k);
-    decltype(Kernel::run(call)) result{};
-    auto code = [&] { result = Kernel::run(call); };
+    using Result = decltype(Kernel::run(call));
+    alignas(Result) unsigned char bytes[sizeof(Result)];  // where the kernel puts it, once on a small stack
+    Result* result = nullptr;
+    auto code = [&] { result = ::new (static_cast<void*>(bytes)) Result(Kernel::run(call)); };
     const std::uint32_t cost = count(code);
     least = cost < least ? cost : least, most = cost > most ? cost : most;
-    add_words(hash, result);
+    add_words(hash, *result);
   }
   return {Kernel::name, arithmetic, hash.value(), least, most};
+}
+
+constexpr int golden_motions = 16, golden_steps = 64;
+
+/// Motions of as many steps from as many states, by efforts at random: words, what rounding left, statuses. Costs are
+/// of a step: the most that one took, and so much less as steps of one length differ. A core that shifts 64 bits by
+/// branches takes another count for another length, which is a constant.
+template <class Method, class S, class T, class Count>
+Golden golden_motion(const char* kernel, Count count) {
+  constexpr FixedStep steps[golden_motions] = {1e-3 / 1,  1e-3 / 2,  1e-3 / 3,  1e-3 / 4,  1e-3 / 5,  1e-3 / 6,
+                                               1e-3 / 7,  1e-3 / 8,  1e-3 / 9,  1e-3 / 10, 1e-3 / 11, 1e-3 / 12,
+                                               1e-3 / 13, 1e-3 / 14, 1e-3 / 15, 1e-3 / 16};
+  Random random;
+  Hash hash;
+  std::uint32_t spread = 0, highest = 0;
+  for (int k = 0; k < golden_motions; ++k) {
+    std::uint32_t least = ~0U, most = 0;
+    auto call = next_call<S, T>(random, k);
+    Motion<S, T> x;
+    x.q = call.q;
+    for (int i = 0; i < S::Robot::chain.size; ++i)
+      x.qd[i].raw = static_cast<typename T::Word>(call.qd[i].raw / 4);
+    for (int step = 0; step < golden_steps; ++step) {
+      if (step % 8 == 0) call = next_call<S, T>(random, k);
+      Status status;
+      auto code = [&] { status = advance<Method>(x, steps[k], Held<S, T>{call.tau, {}}); };
+      const std::uint32_t cost = count(code);
+      least = cost < least ? cost : least, most = cost > most ? cost : most;
+      hash.add(static_cast<std::int32_t>(status.code)), hash.add(status.joint);
+    }
+    add_words(hash, x.q), add_words(hash, x.qd);
+    for (int i = 0; i < S::Robot::chain.size; ++i)
+      hash.add(x.q_rest[i]), hash.add(x.qd_rest[i]);
+    hash.add(static_cast<std::int32_t>(x.steps));
+    spread = most - least > spread ? most - least : spread, highest = most > highest ? most : highest;
+  }
+  return {kernel, "32_nearest", hash.value(), highest - spread, highest};
 }
 
 /// All kernels of a robot, each given to `put`.
@@ -246,6 +287,14 @@ void all_golden_drives(Count count, Put put) {
   put(golden<CertifiedForwardDynamics, S, Fixed32>("32_nearest", count));
   put(golden<SeparatedTorque, S, Fixed32>("32_nearest", count));
   put(golden<InverseDerivatives, S, Fixed32>("32_nearest", count));
+}
+
+/// Integrators of a robot likewise.
+template <class R, class Count, class Put>
+void all_golden_motions(Count count, Put put) {
+  using S = Scene<R, Gravity, RotorInertia>;
+  put(golden_motion<RungeKutta4, S, Fixed32>("runge_kutta_4", count));
+  put(golden_motion<SemiImplicitEuler, S, Fixed32>("semi_implicit", count));
 }
 
 }  // namespace axial::apps::fixed

@@ -194,9 +194,9 @@ constexpr Status advance_in(const System& system, X& x, const Step& h, const Dri
   using Sums = SummationOf<X>;
   X moved = x;
   const Status asked = Method::step(system, moved, h, drive), led_to = Sums::judged(moved, h, system.size());
-  const bool lost = Sums::is_lost(asked), good = led_to.ok(), keep = good & !lost;
+  const auto keep = Sums::is_kept(asked, led_to);
   Sums::each(system.size(), [&](auto i) AXIAL_INLINE { Sums::keep_joint(keep, moved, x, i); });
-  x.steps += static_cast<std::uint64_t>(keep);
+  x.steps += static_cast<std::uint64_t>(keep & 1);
   return first_of<Sums>(asked, led_to);
 }
 

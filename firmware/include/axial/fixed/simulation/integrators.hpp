@@ -91,11 +91,16 @@ struct Summation<S, Stored<Word>> {
     }
     return spilt;
   }
+  /// Whether a step is kept: all ones, or 0. A bool for so many words becomes a branch.
+  AXIAL_INLINE static constexpr int is_kept(const Status& asked, const Status& led_to) {
+    return says(led_to, Status::Code::ok) & ~lost(asked);
+  }
   template <class X, int I>
-  AXIAL_INLINE static constexpr void keep_joint(bool keep, const X& moved, X& x, Index<I>) {
-    x.q[I].raw = select(keep, moved.q[I].raw, x.q[I].raw), x.q_rest[I] = select(keep, moved.q_rest[I], x.q_rest[I]);
-    x.qd[I].raw = static_cast<Word>(select(keep, int{moved.qd[I].raw}, int{x.qd[I].raw}));
-    x.qd_rest[I] = select(keep, moved.qd_rest[I], x.qd_rest[I]);
+  AXIAL_INLINE static constexpr void keep_joint(int keep, const X& moved, X& x, Index<I>) {
+    const auto kept = [keep](auto next, auto last) AXIAL_INLINE { return (next & keep) | (last & ~keep); };
+    x.q[I].raw = kept(moved.q[I].raw, x.q[I].raw), x.q_rest[I] = kept(moved.q_rest[I], x.q_rest[I]);
+    x.qd[I].raw = static_cast<Word>(kept(moved.qd[I].raw, x.qd[I].raw));
+    x.qd_rest[I] = kept(moved.qd_rest[I], x.qd_rest[I]);
   }
 
   /// The first joint whose speed or slide is beyond its limits, from where formats wrap; or that h is no step.
@@ -106,15 +111,7 @@ struct Summation<S, Stored<Word>> {
                        select(h.is_step(), found.joint, -1));
   }
   /// Accelerations of a state or of inputs beyond their limits are 0; of an angle beyond its own they are right.
-  AXIAL_INLINE static constexpr bool is_lost(const Status& status) {
-    using Code = Status::Code;
-    bool slid = false;
-    each(joints, [&](auto i) AXIAL_INLINE {
-      if constexpr (!turns<decltype(i)::value>) slid = slid | (status.joint == decltype(i)::value);
-    });
-    return (status.code == Code::speed_limit) | (status.code == Code::input_limit) |
-           (status.code == Code::payload_limit) | (slid & (status.code == Code::position_limit));
-  }
+  AXIAL_INLINE static constexpr bool is_lost(const Status& status) { return is_negative(lost(status)); }
   AXIAL_INLINE static constexpr void name_lost(Status& status, const Q& q, const V& qd) {
     const Status found = beyond(q, qd);
     const bool lost = is_lost(status), fine = found.ok(), told = lost | fine;
@@ -123,6 +120,23 @@ struct Summation<S, Stored<Word>> {
   }
 
  private:
+  /// All ones where a is b, else 0; by signs.
+  AXIAL_INLINE static constexpr int same(int a, int b) {
+    const int off = a ^ b;
+    return ~((off | -off) >> (8 * static_cast<int>(sizeof(int)) - 1));
+  }
+  AXIAL_INLINE static constexpr int says(const Status& status, Status::Code code) {
+    return same(static_cast<int>(status.code), static_cast<int>(code));
+  }
+  AXIAL_INLINE static constexpr int lost(const Status& status) {
+    using Code = Status::Code;
+    int slid = 0;
+    each(joints, [&](auto i) AXIAL_INLINE {
+      if constexpr (!turns<decltype(i)::value>) slid |= same(status.joint, decltype(i)::value);
+    });
+    return says(status, Code::speed_limit) | says(status, Code::input_limit) | says(status, Code::payload_limit) |
+           (slid & says(status, Code::position_limit));
+  }
   template <int I>
   static constexpr bool turns = turns_of<typename scene_of<S>::Robot>.of[I];
   template <class F, int... I>
