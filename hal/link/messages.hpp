@@ -257,8 +257,9 @@ struct WireBytes {
   std::size_t size;
 };
 
+/// `message` stays as it is: a layout that reads it is one that writes it.
 template <class Message>
-std::size_t encode_message(Message message, std::uint32_t sequence, std::uint32_t session, std::uint8_t* out) {
+std::size_t encode_message(Message& message, std::uint32_t sequence, std::uint32_t session, std::uint8_t* out) {
   std::uint8_t payload[max_payload];
   ByteWriter writer(payload, sizeof payload);
   layout(writer, message);
@@ -268,7 +269,8 @@ std::size_t encode_message(Message message, std::uint32_t sequence, std::uint32_
 template <class Message>
 WireBytes encode_message(const Message& message, std::uint32_t sequence, std::uint32_t session = no_session) {
   WireBytes wire{};
-  wire.size = encode_message(message, sequence, session, wire.bytes.data());
+  Message copy = message;
+  wire.size = encode_message(copy, sequence, session, wire.bytes.data());
   return wire;
 }
 

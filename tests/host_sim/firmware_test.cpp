@@ -49,10 +49,13 @@ class PlayedBoard {
     throw std::runtime_error("hung up");  // ends run()
   }
   void greet(std::uint8_t version = link::protocol_version, std::uint32_t nonce = 0) {
+    greet(version, nonce, nonce == 0 ? booted : opened);
+  }
+  void greet(std::uint8_t version, std::uint32_t nonce, std::uint32_t session) {
     link::Hello hello{};
     hello.version = version;
     hello.joints = 2;
-    hello.session = nonce == 0 ? booted : opened;
+    hello.session = session;
     hello.nonce = nonce;
     session_ = link::no_session;
     send(hello, 0);
@@ -150,6 +153,25 @@ TEST(Firmware, NoticesAnotherProtocolVersion) {
 TEST(Firmware, NoticesTheAnswerToAnotherStart) {
   const auto other = [](PlayedBoard& board, const link::FrameView& frame) { board.open(frame, 1); };
   EXPECT_NE(failure(other).find("another session"), std::string::npos);
+}
+
+TEST(Firmware, AsksAgainWhereAResetHasMadeTheFirstStartVoid) {
+  constexpr std::uint32_t after_asking = 0xA5CED;
+  const auto fresh = [](PlayedBoard& board, const link::FrameView& frame) {
+    link::Start start{};
+    if (!link::decode_message(frame, start)) return answer_well(board, frame);
+    if (start.session == PlayedBoard::booted) return board.greet(link::protocol_version, 0, after_asking);
+    if (start.session == after_asking) board.greet(link::protocol_version, start.nonce);
+  };
+  PlayedBoard board(fresh);
+  EXPECT_EQ(Firmware(board.host).torque(set_point).tau[0], 306.0F);
+}
+
+TEST(Firmware, ABoardThatNeverOpensASessionIsNamed) {
+  const auto never = [](PlayedBoard& board, const link::FrameView& frame) {
+    if (is(frame, link::MessageType::start)) board.greet();
+  };
+  EXPECT_NE(failure(never).find("another session"), std::string::npos);
 }
 
 TEST(Firmware, ReportsOfAHeldTorqueAreNoAnswers) {

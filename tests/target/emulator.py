@@ -98,16 +98,18 @@ class Emulator:
         self.folder.cleanup()
 
     def open(self, mode, number=0):
-        """A session, whose set-points are counted from `number`; the frame that opened it. Whoever names an old one is told
-        the present one."""
+        """A session, whose set-points are counted from `number`; the frames that opened it. Whoever names an old one is told
+        the present one, and so is the first after a reset."""
         nonce = random.randrange(1, 1 << 32)
+        sent = b""
         self.session = None  # what is still on its way may be of another
         while self.hello["nonce"] != nonce:
             frame = link.frame(link.START, number, link.start(mode, self.hello["session"], nonce))
             self.send(frame)
+            sent += frame
             self.hello = link.hello(self.expect(link.HELLO)[1])
         self.session = self.hello["session"]
-        return frame
+        return sent
 
     def frame(self, kind, sequence, payload=b""):
         """A frame of the session."""

@@ -242,16 +242,18 @@ class Feedforward {
   }
 
   /// A `start` that names another session was recorded, or its sender has not heard the last hello: the answer is one.
+  /// So is that to the first since the board started: only then have bytes come, whose times make an identifier.
   void restart(const link::Start& wanted, std::uint32_t number) {
     if (wanted.mode > static_cast<std::uint8_t>(link::Mode::free_running))
       return tally_.refuse(link::Fault::bad_payload);
     if (wanted.nonce == 0) return tally_.refuse(link::Fault::bad_payload);
-    if (!session_.open(wanted.session, wanted.nonce, Board::entropy())) {
+    const bool opened = session_.open(wanted.session, wanted.nonce, Board::entropy());
+    decoder_.set_session(session_.id());
+    if (!opened) {
       hello_wanted_ = true;
       return;
     }
     nonce_ = wanted.nonce;
-    decoder_.set_session(session_.id());
     sequence_.restart(number);
     fresh_ = false;
     controller_.restart();
@@ -310,13 +312,14 @@ class Feedforward {
       stats_wanted_ = false;
       send_stats();
     } else if (tally_.has_news()) {
-      send(tally_.error_reply(), sequence_.last(), session_.id());
+      link::ErrorReply reply = tally_.error_reply();
+      send(reply, sequence_.last(), session_.id());
     }
   }
 
   /// Not inlined: one wire buffer on the stack, not one for every caller.
   template <class Message>
-  [[gnu::noinline]] void send(const Message& message, std::uint32_t sequence, std::uint32_t session) {
+  [[gnu::noinline]] void send(Message& message, std::uint32_t sequence, std::uint32_t session) {
     std::uint8_t wire[link::max_wire_size];
     Board::write(wire, link::encode_message(message, sequence, session, wire));
   }

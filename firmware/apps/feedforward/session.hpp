@@ -15,11 +15,18 @@ class Session {
   /// differs from one call to the next, across resets too.
   constexpr void boot(std::uint32_t entropy) {
     renew(0, entropy);
-    open_ = false;
+    open_ = was_asked_ = false;
   }
 
-  /// Opens a session for a `start` that names this one; false, and nothing happens, for any other.
+  /// Opens a session for a `start` that names this one; false, and nothing happens, for any other. The first since boot
+  /// opens none but makes the identifier that the next must name: at boot a board may know nothing that differs from
+  /// its last start, and a recorded `start` would fit.
   constexpr bool open(std::uint32_t named, std::uint32_t nonce, std::uint32_t entropy) {
+    if (!was_asked_) {
+      renew(nonce, entropy);
+      was_asked_ = true;
+      return false;
+    }
     if (named != id_) return false;
     renew(nonce, entropy);
     open_ = true;
@@ -44,7 +51,7 @@ class Session {
   }
 
   std::uint32_t id_ = hal::link::no_session;
-  bool open_ = false;
+  bool open_ = false, was_asked_ = false;
 };
 
 }  // namespace axial::apps

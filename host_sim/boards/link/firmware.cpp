@@ -60,9 +60,12 @@ void Firmware::check_version() const {
 
 void Firmware::open_session() {
   const std::uint32_t nonce = std::random_device{}() | 1U;
-  send(link::Start{static_cast<std::uint8_t>(link::Mode::lock_step), hello_.session, nonce}, sequence_);
-  hello_ = wait_for<link::Hello>(answer_limit, "hello in lock-step");
-  check_version();
+  int tries = 0;
+  do {  // the first start after a reset is answered by the identifier that the next must name
+    send(link::Start{static_cast<std::uint8_t>(link::Mode::lock_step), hello_.session, nonce}, sequence_);
+    hello_ = wait_for<link::Hello>(answer_limit, "hello in lock-step");
+    check_version();
+  } while (hello_.nonce == 0 && ++tries < 2);
   if (hello_.nonce != nonce)
     throw std::runtime_error("the firmware opened another session than this program asked for");
   use_session();

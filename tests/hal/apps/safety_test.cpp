@@ -226,9 +226,8 @@ TEST_F(SafetyApp, AStartLetsNoArmFall) {
 }
 
 TEST_F(SafetyApp, AnOldStartIsAnsweredByAHelloAndDoesNothing) {
-  const Bytes old = start_frame(link::Mode::free_running, hello_.session, 7, 100);
-  send(old);
-  hello_ = answer<link::Hello>().value();
+  open(link::Mode::lock_step);
+  const Bytes old = open(link::Mode::free_running, 100);
   const std::uint32_t session = hello_.session;
   ask(1.0f, 101);
   send(old);
@@ -242,9 +241,8 @@ TEST_F(SafetyApp, AnOldStartIsAnsweredByAHelloAndDoesNothing) {
 
 /// Everything that a host ever sent, played again: later in the session, in the next one, after a reset.
 TEST_F(SafetyApp, WhatWasRecordedIsNeverDoneAgain) {
-  Bytes recorded = start_frame(link::Mode::lock_step, hello_.session, 7);
-  send(recorded);
-  hello_ = answer<link::Hello>().value();
+  const std::uint32_t at_boot = hello_.session;
+  Bytes recorded = open(link::Mode::lock_step);
   for (std::uint32_t i = 1; i < 10; ++i) {
     const Bytes frame = framed(set_point(100.0f), i);
     recorded.insert(recorded.end(), frame.begin(), frame.end());
@@ -261,14 +259,22 @@ TEST_F(SafetyApp, WhatWasRecordedIsNeverDoneAgain) {
   EXPECT_EQ(faults(link::Fault::bad_crc), 9u);
   ask(2.0f, 1);
   EXPECT_EQ(answer<link::Torque>()->tau[0], 2.0f);
-  hal::HostBoard::boot();
-  board().entropy = 1000;
-  app_ = {};
-  app_.start();
-  hello_ = answer<link::Hello>().value();
-  send(recorded);
-  EXPECT_FALSE(answer<link::Torque>()) << "after a reset";
-  expect_drives(false);
+  for (const std::uint32_t known_at_boot : {1000u, 0u}) {
+    hal::HostBoard::boot();
+    board().entropy = known_at_boot;
+    app_ = {};
+    app_.start();
+    hello_ = answer<link::Hello>().value();
+    EXPECT_EQ(hello_.session == at_boot, known_at_boot == 0) << "a board may know nothing but what it knew then";
+    board().entropy += 17;  // bytes come at other times
+    const std::size_t changes = board().drive_changes.size();
+    send(recorded);
+    EXPECT_FALSE(answer<link::Torque>()) << "after a reset";
+    expect_drives(false);
+    EXPECT_EQ(board().drive_changes.size(), changes);
+    open(link::Mode::lock_step);
+    EXPECT_EQ(stats().set_points, 0u);
+  }
 }
 
 TEST_F(SafetyApp, AFloodOfBytesKeepsNoTickWaiting) {
