@@ -5,8 +5,8 @@
 #include <axial/fixed.hpp>
 #include <cmath>
 #include <random>
-#include <robots/puma560.hpp>
-#include <robots/scara.hpp>
+
+#include "arms.hpp"
 
 using namespace axial;
 
@@ -22,8 +22,7 @@ struct Case {
   using R = R_;
   using T = T_;
 };
-using Cases = testing::Types<Case<robots::Scara, float>, Case<robots::Scara, double>, Case<robots::Scara, Fixed32>,
-                             Case<robots::Puma560, float>, Case<robots::Puma560, Fixed32>>;
+using Cases = control_tests::Arms<Case>;
 
 template <class C>
 class ControlledStop : public testing::Test {

@@ -3,8 +3,8 @@
 #include <axial/axial.hpp>
 #include <axial/fixed.hpp>
 #include <cmath>
-#include <robots/puma560.hpp>
-#include <robots/scara.hpp>
+
+#include "arms.hpp"
 
 using namespace axial;
 
@@ -71,8 +71,7 @@ struct Case {
   }
 };
 
-using Cases = testing::Types<Case<robots::Scara, float>, Case<robots::Scara, double>, Case<robots::Scara, Fixed32>,
-                             Case<robots::Puma560, float>, Case<robots::Puma560, Fixed32>>;
+using Cases = control_tests::Arms<Case>;
 
 template <class C>
 class FallBackOf : public testing::Test {

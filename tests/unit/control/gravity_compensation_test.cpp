@@ -1,4 +1,5 @@
 // Gravity compensation for hand guiding: what carries the arm, checked, clamped, no faster than declared.
+#include "arms.hpp"
 #include "safe_loop.hpp"
 
 using namespace axial;
@@ -8,9 +9,7 @@ using safe_loop::expect_status;
 
 namespace {
 
-using Cases = testing::Types<Case<robots::Scara, float>, Case<robots::Scara, double>, Case<robots::Scara, Fixed32>,
-                             Case<robots::Puma560, float>, Case<robots::Puma560, Fixed32>, Case<robots::Panda, float>,
-                             Case<robots::Panda, Fixed32>>;
+using Cases = control_tests::MoreArms<Case>;
 
 template <class C>
 class GravityCompensation : public testing::Test {

@@ -1,5 +1,6 @@
 // The safe call of a control loop: feed-forward and feedback, clamped once, no faster than declared, gravity
 // compensation where something is wrong.
+#include "arms.hpp"
 #include "safe_loop.hpp"
 
 #include <algorithm>
@@ -12,9 +13,7 @@ using safe_loop::expect_status;
 
 namespace {
 
-using Cases = testing::Types<Case<robots::Scara, float>, Case<robots::Scara, double>, Case<robots::Scara, Fixed32>,
-                             Case<robots::Puma560, float>, Case<robots::Puma560, Fixed32>, Case<robots::Panda, float>,
-                             Case<robots::Panda, Fixed32>>;
+using Cases = control_tests::MoreArms<Case>;
 
 template <class C>
 class Track : public testing::Test {

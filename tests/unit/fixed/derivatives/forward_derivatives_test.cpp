@@ -1,84 +1,9 @@
-// Derivatives of forward dynamics in fixed point: statuses, what is not asked for, loads, trees and arithmetics.
-#include <gtest/gtest.h>
-#include <axial/fixed.hpp>
-#include <cmath>
-#include <host_sim/figures/exhaustive/fixed_states.hpp>
-#include <robots/robots.hpp>
+// Derivatives of forward dynamics in fixed point: statuses, what is not asked for, loads.
 #include <unit/fixed/dynamics/light_tip.hpp>
 
-using namespace axial;
+#include "words_and_bounds.hpp"
 
 namespace {
-
-using T = Fixed32;
-using R = robots::Scara;
-
-template <class M>
-double real(const M& words, int i, int j) {
-  return std::ldexp(words(i, j).raw, -words.exponent(i, j));
-}
-
-/// A state whose efforts give the accelerations that it asks for.
-template <class S, class Exact>
-exhaustive::FixedState<S, T> state_of(exhaustive::Random& random, std::uint64_t k) {
-  using Robot = robot_of<S>;
-  auto state = exhaustive::next_state<exhaustive::FixedState<S, T>>(random, k % 4);
-  for (int i = 0; i < joint_count<S>; ++i)
-    if (state.turns(i)) state.q[i].raw /= 4;
-  const auto tau =
-      inverse_dynamics<Exact>(exhaustive::in_double<Robot, T>(state.q), exhaustive::in_double<Robot>(state.qd),
-                              exhaustive::in_double<Robot>(state.qdd));
-  for (int i = 0; i < joint_count<S>; ++i)
-    state.tau[i].raw = static_cast<std::int32_t>(std::lrint(std::ldexp(0.9 * tau[i], state.tau.exponent(i))));
-  return state;
-}
-
-/// The largest share of a bound that the errors of a matrix are.
-template <class Words, class Numbers>
-double share(const Words& words, const Words& bounds, const Numbers& exact) {
-  double most = 0.0;
-  for (int i = 0; i < Words::size; ++i)
-    for (int j = 0; j < Words::size; ++j) {
-      const double off = std::fabs(real(words, i, j) - exact(i, j)), bound = real(bounds, i, j);
-      EXPECT_LE(off, bound + 1e-12) << i << ' ' << j;
-      if (bound > 0.0) most = std::fmax(most, off / bound);
-    }
-  return most;
-}
-template <class S, class Exact>
-void expect_bounded(int at_least, double least_share = 0.01) {
-  using Robot = robot_of<S>;
-  exhaustive::Random random(29);
-  range_overflows = 0;
-  double nearest = 0.0;
-  int answered = 0;
-  for (std::uint64_t k = 0; k < 400; ++k) {
-    const auto state = state_of<S, Exact>(random, k);
-    const auto got = certified_forward_dynamics_derivatives<S>(state.q, state.qd, state.tau);
-    if (!got.qdd.status.ok()) continue;
-    ++answered;
-    const auto exact = forward_dynamics_derivatives<Exact>(exhaustive::in_double<Robot, T>(state.q),
-                                                           exhaustive::in_double<Robot>(state.qd),
-                                                           exhaustive::in_double<Robot>(state.tau));
-    nearest = std::fmax(nearest, share(got.M_inverse, got.bound.M_inverse, exact.M_inverse));
-    share(got.dqdd_dq, got.bound.dqdd_dq, exact.dqdd_dq);
-    share(got.dqdd_dqd, got.bound.dqdd_dqd, exact.dqdd_dqd);
-    for (int i = 0; i < joint_count<S>; ++i) {
-      const double unit = std::ldexp(1.0, -got.qdd.exponent(i));
-      EXPECT_LE(std::fabs(got.qdd[i].raw * unit - exact.qdd[i]), got.bound.qdd[i].raw * unit) << i;
-    }
-  }
-  EXPECT_EQ(range_overflows, 0U);
-  EXPECT_GT(answered, at_least);
-  EXPECT_GT(nearest, least_share) << "bounds as loose as this say little";
-}
-
-// Two arms on one column.
-struct Fork {
-  static constexpr auto chain =
-      axial::chain(gravity(0.0, 0.0, -9.81), joint(4.0, 0.4), joint(2.0, 0.3).a(0.2).alpha_deg(90).parent(0),
-                   joint(1.0, 0.3).a(-0.2).alpha_deg(90).parent(0));
-};
 
 exhaustive::FixedState<R, T> at_rest() {
   exhaustive::FixedState<R, T> state{};
@@ -87,22 +12,6 @@ exhaustive::FixedState<R, T> at_rest() {
 }
 
 }  // namespace
-
-TEST(ForwardDerivativesInWords, AreInsideTheirBounds) {
-  expect_bounded<Scene<R, Gravity, RotorInertia, RangeCheck>, R>(200);
-  expect_bounded<Scene<R, Gravity, RotorInertia, Friction, RangeCheck, HighWord>,
-                 Scene<R, Gravity, RotorInertia, Friction>>(100);
-  expect_bounded<Scene<Fork, Gravity, RotorInertia, RangeCheck, RoundDown>, Fork>(100);
-}
-
-// By one step for all links M is eliminated in words. A wrist of an arm of kilograms has 6e-4 kg m^2 there.
-TEST(ForwardDerivativesInWords, AreInsideTheirBoundsInLoops) {
-  expect_bounded<Scene<R, Gravity, RotorInertia, Looped, RangeCheck>, R>(200, 0.005);
-  expect_bounded<Scene<R, Gravity, RotorInertia, Friction, Looped, RangeCheck, HighWord>,
-                 Scene<R, Gravity, RotorInertia, Friction>>(100, 0.005);
-  expect_bounded<Scene<Fork, Gravity, RotorInertia, Looped, RangeCheck, RoundDown>, Fork>(100, 0.005);
-  expect_bounded<Scene<robots::Indy7, Gravity, RotorInertia, Looped, RangeCheck>, robots::Indy7>(10, 0.005);
-}
 
 namespace {
 
