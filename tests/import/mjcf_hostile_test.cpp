@@ -171,7 +171,7 @@ std::string mujoco(const std::string& text) { return "<mujoco>" + text + "</mujo
 
 TEST(MjcfHostile, ManyBodies) {
   expect_says(message_of(mujoco("<worldbody>" + repeated("<body/>", 1000000) + "</worldbody>")),
-              "has more than 100000");
+              "has more than 100000 elements; give the robot");
   expect_says(message_of(mujoco("<worldbody>" + repeated("<body/>", 20000) + "</worldbody>")), "is one too many");
   expect_says(message_of(mujoco("<worldbody><body>" + repeated("<joint/>", 20000) + "</body></worldbody>")),
               "at most 64 joints");
