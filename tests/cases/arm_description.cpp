@@ -13,7 +13,7 @@ int quarters(const json& word) {
   return known.at(word.get<std::string>());
 }
 
-oracle::Vec3<double> vec3(const json& v) { return {v.at(0), v.at(1), v.at(2)}; }
+oracle::Vec3<double> vector_of(const json& v) { return {v.at(0), v.at(1), v.at(2)}; }
 
 /// Row by row above the diagonal, or the diagonal alone.
 oracle::Mat3<double> inertia(const json& arm, std::size_t i) {
@@ -30,12 +30,12 @@ DescribedJoint joint(const json& arm, std::size_t i) {
   const bool both_sides = limits.contains("position");
   const double high = limits.at(both_sides ? "position" : "position_max").at(i);
   const double low = both_sides ? -high : limits.at("position_min").at(i).get<double>();
-  return {vec3(arm.at("origin_xyz").at(i)),
+  return {vector_of(arm.at("origin_xyz").at(i)),
           quarters(rpy.at(0)),
           quarters(rpy.at(1)),
           quarters(rpy.at(2)),
           arm.at("mass").at(i),
-          vec3(arm.at("com").at(i)),
+          vector_of(arm.at("com").at(i)),
           inertia(arm, i),
           low,
           high};

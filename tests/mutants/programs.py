@@ -23,7 +23,7 @@ class CMakePrograms(build.Programs):
         query = folder / ".cmake/api/v1/query"
         query.mkdir(parents=True, exist_ok=True)
         (query / "codemodel-v2").touch()
-        subprocess.run(["cmake", "-S", str(build.ROOT), "-B", str(folder), "-G", "Ninja", "-DAXIAL_DEVELOPER=ON", "-DAXIAL_TESTS=all"], check=True,
+        subprocess.run(["cmake", "-S", str(build.ROOT), "-B", str(folder), "-G", "Ninja", "-DAXIAL_DEVELOPER=ON", "-DAXIAL_TESTS=all", "-DAXIAL_BATCHES=OFF"], check=True,
                        stdout=subprocess.DEVNULL)
         found = [json.loads(path.read_text()) for path in sorted((folder / ".cmake/api/v1/reply").glob("target-*.json"))]
         self.targets = {target["name"]: target for target in found}

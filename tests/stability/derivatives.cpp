@@ -17,7 +17,6 @@ using oracle::Matrix;
 using oracle::Vector;
 
 constexpr int longest = 50;
-constexpr double sensible = 1e-2;  // of cond eps
 
 /// A matrix by its columns, each what `column` makes of the column of another.
 template <class F>

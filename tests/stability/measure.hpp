@@ -5,6 +5,9 @@
 
 namespace stability {
 
+/// Of cond eps: who loses more has no gate of what is lost.
+constexpr double sensible = 1e-2;
+
 using cases::Scenario;
 using oracle::quad;
 

@@ -8,7 +8,6 @@ namespace stability {
 namespace {
 
 constexpr unsigned seed = 7;
-constexpr double sensible = 1e-2;  // of cond eps
 
 Row row_of(const Scenario& scenario, const Reference& reference, Route route, Scalar scalar) {
   const Answer answer = solve(scenario, route, scalar);

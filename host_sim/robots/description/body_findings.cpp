@@ -12,9 +12,7 @@ namespace {
 
 constexpr double rounding = 1e-6;  // of published tensors, relative to their trace: printed with few digits
 
-bool usable(double value) { return std::abs(value) <= largest_number; }  // false for NaN
-
-bool usable(const double* values, int count) {
+bool all_usable(const double* values, int count) {
   return std::all_of(values, values + count, [](double v) { return usable(v); });
 }
 
@@ -37,8 +35,8 @@ void check_numbers(const std::string& link, const axial::LinkParameters& p, std:
   };
   if (!usable(p.mass)) refuse("mass is " + number(p.mass) + " kg", "give kilograms between 0 and 1e9");
   if (p.mass < 0.0) refuse("mass is negative: " + number(p.mass) + " kg", "give kilograms >= 0");
-  if (!usable(p.com, 3)) refuse("centre of mass is (" + list(p.com, 3) + ") m", "give metres below 1e9");
-  if (!usable(p.inertia_com, 6))
+  if (!all_usable(p.com, 3)) refuse("centre of mass is (" + list(p.com, 3) + ") m", "give metres below 1e9");
+  if (!all_usable(p.inertia_com, 6))
     refuse("inertia is (" + list(p.inertia_com, 6) + ") kg m^2", "give kg m^2 below 1e9: xx yy zz xy xz yz");
 }
 

@@ -9,8 +9,6 @@ namespace {
 
 constexpr double longest_arm = 20.0;  // m between two joints; beyond it they are most likely millimetres
 
-bool usable(double value) { return std::abs(value) <= largest_number; }  // false for NaN
-
 class Inspector {
  public:
   Inspector(const Link& link, bool as_published) : link_(link), p_(link.parameters), as_published_(as_published) {}

@@ -20,6 +20,7 @@ struct Finding {
 
 /// The largest number of metres, kilograms or kg m^2 that is taken for a robot's.
 constexpr double largest_number = 1e9;
+inline bool usable(double value) { return value >= -largest_number && value <= largest_number; }  // false for NaN
 
 /// All findings, link by link.
 std::vector<Finding> findings(const Description& robot);
