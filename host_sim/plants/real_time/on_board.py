@@ -47,7 +47,7 @@ def written(path, words, to):
     [line] = [line for line in image.run("nm", "-S", "--target=" + image.FORMATS[image.machine_of(path)], path).splitlines()
               if line.endswith(" axial_plant_input")]
     address, size = (int(word, 16) for word in line.split()[:2])
-    [section] = [each for each in image.sections(path) if each.address <= address < each.address + each.size and "CONTENTS" in each.attributes]
+    [section] = [each for each in image.sections(path) if "ALLOC" in each.attributes and each.address <= address < each.address + each.size]
     packed = b"".join(word.to_bytes(4, "little") for word in words)
     if len(packed) > size:
         raise ValueError(f"{path}: the input has room for {size} bytes, {len(packed)} were asked for")
