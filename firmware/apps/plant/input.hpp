@@ -1,6 +1,7 @@
 #pragma once
-/// What a plant integrates, as words in the image's flash: the host writes them into the file before it starts the board,
-/// so that one image has every motion of its robot and of its number system. Words are float's bits or fixed point's.
+/// What a plant integrates, as words in the image's flash: the host writes them into the file before it starts the
+/// board, so that one image has every motion of its robot and of its number system. Words are float's bits or fixed
+/// point's.
 
 #include <axial/axial.hpp>
 #include <axial/fixed.hpp>
@@ -18,12 +19,13 @@ using SceneOf = Scene<R, Gravity, RotorInertia>;
 
 /// What moves: in float with compensated sums.
 template <class R, class Number>
-using MotionOf = std::conditional_t<is_stored_v<Number>, Motion<SceneOf<R>, Number>, CompensatedMotion<SceneOf<R>, Number>>;
+using MotionOf =
+    std::conditional_t<is_stored_v<Number>, Motion<SceneOf<R>, Number>, CompensatedMotion<SceneOf<R>, Number>>;
 
-constexpr double tick_s = 1e-3;                    ///< between efforts
-constexpr int choices = 4;                         ///< of steps
+constexpr double tick_s = 1e-3;  ///< between efforts
+constexpr int choices = 4;       ///< of steps
 constexpr int steps_per_tick[choices] = {1, 2, 5, 10};
-constexpr std::uint32_t most_ticks = 1000;         ///< of efforts
+constexpr std::uint32_t most_ticks = 1000;  ///< of efforts
 
 /// A step per choice: s, or fixed point's.
 template <class R, class Number, class Step = StepOf<SceneOf<R>, Number>>
@@ -46,7 +48,7 @@ template <class R>
 constexpr std::uint32_t state_words = 4 * static_cast<std::uint32_t>(joint_count<R>);
 template <class R>
 constexpr std::uint32_t input_words = head_words + state_words<R> +
-                                      most_ticks * static_cast<std::uint32_t>(joint_count<R>);
+                                      most_ticks* static_cast<std::uint32_t>(joint_count<R>);
 
 /// A value's word, and back.
 ///@{

@@ -40,10 +40,11 @@ struct Request {
   std::vector<Reported> states;
 };
 Request request_of(const nlohmann::json& asked) {
-  Request request{asked.at("number"),
-                  asked.at("motion"),
-                  {asked.at("method") == "runge_kutta_4", asked.at("choice"), asked.at("steps"), asked.at("report_every")},
-                  {}};
+  Request request{
+      asked.at("number"),
+      asked.at("motion"),
+      {asked.at("method") == "runge_kutta_4", asked.at("choice"), asked.at("steps"), asked.at("report_every")},
+      {}};
   for (const auto& state : asked.value("states", nlohmann::json::array()))
     request.states.push_back({state.at(0), state.at(1)});
   return request;
@@ -89,8 +90,10 @@ nlohmann::json answer(const Request& request) {
 
 int main(int count, char** arguments) {
   std::string asked, answered;
-  host_sim::CommandLine line("a robot's motion in words for a board, and a verdict on the board's states", "plant_board");
-  line.option("--request", asked, "number, motion, method, choice, steps, report_every; states, to be judged").required();
+  host_sim::CommandLine line("a robot's motion in words for a board, and a verdict on the board's states",
+                             "plant_board");
+  line.option("--request", asked, "number, motion, method, choice, steps, report_every; states, to be judged")
+      .required();
   line.option("--answer", answered, "the words, or the verdict").required();
   return line.run(count, arguments, [&] {
     const Request request = request_of(nlohmann::json::parse(std::ifstream(asked)));
