@@ -96,6 +96,20 @@ TYPED_TEST(PlantImage, TellsEverySoManySteps) {
   EXPECT_NE(text.find("\nsteps,6,17,17\n"), std::string::npos);
 }
 
+TYPED_TEST(PlantImage, AStateIsAllOfItsWords) {
+  image::MotionOf<R, TypeParam> x;
+  std::uint32_t word = 0;
+  image::each_word(x, [&](auto& value) { image::put_word(value, ++word); });
+  EXPECT_EQ(word, image::state_words<R>);
+  for (int i = 0; i < 3; ++i) {
+    const auto joint = static_cast<std::uint32_t>(i);
+    EXPECT_EQ(image::word_of(x.q[i]), 1 + joint);
+    EXPECT_EQ(image::word_of(x.qd[i]), 4 + joint);
+    EXPECT_EQ(image::word_of(x.q_rest[i]), 7 + joint);
+    EXPECT_EQ(image::word_of(x.qd_rest[i]), 10 + joint);
+  }
+}
+
 // From the middle of a motion, with what rounding left: what a model of the core's timing is shown.
 TYPED_TEST(PlantImage, GoesOnWhereAStateLeftOff) {
   auto words = this->host.words({true, 0, 4, 1});
