@@ -187,7 +187,7 @@ def bits(row):
 BOARDS = ("stm32f405", "stm32f100", "nrf51", "rv32_virt", "rp2040_ram")
 DOCUMENTED = [(board, robot, scalar, method) for board in BOARDS for robot in ("scara", "puma560", "panda") for scalar in ("float", "fixed32")
               for method in ("runge_kutta_4", "semi_implicit")] + [("rp2040", "puma560", "fixed32", "runge_kutta_4")]
-SWINGS = {("stm32f405", "float"), ("stm32f405", "fixed32"), ("nrf51", "fixed32"), ("rv32_virt", "fixed32")}  # minutes of an emulator
+SWINGS = {("stm32f405", "float"), ("stm32f405", "fixed32")}  # minutes of an emulator on cores without a floating-point unit, whose words are the same
 
 
 def documented(options, work):
