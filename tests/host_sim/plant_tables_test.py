@@ -61,7 +61,7 @@ class Tables(unittest.TestCase):
     def test_an_interval_counts_by_its_upper_end(self):
         rows = [second("nrf51", robot, "float", "runge_kutta_4", us, cycles_high=200) for robot, us in (("scara", 90.0), ("puma560", 400.0), ("panda", 600.0))]
         self.assertIn("| nrf51 | runge kutta 4 | 6 |", self.made(rows, plant_tables.joints))
-        self.assertIn("90 to 180 (exact)", self.made(rows, plant_tables.boards))
+        self.assertIn("90.0 to 180.0 (exact)", self.made(rows, plant_tables.boards))
 
 
 class Gates(unittest.TestCase):

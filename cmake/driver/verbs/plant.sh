@@ -15,9 +15,9 @@ becomes of its energy, beside gates (doc/measurements/plant.md).
 With a board:
   --robot ROBOT|HEADER  puma560 (default), scara, panda by a second of their cycles; a robot header by a second of a smooth motion inside its limits
   --type NAME         the header's struct, as ./axial run takes it
-  --number N,N        float (with compensated sums), fixed32; default both
-  --method M,M        runge_kutta_4 (default), semi_implicit
-  --steps-per-tick N,N  1 (default), 2, 5, 10 steps per millisecond
+  --number float|fixed32...  float (with compensated sums), fixed32; default both
+  --method runge_kutta_4|semi_implicit...  default runge_kutta_4
+  --steps-per-tick 1|2|5|10...  steps per millisecond; default 1
   --swing             besides, a minute's free swing, of the puma560
   --output FOLDER     where the picture goes; default output/plant
 Exits non-zero when a gate is missed: 1e-5 of the travel in float and 1e-4 in fixed32 by Runge-Kutta, 1e-4 of a swing's energy, and in

@@ -3,7 +3,7 @@
 usage: plant_tables.py DATA_FOLDER DOCUMENT.md
 """
 
-from tables import command, load, markdown
+from tables import command, grouped, load, markdown
 
 JOINTS = {"scara": 3, "puma560": 6, "panda": 7}
 TICK_US = 1000.0
@@ -39,13 +39,16 @@ def seconds(folder):
 
 def longest(row):
     """Microseconds of a step at the upper end of what the core's model leaves open."""
-    return row["microseconds"] * row.get("cycles_high", row["cycles"]) / row["cycles"]
+    return row["microseconds"] * row["cycles_high"] / row["cycles"] if "cycles_high" in row else row["microseconds"]
+
+
+def shown(us):
+    return f"{us:.1f}" if us < 1000.0 else grouped(round(us))
 
 
 def microseconds(row):
-    high = longest(row)
-    likely = f"{row['microseconds']:.4g}"
-    return f"{likely} ({row['kind']})" if high == row["microseconds"] else f"{likely} to {high:.4g} ({row['kind']})"
+    interval = f" to {shown(longest(row))}" if "cycles_high" in row else ""
+    return f"{shown(row['microseconds'])}{interval} ({row['kind']})"
 
 
 def factor(value):
@@ -58,10 +61,10 @@ def bits(row):
 
 def boards(folder):
     """By Runge-Kutta; what a step costs, and how many of them a second has room for."""
-    found = [[row["board"], row["robot"], row["scalar"], number(row["error"]), f"{row['instructions']:,}".replace(",", " "), microseconds(row),
+    found = [[row["board"], row["robot"], row["scalar"], number(row["error"]), grouped(row["instructions"]), microseconds(row),
               factor(row["real_time_factor"]), factor(row["real_time_factor_low"]), bits(row)]
              for row in seconds(folder).values() if row["method"] == "runge_kutta_4"]
-    return markdown(["board", "robot", "number", "error over travel", "instructions a step", "us a step", "times real time", "at worst", "the host's bits"], found)
+    return markdown(["board", "robot", "number", "error over travel", "instructions per step", "us per step", "times real time", "at worst", "the host's bits"], found)
 
 
 def promises(folder):

@@ -31,7 +31,7 @@ def draw(ways, stem):
     for at, way in enumerate(ways):
         errors.semilogy(time, [max(error, FLOOR) for error in way["way"]["errors"]], color=style.COLOURS[at % len(style.COLOURS)], label=label(way["row"]))
     errors.set(title="off double, over the joint's travel", xlabel="time, s")
-    errors.legend()
+    errors.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncol=2, fontsize=8)
     row = ways[0]["row"]
     figure.tight_layout()
     style.save(figure, stem, f"{row['robot']} integrated on {row['board']}, open loop, by torques held for a tick")
