@@ -18,7 +18,8 @@ namespace {
 using namespace host_sim::real_time;
 using axial::apps::Robot;
 
-/// A second of the robot's pick-and-place cycle; of a header's of a smooth motion inside its limits.
+/// A second of the robot's pick-and-place cycle; of a header's of a smooth motion inside its limits, from where every
+/// joint turns back, at rest.
 DrivenSecond<Robot> second() {
   constexpr int ticks = 1000;
   if (AXIAL_HAS_CYCLE != 0) return {};
@@ -26,7 +27,8 @@ DrivenSecond<Robot> second() {
   for (int k = 0; k < ticks; ++k) {
     std::vector<double> q, qd, qdd;
     for (int i = 0; i < Robot::chain.size; ++i) {
-      const auto motion = axial::apps::run::motion<Robot>(i, k * tick);
+      constexpr double quarter_turn = 1.57079632679489661923;
+      const auto motion = axial::apps::run::motion<Robot>(i, quarter_turn / axial::apps::run::rate(i) + k * tick);
       q.push_back(motion.q), qd.push_back(motion.qd), qdd.push_back(motion.qdd);
     }
     course.q.push_back(q), course.qd.push_back(qd), course.qdd.push_back(qdd);
