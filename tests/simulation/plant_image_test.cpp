@@ -117,7 +117,7 @@ TYPED_TEST(PlantImage, GoesOnWhereAStateLeftOff) {
   const std::size_t start = image::head_words, efforts = start + image::state_words<R>;
   words[image::steps] = 1, words[image::effort_ticks] = 1;
   std::copy(each[1].words.begin(), each[1].words.end(), words.begin() + static_cast<std::ptrdiff_t>(start));
-  std::copy_n(words.begin() + static_cast<std::ptrdiff_t>(efforts + 2 * 3), 3,
+  std::copy_n(words.begin() + static_cast<std::ptrdiff_t>(efforts + std::size_t{2} * 3), 3,
               words.begin() + static_cast<std::ptrdiff_t>(efforts));
   EXPECT_EQ(states_of(printed<TypeParam>(words)).at(0).words, each[2].words);
 }
