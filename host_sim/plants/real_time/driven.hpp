@@ -2,18 +2,19 @@
 #pragma once
 
 #include <axial/axial.hpp>
+#include <firmware/apps/plant/input.hpp>
 
 #include <string>
 #include <vector>
 
 namespace host_sim::real_time {
 
-/// A bare robot with its rotors: friction would hide what numbers lose.
+/// As boards have it.
+///@{
 template <class R>
-using Plant = axial::Scene<R, axial::Gravity, axial::RotorInertia>;
-
-/// s, between efforts.
-constexpr double tick = 1e-3;
+using Plant = axial::apps::plant::SceneOf<R>;
+constexpr double tick = axial::apps::plant::tick_s;
+///@}
 
 /// The first of a planned cycle: positions, velocities, accelerations a tick.
 struct Course {
@@ -30,9 +31,7 @@ struct Driven {
 };
 
 template <class R>
-Driven<R> driven(int ticks) {
-  const auto& links = R::chain.links;
-  const Course course = course_of(R::name, {links, links + R::chain.size}, ticks);
+Driven<R> driven_along(const Course& course) {
   Driven<R> result;
   axial::Joints<R, double> low, high;
   for (std::size_t k = 0; k < course.q.size(); ++k) {
@@ -48,6 +47,13 @@ Driven<R> driven(int ticks) {
   for (int i = 0; i < R::chain.size; ++i)
     result.travel[i] = high[i] - low[i];
   return result;
+}
+
+/// Along the robot's pick-and-place cycle.
+template <class R>
+Driven<R> driven(int ticks) {
+  const auto& links = R::chain.links;
+  return driven_along<R>(course_of(R::name, {links, links + R::chain.size}, ticks));
 }
 
 }  // namespace host_sim::real_time

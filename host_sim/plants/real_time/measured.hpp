@@ -45,17 +45,19 @@ class Motions {
   using T = typename X::Scalar;
 
  public:
-  /// Where the robot is after some ticks of efforts, `steps` steps a tick. Sets `made` false where one was not made.
+  /// Where the robot is after each tick of efforts, `steps` steps a tick. Sets `made` false where one was not made.
   template <class Method>
-  static axial::Joints<R, double> driven(const Driven<R>& motion, int steps, bool& made) {
+  static std::vector<axial::Joints<R, double>> driven(const Driven<R>& motion, int steps, bool& made) {
     X x = at(motion.start);
+    std::vector<axial::Joints<R, double>> way;
     for (const auto& efforts : motion.efforts) {
       const axial::Held<S, T> held{in_numbers<axial::EffortsOf<S, T>>(efforts), {}};
       for (int k = 0; k < steps; ++k)
         (void)axial::advance<Method>(x, step(tick / steps), held);
+      way.push_back(in_double<R>(x.q));
     }
     made = x.steps == motion.efforts.size() * static_cast<std::size_t>(steps);
-    return in_double<R>(x.q);
+    return way;
   }
   /// The largest change of energy in a swing from `start`, J; looked at every tenth of a second.
   template <class Method>
@@ -108,7 +110,7 @@ inline std::string name_of(axial::SemiImplicitEuler) { return "semi_implicit"; }
 template <class R>
 struct DrivenSecond {
   Driven<R> motion = driven<R>(1000);
-  axial::Joints<R, double> reference = [this] {
+  std::vector<axial::Joints<R, double>> reference = [this] {  ///< after each tick
     bool made = true;
     return InDouble<R>::template driven<axial::RungeKutta4>(motion, 10, made);
   }();
@@ -116,9 +118,9 @@ struct DrivenSecond {
   template <class X, class Method>
   Row row(const std::string& scalar, int steps, double gate) const {
     Row row{R::name, scalar, name_of(Method{}), "pick-and-place, 1 s", tick / steps};
-    const auto q = Motions<R, X>::template driven<Method>(motion, steps, row.made);
+    const auto way = Motions<R, X>::template driven<Method>(motion, steps, row.made);
     for (int i = 0; i < R::chain.size; ++i)
-      row.error = std::fmax(row.error, std::fabs(q[i] - reference[i]) / motion.travel[i]);
+      row.error = std::fmax(row.error, std::fabs(way.back()[i] - reference.back()[i]) / motion.travel[i]);
     row.gate = gate;
     return row;
   }
@@ -147,10 +149,15 @@ axial::Joints<R, double> hanging(axial::Joints<R, double> q) {
   return x.q;
 }
 
-/// A minute's free swing from `start`, about where the arm hangs.
+/// A minute's free swing from `start`, about where the arm hangs: from there by 0.15 rad, joints one against the next.
 template <class R>
 struct FreeMinute {
-  axial::Joints<R, double> start, rest;
+  axial::Joints<R, double> rest, start = [this] {
+    auto q = rest;
+    for (int i = 0; i < R::chain.size; ++i)
+      q[i] += i % 2 == 0 ? 0.15 : -0.15;
+    return q;
+  }();
   double swings = InDouble<R>::energy(InDouble<R>::at(start)) - InDouble<R>::energy(InDouble<R>::at(rest));  ///< J
 
   template <class X>
