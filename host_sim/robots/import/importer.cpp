@@ -4,6 +4,7 @@
 #include <host_sim/robots/import/importer.hpp>
 #include <host_sim/robots/import/mjcf/mjcf_reader.hpp>
 #include <host_sim/robots/import/right_angles.hpp>
+#include <host_sim/robots/import/sdf/sdf_reader.hpp>
 #include <host_sim/robots/import/to_mdh.hpp>
 #include <host_sim/robots/import/urdf/urdf_reader.hpp>
 #include <host_sim/robots/import/urdf/urdf_text.hpp>
@@ -208,6 +209,15 @@ Result import_mjcf(const std::string& text, const std::string& from, const Optio
   return result;
 }
 
+Result import_sdf(const std::string& text, const std::string& from, const Options& options) {
+  std::vector<std::string> program;
+  if (!options.engine.empty()) program = {options.engine};
+  auto read = read_sdf(text, from, options.reading);
+  if (options.gravity) read.assumptions.clear();
+  read.assumptions.push_back(std::string(description::no_rotors) + ": an SDF has none");
+  return import_engine_tree(read, "SDF", "links", program, from, options);
+}
+
 /// m: how fine a table's lengths are written.
 double length_digit_of(const description::Table& table) {
   LengthDigit digit;
@@ -243,13 +253,13 @@ Result import_table(const std::string& text, const std::string& from, const Opti
 Result import_xml(const std::string& text, const std::string& from, const Options& options) {
   static const std::map<std::string, std::string> others{
       {"mujocoinclude", "a part of an MJCF, which another file includes"},
-      {"sdf", "an SDF"},
       {"gazebo", "an SDF of a version before 1.3"},
       {"COLLADA", "a COLLADA mesh"},
       {"launch", "a launch file of ROS"},
       {"html", "a page of the web"}};
   const std::string first = first_element(text);
   if (first == "mujoco") return import_mjcf(text, from, options);
+  if (first == "sdf") return import_sdf(text, from, options);
   if (const auto other = others.find(first); other != others.end())
     throw description::Refused(from + ": this is " + other->second +
                                ", there is no <robot> element; give a URDF, an MJCF, an SDF or a JSON table");

@@ -59,7 +59,7 @@ std::filesystem::path included_path(const std::string& place, const std::filesys
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::path here = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error), path = folder / name,
-                 there = fs::weakly_canonical(path, error), relative = there.lexically_relative(here);
+                 there = fs::weakly_canonical(fs::absolute(path), error), relative = there.lexically_relative(here);
   if (error || fs::path(name).is_absolute() || relative.empty() || *relative.begin() == "..")
     throw description::Refused(place + ": file '" + description::harmless(name) +
                                "' is outside of the folder; put it beside the file that includes it");
