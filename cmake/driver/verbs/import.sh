@@ -40,7 +40,7 @@ run() {
   (($#)) || fail_usage "name a URDF, an MJCF, an SDF or a table; see ./axial import --help"
   build_import "$@"
   if [[ $1 == --documents ]]; then
-    /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/robots/import/catalogue.py" "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/robots/import/import" \
+    /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/robots/import/measured/catalogue.py" "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/robots/import/import" \
       "$AXIAL_ROOT/tests/data/descriptions" "$AXIAL_ROOT/doc/data" "$AXIAL_ROOT/doc/measurements/imported.md"
     return
   fi
