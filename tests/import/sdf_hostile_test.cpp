@@ -227,7 +227,7 @@ TEST(SdfHostile, NamesCannotLeaveAComment) {
   const std::string named = changed(arms::sdf, {"name=\"hand\"", "name=\"*/ \\ #include &quot;x&quot;\"", ""});
   const auto result = importer::import_text(
       changed(named, {"<child>hand<", "<child>*/ \\ #include &quot;x&quot;<", ""}), "arm.sdf", {});
-  EXPECT_EQ(result.imported.robot.links[2].name, "*. / #include 'x'");
+  EXPECT_EQ(result.imported.robot.links[2].name, "*/ / #include 'x'");
 }
 
 // libsdformat reads its own schema for each, a tenth of a second.

@@ -27,7 +27,7 @@ A xacro file is expanded by the program xacro where that is installed. Of a head
   --snap              makes joints' angles and axes exact that are within 0.005 rad of a multiple of 90 degrees
   --states N, --seed N  random states to verify on; default 100, 1
   --as-published      keeps inertias, lengths and limits that no robot should have: .accept(axial::as_published)
-  --without-engine    does not fetch MuJoCo for an MJCF (11 MB, once), nor DART for an SDF (149 packages), nor ask it
+  --without-engine    does not fetch MuJoCo for an MJCF (11 MB, once), nor DART for an SDF (145 packages), nor ask it
   --strict            writes nothing where there are warnings
 Exits with 1 and says link, value and remedy when a description cannot be used or the figures miss their bounds (poses 1e-12, torques
 and mass matrix 1e-9 relative, bodies 1e-11; DART and MuJoCo 1e-9, 1e-6 where it diagonalises an inertia); warnings (no inertia, triangle inequality violated, ...) go to stderr and into the header.
