@@ -14,13 +14,6 @@ namespace {
 using description::harmless;
 using description::Refused;
 
-Pose pose(const ignition::math::Pose3d& given) {
-  const auto& q = given.Rot();
-  const auto& p = given.Pos();
-  const Eigen::Quaternion<Real> rotation(q.W(), q.X(), q.Y(), q.Z());
-  return {rotation.normalized().toRotationMatrix(), {p.X(), p.Y(), p.Z()}};
-}
-
 /// What libsdformat refuses. Inertias are judged by the importer, as those of other formats.
 void check(const sdf::Errors& errors, const std::string& from) {
   std::string all;
@@ -48,6 +41,14 @@ class Silence {
 };
 
 }  // namespace
+
+Vector vector(const ignition::math::Vector3d& given) { return {Real(given.X()), Real(given.Y()), Real(given.Z())}; }
+
+Pose pose(const ignition::math::Pose3d& given) {
+  const auto& q = given.Rot();
+  const Eigen::Quaternion<Real> rotation(Real(q.W()), Real(q.X()), Real(q.Y()), Real(q.Z()));
+  return {rotation.normalized().toRotationMatrix(), vector(given.Pos())};
+}
 
 Model::Model(const std::string& text, const std::string& file) : from(file) {
   const Silence silence;
@@ -199,9 +200,8 @@ Pose Model::found(int model, const std::string& frame) {
 
 Vector Model::axis_of(const JointNode& joint) {
   const auto* axis = joint.joint->Axis(0);
-  const auto& xyz = axis->Xyz();
   const std::string& in = axis->XyzExpressedIn();
-  const Vector direction = Vector(xyz.X(), xyz.Y(), xyz.Z()).normalized();
+  const Vector direction = vector(axis->Xyz()).normalized();
   return pose_of(joint.model).rotation *
          (pose_in(joint.model, in.empty() ? joint.joint->Name() : in).rotation * direction);
 }

@@ -16,6 +16,9 @@
 
 namespace importer::sdf_model {
 
+Vector vector(const ignition::math::Vector3d& given);
+Pose pose(const ignition::math::Pose3d& given);
+
 struct ModelNode {
   const sdf::Model* model = nullptr;
   int parent = -1;    ///< index of an earlier one; -1 for those of the world

@@ -162,7 +162,7 @@ class Cut {
     const Pose at = stands ? Pose{} : m_.pose_of(node(choice_.root));
     result_.tree.floating = !stands && choice_.is_free(choice_.root);
     const auto g = m_.world() != nullptr ? m_.world()->Gravity() : ignition::math::Vector3d(0.0, 0.0, -9.81);
-    const Vector turned = at.rotation.transpose() * Vector(g.X(), g.Y(), g.Z());
+    const Vector turned = at.rotation.transpose() * vector(g);
     result_.gravity = {rounded(turned[0]), rounded(turned[1]), rounded(turned[2])};
     if (m_.world() == nullptr)
       result_.assumptions.push_back("gravity of 9.81 m/s^2 along -z of the world: the file has a model alone");
@@ -386,14 +386,11 @@ class Cut {
     check_link(node, *element);
     auto& link = links()[static_cast<std::size_t>(index)];
     const auto& inertial = node.link->Inertial();
-    const auto& q = inertial.Pose().Rot();
-    const auto& p = inertial.Pose().Pos();
     const auto& m = inertial.MassMatrix();
     const auto &diagonal = m.DiagonalMoments(), &products = m.OffDiagonalMoments();
     link.mass = m.Mass();
     link.inertia = {diagonal.X(), diagonal.Y(), diagonal.Z(), products.X(), products.Y(), products.Z()};
-    const Eigen::Quaternion<Real> rotation(q.W(), q.X(), q.Y(), q.Z());
-    link.inertial = placement(moved(shift) * Pose{rotation.normalized().toRotationMatrix(), {p.X(), p.Y(), p.Z()}});
+    link.inertial = placement(moved(shift) * pose(inertial.Pose()));
     link.has_inertial = link.mass != 0.0 || diagonal.Length() != 0.0;
     result_.names[static_cast<std::size_t>(index)].weighs = true;
     if (result_.names[static_cast<std::size_t>(index)].name.empty()) return;
