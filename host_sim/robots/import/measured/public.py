@@ -56,8 +56,8 @@ def main(form, program, engine, folder, data, document):
     entries = json.loads((ROOT / f"tests/import/{form}/public.json").read_text(encoding="utf-8"))
     with tempfile.TemporaryDirectory() as scratch:
         rows = [imported(program, engine, folder, entry, pathlib.Path(scratch)) for entry in entries]
-    (pathlib.Path(data) / f"{form}.json").write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
     commit = subprocess.run([ROOT / "host_sim/tools/system/commit.sh"], check=True, capture_output=True, text=True).stdout.strip()
+    (pathlib.Path(data) / f"{form}.json").write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
     tables = {f"{form}_provenance": f"Imported at commit `{commit}`: {sum('refused' not in row for row in rows)} of {len(rows)} files.\n",
               form: compared(rows), f"{form}_refused": refused(rows), f"{form}_repositories": repositories(rows)}
     fill(document, tables.get)
