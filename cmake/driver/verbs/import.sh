@@ -86,7 +86,7 @@ is_sdf() { [[ $1 != -* && -f $1 ]] && grep -q '<sdf[ >]' "$1" && ! grep -qE '<(r
 
 # build_import [FILE or option...]: an SDF wants more, which may not be had; the importer says then what is missing.
 build_import() {
-  local argument packages=() targets=(import)
+  local argument packages=()
   ensure_packages
   for argument; do
     if is_sdf "$argument"; then packages=(libsdformat-dev); fi
