@@ -6,6 +6,8 @@
 #include <robots/gallery/gen3.hpp>
 #include <robots/gallery/go2_leg.hpp>
 #include <robots/gallery/iiwa14.hpp>
+#include <robots/gallery/lite6.hpp>
+#include <robots/gallery/openarm.hpp>
 #include <robots/gallery/openmanipulator_x.hpp>
 #include <robots/gallery/sawyer.hpp>
 #include <robots/gallery/so100.hpp>
@@ -21,6 +23,6 @@ namespace robots {
 
 /// Real machines, each made by `./axial import` from a public description.
 using Gallery = List<So100, So101, OpenmanipulatorX, Vx300s, Xarm7, Ur5e, Ur10e, Gen3, Iiwa14, Z1, Sawyer, Go2Leg,
-                     A1Leg, AnymalCLeg>;
+                     A1Leg, AnymalCLeg, Openarm, Lite6>;
 
 }  // namespace robots
