@@ -33,8 +33,8 @@ void expect_small_errors(double allowed, const Error& error_of) {
 template <class Robot, class T>
 struct Against {
   /// Ten times what any of the machines had at most; solving loses what the condition of M takes.
-  static constexpr double torque = std::is_same_v<T, double> ? 1e-14 : 4e-6;
-  static constexpr double solved = std::is_same_v<T, double> ? 2e-12 : 1e-3;
+  static constexpr double torque = std::is_same_v<T, double> ? 5e-15 : 2e-6;
+  static constexpr double solved = std::is_same_v<T, double> ? 2.5e-13 : 1e-4;
 
   static void torques() {
     const auto chain = oracle::of_robot<oracle::quad, Robot>();
