@@ -64,4 +64,44 @@ constexpr const char* mjcf = R"(<mujoco model="arm">
 </mujoco>
 )";
 
+constexpr const char* sdf = R"(<?xml version="1.0"?>
+<sdf version="1.9">
+  <model name="arm">
+    <pose>0 0 0.1 0 0 0.2</pose>
+    <link name="base"/>
+    <link name="upper">
+      <pose relative_to="shoulder"/>
+      <inertial><pose>0.1 0.02 0 0.1 0.2 0.3</pose><mass>2.5</mass>
+        <inertia><ixx>0.011</ixx><ixy>0.001</ixy><ixz>0</ixz><iyy>0.022</iyy><iyz>0</iyz><izz>0.023</izz></inertia></inertial>
+    </link>
+    <link name="fore">
+      <pose relative_to="upper">0.25 0 0.1 0.3 0 0.4</pose>
+      <inertial><pose>0.15 0 0.01 0 0 0</pose><mass>1.5</mass>
+        <inertia><ixx>0.004</ixx><ixy>0</ixy><ixz>0</ixz><iyy>0.012</iyy><iyz>0</iyz><izz>0.013</izz></inertia></inertial>
+    </link>
+    <link name="hand">
+      <pose relative_to="tool">0 0 0.02 0 0 0</pose>
+      <inertial><mass>0.5</mass>
+        <inertia><ixx>0.001</ixx><ixy>0</ixy><ixz>0</ixz><iyy>0.002</iyy><iyz>0</iyz><izz>0.002</izz></inertia></inertial>
+    </link>
+    <frame name="tool" attached_to="fore"><pose>0.1 0 0 0 1.5 0</pose></frame>
+    <joint name="stand" type="fixed"><parent>world</parent><child>base</child></joint>
+    <joint name="shoulder" type="revolute">
+      <pose relative_to="base">0 0 0.3 0 0 0</pose><parent>base</parent><child>upper</child>
+      <axis><xyz>0 0 1</xyz><limit><lower>-1.5</lower><upper>1.25</upper><effort>10</effort><velocity>2</velocity></limit>
+        <dynamics><damping>0.3</damping><friction>0.2</friction></dynamics></axis>
+    </joint>
+    <joint name="elbow" type="prismatic">
+      <parent>upper</parent><child>fore</child>
+      <axis><xyz expressed_in="upper">0 1 1</xyz><limit><lower>0</lower><upper>0.3</upper></limit>
+        <dynamics><spring_stiffness>2</spring_stiffness><spring_reference>0.1</spring_reference></dynamics></axis>
+    </joint>
+    <joint name="wrist" type="continuous">
+      <parent>fore</parent><child>hand</child>
+      <axis><xyz>1 0 0</xyz><mimic joint="shoulder"><multiplier>0.5</multiplier><offset>0.1</offset></mimic></axis>
+    </joint>
+  </model>
+</sdf>
+)";
+
 }  // namespace arms

@@ -203,7 +203,8 @@ TEST(MjcfHostile, Equalities) {
               "follows itself");
 }
 TEST(MjcfHostile, OtherFilesSayWhatTheyAre) {
-  expect_says(message_of("<sdf version='1.7'/>"), "this is an SDF");
+  expect_says(message_of("<sdf version='1.7'/>"), "this is an SDF, and libsdformat, which reads it, was not there");
+  expect_says(message_of("<sdf version='1.7'/>"), "install libsdformat-dev");
   expect_says(message_of("<mujocoinclude/>"), "this is a part of an MJCF, which another file includes");
   expect_says(message_of("<?xml version='1.0'?><!-- <mujoco> --><COLLADA/>"), "this is a COLLADA mesh");
   expect_says(message_of("<mujoco/>"), "there is no joint that moves");

@@ -1,7 +1,7 @@
 // MJCF: what MuJoCo makes of two made-up files, and what each element means, by hand.
 #include <host_sim/robots/description/table.hpp>
 #include <host_sim/robots/import/importer.hpp>
-#include <host_sim/robots/import/mjcf/mujoco.hpp>
+#include <host_sim/robots/import/mjcf/mjcf_reader.hpp>
 
 #include <axial/axial.hpp>
 
@@ -20,26 +20,26 @@ constexpr double pi = 3.14159265358979323846, tight = 1e-13;
 
 const std::string folder = std::string(AXIAL_ROOT) + "/tests/import/mjcf/";
 
-importer::MjcfTree read(const std::string& text, const importer::ReadingOptions& options = {}) {
+importer::EngineTree read(const std::string& text, const importer::ReadingOptions& options = {}) {
   return importer::read_mjcf(text, folder + "test.xml", options);
 }
-importer::MjcfTree read_bodies(const std::string& bodies, const std::string& before = "") {
+importer::EngineTree read_bodies(const std::string& bodies, const std::string& before = "") {
   return read("<mujoco>" + before + "<worldbody>" + bodies + "</worldbody></mujoco>");
 }
 Result imported(const std::string& text, const Options& options = {}) {
   return importer::import_text(text, folder + "test.xml", options);
 }
-const importer::SourceLink& link(const importer::MjcfTree& found, const std::string& name) {
+const importer::SourceLink& link(const importer::EngineTree& found, const std::string& name) {
   for (const auto& each : found.tree.links)
     if (each.name == name) return each;
   throw description::Refused("no link " + name);
 }
-const importer::SourceJoint& joint(const importer::MjcfTree& found, const std::string& name) {
+const importer::SourceJoint& joint(const importer::EngineTree& found, const std::string& name) {
   for (const auto& each : found.tree.links)
     if (each.joint.name == name) return each.joint;
   throw description::Refused("no joint " + name);
 }
-std::string said(const importer::MjcfTree& found) {
+std::string said(const importer::EngineTree& found) {
   std::string text;
   for (const auto& note : found.tree.notes)
     text += note + "\n";
@@ -57,11 +57,11 @@ void expect_near(const std::array<double, 3>& ours, const std::array<double, 3>&
 constexpr unsigned seed = 3;
 constexpr int states = 3;
 
-std::string answer_of(const std::string& name, const importer::MjcfTree& found) {
+std::string answer_of(const std::string& name, const importer::EngineTree& found) {
   const std::string path = folder + name + ".json";
   if (const char* package = std::getenv("AXIAL_MUJOCO"); package != nullptr) {
     const std::string questions = testing::TempDir() + name + "_questions.json";
-    std::ofstream(questions) << importer::mujoco_questions(folder + name + ".xml", found, seed, states);
+    std::ofstream(questions) << importer::engine_questions(folder + name + ".xml", found, seed, states);
     const std::string command = std::string("node ") + AXIAL_ROOT + "/host_sim/robots/import/mjcf/mujoco.mjs " +
                                 package + " " + questions + " " + path;
     EXPECT_EQ(std::system(command.c_str()), 0);
@@ -69,7 +69,7 @@ std::string answer_of(const std::string& name, const importer::MjcfTree& found) 
   return description::read_text(path);
 }
 importer::EngineFigures figures_of(const std::string& text, const std::string& answer) {
-  return importer::compared_with_mujoco(read(text), seed, states, answer);
+  return importer::compared_with_engine(read(text), seed, states, answer);
 }
 
 TEST(Mjcf, IsWhatMujocoMakesOfIt) {

@@ -132,6 +132,15 @@ TEST(AsPublished, IsAskedForAndSaidInTheHeader) {
   EXPECT_FALSE(says(description::header(little.robot, {}), "accept"));
 }
 
+// The frame of the second joint is the first one's; its axis is nearly that frame's z.
+TEST(NearlyRight, AnAxisIsSettledInAFrameThatIsRightToo) {
+  const auto& elbow = fore(
+      imported("<mujoco><worldbody><body><joint/><geom size='0.1'/><body pos='0.3 0 0'><joint axis='0.000004 0 1'/>"
+               "<geom size='0.1' pos='0.2 0 0'/></body></body></worldbody></mujoco>"));
+  EXPECT_EQ(elbow.alpha.sin, 0.0);
+  EXPECT_EQ(elbow.a, 0.3);
+}
+
 TEST(AsPublished, IsForEverythingThatAxialCompilesOnlyThen) {
   const auto to_accept = [](const char* what, const char* by) {
     return description::lines_to_accept(imported(changed(arms::table, what, by)).imported.warnings);

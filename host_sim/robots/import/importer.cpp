@@ -2,8 +2,9 @@
 #include <host_sim/robots/description/table.hpp>
 #include <host_sim/robots/import/couplings.hpp>
 #include <host_sim/robots/import/importer.hpp>
-#include <host_sim/robots/import/mjcf/mujoco.hpp>
+#include <host_sim/robots/import/mjcf/mjcf_reader.hpp>
 #include <host_sim/robots/import/right_angles.hpp>
+#include <host_sim/robots/import/sdf/sdf_reader.hpp>
 #include <host_sim/robots/import/to_mdh.hpp>
 #include <host_sim/robots/import/urdf/urdf_reader.hpp>
 #include <host_sim/robots/import/urdf/urdf_text.hpp>
@@ -184,19 +185,37 @@ void say_rotors(description::Description& robot) {
                              std::string(description::no_rotors) + ", where a joint has no armature: " + without);
 }
 
-Result import_mjcf(const std::string& text, const std::string& from, const Options& options) {
-  const auto read = read_mjcf(text, from, options.reading);
+/// Of a format that has an engine of its own, which `program` runs.
+Result import_engine_tree(const EngineTree& read, const std::string& format, const std::string& parts,
+                          const std::vector<std::string>& program, const std::string& from, const Options& options) {
   const auto gravity = options.gravity.value_or(read.gravity);
   auto source = read.tree;  // what of it is near a special value becomes it
   auto imported = described(source, gravity, from, options);
   auto& robot = imported.robot;
-  robot.source = source_of(source, from, "MJCF", "bodies");
-  say_rotors(robot);
+  robot.source = source_of(source, from, format, parts);
+  robot.assumptions.insert(robot.assumptions.begin(), read.assumptions.begin(), read.assumptions.end());
   auto result =
       verified(imported, reference_of(source, read.tree, options.reading, gravity, joints_of(robot)), options);
-  result.figures.against = "against Orocos KDL on the tree of the file's bodies, on ";
-  result.figures.engine = ask_mujoco(options.engine, from, read, options.seed, options.states);
+  result.figures.against = "against Orocos KDL on the tree of the file's " + parts + ", on ";
+  result.figures.engine = ask_engine(program, from, read, options.seed, options.states);
   return result;
+}
+
+Result import_mjcf(const std::string& text, const std::string& from, const Options& options) {
+  std::vector<std::string> program;
+  if (!options.engine.empty()) program = {"node", AXIAL_MUJOCO_SCRIPT, options.engine};
+  auto result = import_engine_tree(read_mjcf(text, from, options.reading), "MJCF", "bodies", program, from, options);
+  say_rotors(result.imported.robot);
+  return result;
+}
+
+Result import_sdf(const std::string& text, const std::string& from, const Options& options) {
+  std::vector<std::string> program;
+  if (!options.engine.empty()) program = {options.engine};
+  auto read = read_sdf(text, from, options.reading);
+  if (options.gravity) read.assumptions.clear();
+  read.assumptions.push_back(std::string(description::no_rotors) + ": an SDF has none");
+  return import_engine_tree(read, "SDF", "links", program, from, options);
 }
 
 /// m: how fine a table's lengths are written.
@@ -211,7 +230,8 @@ double length_digit_of(const description::Table& table) {
 Result import_table(const std::string& text, const std::string& from, const Options& options) {
   if (!options.reading.root.empty() || !options.reading.tip.empty() || options.gravity)
     throw description::Refused(
-        from + ": --root, --tip and --gravity are for a URDF or an MJCF; a table is imported whole, with its own");
+        from +
+        ": --root, --tip and --gravity are for a URDF, an MJCF or an SDF; a table is imported whole, with its own");
   auto table = description::parse_table(text, from);
   Imported imported;
   const auto near = nearness_of(options.reading, length_digit_of(table));
@@ -232,16 +252,17 @@ Result import_table(const std::string& text, const std::string& from, const Opti
 /// By its first element: the wrong kind says what it is.
 Result import_xml(const std::string& text, const std::string& from, const Options& options) {
   static const std::map<std::string, std::string> others{
-      {"sdf", "an SDF"},
       {"mujocoinclude", "a part of an MJCF, which another file includes"},
+      {"gazebo", "an SDF of a version before 1.3"},
       {"COLLADA", "a COLLADA mesh"},
       {"launch", "a launch file of ROS"},
       {"html", "a page of the web"}};
   const std::string first = first_element(text);
   if (first == "mujoco") return import_mjcf(text, from, options);
+  if (first == "sdf") return import_sdf(text, from, options);
   if (const auto other = others.find(first); other != others.end())
     throw description::Refused(from + ": this is " + other->second +
-                               ", there is no <robot> element; give a URDF, an MJCF or a JSON table");
+                               ", there is no <robot> element; give a URDF, an MJCF, an SDF or a JSON table");
   return import_urdf(text, from, options);
 }
 

@@ -22,10 +22,10 @@ struct Options {
   ReadingOptions reading;  ///< its `snap` is for tables too
   std::string name;        ///< empty: the source's
   std::optional<axial::GravityVector>
-      gravity;                ///< of a URDF or an MJCF, in axes of its root; the file's, or (0, 0, -9.81)
+      gravity;                ///< of a URDF, an MJCF or an SDF, in axes of its root; the file's, or (0, 0, -9.81)
   bool as_published = false;  ///< keep what axial compiles only with accept(as_published)
   Assumed assumed;
-  std::string engine;  ///< folder of the package mujoco-js; empty: MuJoCo is not asked
+  std::string engine;  ///< folder of the package mujoco-js, or the program dart_engine; empty: none is asked
   unsigned seed = 1;
   int states = 100;
 };
@@ -35,9 +35,9 @@ struct Result {
   Figures figures;
 };
 
-/// A URDF (urdfdom), an MJCF, or a Denavit-Hartenberg table where the text is a JSON object. Checks, fills in what is
-/// missing as named assumptions, verifies against KDL, and an MJCF against MuJoCo. Throws description::Refused; figures
-/// above their bounds are the caller's.
+/// A URDF (urdfdom), an MJCF, an SDF, or a Denavit-Hartenberg table where the text is a JSON object. Checks, fills in
+/// what is missing as named assumptions, verifies against KDL, and an MJCF and an SDF by its own engine. Throws
+/// description::Refused; figures above their bounds are the caller's.
 Result import_text(const std::string& text, const std::string& from, const Options& options);
 Result import_file(const std::string& path, const Options& options);
 

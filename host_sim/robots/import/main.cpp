@@ -97,9 +97,9 @@ int import_robot(Arguments& arguments) {
   const std::string output = arguments.output.empty() ? description::plain_name(robot) + ".hpp" : arguments.output;
   if (!arguments.json.empty()) write_json(arguments.json, to_json(result, output));
   if (!result.figures.engine.good())
-    throw description::Refused(arguments.file +
-                               ": not written: MuJoCo understands the file otherwise, as the figures above say; "
-                               "import what it makes of it: load the file there and save it (mj_saveLastXML)");
+    throw description::Refused(arguments.file + ": not written: " + result.figures.engine.engine +
+                               " understands the file otherwise, as the figures above say; import what it makes of "
+                               "it: load the file there and save it (MuJoCo's mj_saveLastXML, gz sdf -p)");
   if (!result.figures.good())
     throw description::Refused(arguments.file +
                                ": not written: the figures above miss their bounds; axes that are almost "
@@ -121,9 +121,10 @@ int import_robot(Arguments& arguments) {
 int main(int count, char** given) {
   Arguments arguments;
   auto& options = arguments.options;
-  host_sim::CommandLine line("a URDF, an MJCF or a Denavit-Hartenberg table as a verified header", "import");
-  line.option("file", arguments.file, "URDF, MJCF, or JSON table").required();
-  line.option("--engine", options.engine, "folder of the npm package mujoco-js, to ask MuJoCo about an MJCF");
+  host_sim::CommandLine line("a URDF, an MJCF, an SDF or a Denavit-Hartenberg table as a verified header", "import");
+  line.option("file", arguments.file, "URDF, MJCF, SDF, or JSON table").required();
+  line.option("--engine", options.engine,
+              "to ask MuJoCo about an MJCF, the folder of npm's mujoco-js; DART about an SDF, the program dart_engine");
   line.option("--root", options.reading.root, "link to start from; default: the URDF's root");
   line.option("--tip", options.reading.tip, "link to end at, its frame is the tool's; default: every branch");
   line.option("--name", options.name, "name of the robot; default: the file's");

@@ -115,13 +115,17 @@ class Converter {
     const Matrix right = joint.array().round().matrix();
     if (std::abs(right.determinant() - 1.0L) < 0.5L && right.cwiseAbs().sum() < 3.5L) {
       const Eigen::AngleAxis<Real> by(Matrix(right * joint.transpose()));
-      if (by.angle() <= near_.of_joints()) return chosen(by.angle() * by.axis());
+      const Vector turned = by * axis;  // a frame may be special, and the axis in it only nearly
+      if (by.angle() <= near_.of_joints() && (turned - special_of(turned)).norm() <= rounding)
+        return chosen(by.angle() * by.axis());
     }
-    Vector special = axis;
-    for (int k = 0; k < 3; ++k)
-      if (std::abs(axis[k]) <= near_.of_joints()) special[k] = 0.0L;
-    const Vector by = axis.cross(special.normalized());
+    const Vector by = axis.cross(special_of(axis));
     return by.norm() <= near_.of_joints() ? chosen(by) : std::nullopt;
+  }
+  Vector special_of(Vector axis) const {
+    for (int k = 0; k < 3; ++k)
+      if (std::abs(axis[k]) <= near_.of_joints()) axis[k] = 0.0L;
+    return axis.normalized();
   }
   static std::optional<Vector> chosen(const Vector& by) {
     return by.norm() > rounding ? std::optional<Vector>(by) : std::nullopt;

@@ -252,7 +252,7 @@ bool EngineFigures::good() const {
 }
 std::string EngineFigures::line() const {
   const auto two = [](double value) { return description::number(value, 2); };
-  if (engine.empty()) return why_not.empty() ? "" : "not against MuJoCo itself: " + why_not;
+  if (engine.empty()) return why_not.empty() ? "" : "not against " + asked + ": " + why_not;
   return "the file as it is written against " + engine + " on " + std::to_string(states) +
          " of these states: poses within " + two(pose) + ", torques with rotors within " + two(torque) +
          " of the largest, mass matrix within " + two(mass_matrix) + ", bodies within " + two(body) +

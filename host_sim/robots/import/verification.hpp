@@ -14,6 +14,7 @@ namespace importer {
 /// Largest differences between a tree as it is read and the format's own engine.
 struct EngineFigures {
   std::string engine;   ///< its name and version; empty where it was not asked
+  std::string asked;    ///< which one it would have been
   std::string why_not;  ///< what it said where it could not be asked
   int states = 0;
   double pose = 0.0;         ///< entries of rotations, and positions over the larger of reach and 1 m

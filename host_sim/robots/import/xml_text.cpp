@@ -1,3 +1,4 @@
+#include <host_sim/robots/description/comment.hpp>
 #include <host_sim/robots/description/description.hpp>
 #include <host_sim/robots/import/xml_text.hpp>
 
@@ -5,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <system_error>
 
 namespace importer {
 namespace {
@@ -39,7 +41,7 @@ std::size_t behind(const std::string& text, std::size_t at) {
 void parse_xml(const std::string& text, const std::string& from, TiXmlDocument& document) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) throw description::Refused(from + ": the file is empty");
   if (text.find('\0') != std::string::npos)
-    throw description::Refused(from + ": not a text; give a URDF, an MJCF or a JSON table");
+    throw description::Refused(from + ": not a text; give a URDF, an MJCF, an SDF or a JSON table");
   if (nesting(text) > deepest)
     throw description::Refused(from + ": elements are nested too deeply for a robot's description");
   if (std::count(text.begin(), text.end(), '<') > most_elements)
@@ -50,6 +52,18 @@ void parse_xml(const std::string& text, const std::string& from, TiXmlDocument& 
     throw description::Refused(from + ": malformed XML at line " + std::to_string(document.ErrorRow()) + ", column " +
                                std::to_string(document.ErrorCol()) + ": " + document.ErrorDesc() +
                                " (xacro files are expanded first: xacro robot.urdf.xacro > robot.urdf)");
+}
+
+std::filesystem::path included_path(const std::string& place, const std::filesystem::path& folder,
+                                    const std::string& name) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path here = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error), path = folder / name,
+                 there = fs::weakly_canonical(fs::absolute(path), error), relative = there.lexically_relative(here);
+  if (error || fs::path(name).is_absolute() || relative.empty() || *relative.begin() == "..")
+    throw description::Refused(place + ": file '" + description::harmless(name) +
+                               "' is outside of the folder; put it beside the file that includes it");
+  return path;
 }
 
 std::string first_element(const std::string& text) {

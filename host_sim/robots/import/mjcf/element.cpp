@@ -7,7 +7,6 @@
 
 #include <filesystem>
 #include <set>
-#include <system_error>
 
 namespace importer::mjcf {
 namespace {
@@ -53,25 +52,14 @@ class Reader {
     const char* file = given.Attribute("file");
     const std::string place = from + ", line " + std::to_string(given.Row()), name = file != nullptr ? file : "";
     if (name.empty()) refuse(place, "<include> has no file", "give file=\"...\", a file beside " + above);
-    const fs::path path = folder_ / name;
-    check_inside(place, name, path);
+    const fs::path path = included_path(place, folder_, name);
+    if (!fs::is_regular_file(path))
+      refuse(place, "file '" + harmless(name) + "' is not there", "put it beside the file, or take <include> out");
     if (!seen_.insert(fs::path(name).lexically_normal().string()).second)
       refuse(place, "file '" + harmless(name) + "' is included already", "include each file once, and none in itself");
     const Element root = read(description::read_text(path.string()), path.string());
     children.insert(children.end(), root.children.begin(), root.children.end());
   }
-  /// A file of the folder or below it, wherever links lead.
-  void check_inside(const std::string& place, const std::string& name, const fs::path& path) const {
-    std::error_code error;
-    const fs::path folder = fs::weakly_canonical(folder_.empty() ? fs::path(".") : folder_, error);
-    const fs::path there = fs::weakly_canonical(path, error), relative = there.lexically_relative(folder);
-    if (error || fs::path(name).is_absolute() || relative.empty() || *relative.begin() == "..")
-      refuse(place, "file '" + harmless(name) + "' is outside of the folder",
-             "put it beside the file that includes it");
-    if (!fs::is_regular_file(there, error))
-      refuse(place, "file '" + harmless(name) + "' is not there", "put it beside the file, or take <include> out");
-  }
-
   fs::path folder_;
   std::set<std::string> seen_;
   int count_ = 0;

@@ -119,7 +119,7 @@ function ask(model) {
   });
   move(states[0].q, states[0].qd);
   return {
-    version: mujoco.mj_versionString(),
+    version: `MuJoCo ${mujoco.mj_versionString()}`,
     states: answers,
     bodies: links.map(weight),
     joints: joints.map((j, k) => ({

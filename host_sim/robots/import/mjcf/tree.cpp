@@ -99,6 +99,7 @@ class Cut {
     auto& tree = result_.tree;
     tree.name = m_.name.empty() ? "robot" : m_.name, tree.notes = m_.notes, tree.warnings = m_.warnings,
     tree.length_digit = m_.length_digit;
+    result_.engine = "MuJoCo itself";
     frames_.assign(m_.bodies.size(), -1);
     scale_ = scale();
     add_root();
@@ -109,7 +110,7 @@ class Cut {
     take_bodies();
     say();
   }
-  MjcfTree result() const { return result_; }
+  EngineTree result() const { return result_; }
 
  private:
   const BodyNode& node(int i) const { return m_.bodies[static_cast<std::size_t>(i)]; }
@@ -137,7 +138,7 @@ class Cut {
     result_.gravity = {rounded(turned[0]), rounded(turned[1]), rounded(turned[2])};
     add_sites(root, 0), add_children(root);
   }
-  int add_link(const std::string& name, int parent, const SourceJoint& joint, const MjcfNames& names) {
+  int add_link(const std::string& name, int parent, const SourceJoint& joint, const EngineName& names) {
     SourceLink link;
     link.name = name, link.parent = parent, link.joint = joint;
     link.between = names.kind.empty();
@@ -355,7 +356,7 @@ class Cut {
   const ReadingOptions& options_;
   Choice choice_;
   std::map<std::string, Law> laws_;
-  MjcfTree result_;
+  EngineTree result_;
   std::vector<int> frames_;  ///< of bodies: the link that is their frame, -1 for none
   std::vector<int> owners_;  ///< of links: the body whose mass they have, -1 for none
   std::vector<std::string> held_, fixed_, left_;
@@ -366,7 +367,7 @@ class Cut {
 }  // namespace
 }  // namespace mjcf
 
-MjcfTree read_mjcf(const std::string& text, const std::string& from, const ReadingOptions& options) {
+EngineTree read_mjcf(const std::string& text, const std::string& from, const ReadingOptions& options) {
   mjcf::Model model;
   mjcf::read_model(text, from, model);
   return mjcf::Cut(model, from, options).result();

@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools/output"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "tools/output"))
 from document import fill, markdown  # noqa: E402
 
 
@@ -43,7 +43,7 @@ def main(program, folder, data, document):
     with tempfile.TemporaryDirectory() as scratch:
         rows = [imported(program, folder, entry, pathlib.Path(scratch)) for entry in entries]
     (pathlib.Path(data) / "import.json").write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
-    commit = subprocess.run([pathlib.Path(__file__).resolve().parents[2] / "tools/system/commit.sh"], check=True, capture_output=True, text=True).stdout.strip()
+    commit = subprocess.run([pathlib.Path(__file__).resolve().parents[3] / "tools/system/commit.sh"], check=True, capture_output=True, text=True).stdout.strip()
     fill(document, lambda name: f"Imported at commit `{commit}`.\n" if name == "import_provenance" else table(rows))
 
 

@@ -1,7 +1,9 @@
 #include <host_sim/robots/description/comment.hpp>
 #include <host_sim/robots/description/description.hpp>
 #include <host_sim/robots/description/table.hpp>
-#include <host_sim/robots/import/mjcf/mujoco.hpp>
+#include <host_sim/robots/import/engine.hpp>
+#include <host_sim/robots/import/reference.hpp>
+#include <host_sim/tools/system/temporary_folder.hpp>
 
 #include <kdl/treefksolverpos_recursive.hpp>
 #include <kdl/treeidsolver_recursive_newton_euler.hpp>
@@ -28,25 +30,6 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-/// A folder for as long as this lives.
-class Scratch {
- public:
-  Scratch() {
-    std::string pattern = (fs::temp_directory_path() / "axial-mujoco-XXXXXX").string();
-    if (mkdtemp(pattern.data()) != nullptr) folder_ = pattern;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    if (!folder_.empty()) fs::remove_all(folder_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  std::string file(const std::string& name) const { return folder_ + "/" + name; }
-
- private:
-  std::string folder_;
-};
-
 /// Whether a program ended well, in a minute.
 bool run(std::vector<std::string> words) {
   std::vector<char*> arguments;
@@ -72,7 +55,7 @@ void take(double& largest, double value) {
 
 class Comparison {
  public:
-  Comparison(const MjcfTree& read, unsigned seed, int states) : read_(read), tree_(read.tree) {
+  Comparison(const EngineTree& read, unsigned seed, int states) : read_(read), tree_(read.tree) {
     std::vector<std::string> order;
     for (std::size_t i = 1; i < tree_.links.size(); ++i)
       if (tree_.links[i].joint.moves()) movers_.push_back(i), order.push_back(tree_.links[i].joint.name);
@@ -105,7 +88,7 @@ class Comparison {
     compare_bodies(answer.at("bodies")), compare_joints(answer.at("joints"));
     figures_.torque = over(figures_.torque, torque_scale_),
     figures_.mass_matrix = over(figures_.mass_matrix, mass_scale_);
-    figures_.engine = "MuJoCo " + answer.at("version").get<std::string>();
+    figures_.engine = answer.at("version").get<std::string>();
     return figures_;
   }
 
@@ -195,10 +178,12 @@ class Comparison {
       const auto& link = tree_.links[i];
       const auto& c = link.inertial.position;
       const auto& j = link.inertia;
+      const auto& r = link.inertial.rotation;
       const KDL::Frame pose = pose_of(q, i);
+      const KDL::Rotation axes = pose.M * KDL::Rotation(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]);
       const KDL::RotationalInertia inertia(j[0], j[1], j[2], j[3], j[4], j[5]);
       const auto tensor =
-          (KDL::Frame(pose.M) * KDL::RigidBodyInertia(0.0, KDL::Vector::Zero(), inertia)).getRotationalInertia();
+          (KDL::Frame(axes) * KDL::RigidBodyInertia(0.0, KDL::Vector::Zero(), inertia)).getRotationalInertia();
       const KDL::Vector centre = pose * KDL::Vector(c[0], c[1], c[2]), other(theirs.at(1), theirs.at(2), theirs.at(3));
       take(figures_.body, over(std::abs(link.mass - theirs.at(0)), std::abs(theirs[0])));
       if (theirs[0] > 0.0) take(figures_.body, (centre - other).Norm());
@@ -219,10 +204,13 @@ class Comparison {
       same(own.damping, "damping"), same(own.friction, "friction"), same(own.rotor, "rotor");
       same(own.stiffness, "stiffness");
       if (own.stiffness != 0.0) same(own.rest, "rest");
+      if (!other.contains("leader")) continue;  // an engine that tells more of a joint
+      if (own.leader != other.at("leader").get<std::string>()) take(figures_.joint, 1.0);
+      same(own.ratio, "ratio"), same(own.offset, "offset"), same(own.speed, "speed"), same(own.effort, "effort");
     }
   }
 
-  const MjcfTree& read_;
+  const EngineTree& read_;
   const SourceTree& tree_;
   std::vector<std::size_t> movers_;  ///< links whose joints move
   Reference reference_;
@@ -232,37 +220,39 @@ class Comparison {
   double torque_scale_ = 0.0, mass_scale_ = 0.0;
 };
 
-EngineFigures without(const std::string& reason) {
+EngineFigures without(const EngineTree& read, const std::string& reason) {
   EngineFigures figures;
-  figures.why_not = description::harmless(reason);
+  figures.asked = read.engine, figures.why_not = description::harmless(reason);
   return figures;
 }
 
 }  // namespace
 
-std::string mujoco_questions(const std::string& file, const MjcfTree& read, unsigned seed, int states) {
+std::string engine_questions(const std::string& file, const EngineTree& read, unsigned seed, int states) {
   return Comparison(read, seed, states).questions(file).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-EngineFigures compared_with_mujoco(const MjcfTree& read, unsigned seed, int states, const std::string& answer) {
+EngineFigures compared_with_engine(const EngineTree& read, unsigned seed, int states, const std::string& answer) {
   const Json found = Json::parse(answer, nullptr, false);
   try {
-    if (found.contains("refused")) return without("it refuses the file: " + found.at("refused").get<std::string>());
+    if (found.contains("refused"))
+      return without(read, "it refuses the file: " + found.at("refused").get<std::string>());
     return Comparison(read, seed, states).compare(found);
   } catch (const Json::exception&) {
-    return without("its answer is none");
+    return without(read, "its answer is none");
   }
 }
 
-EngineFigures ask_mujoco(const std::string& package, const std::string& file, const MjcfTree& read, unsigned seed,
-                         int states) {
-  if (package.empty()) return without("it is not here");
-  const Scratch scratch;
+EngineFigures ask_engine(std::vector<std::string> program, const std::string& file, const EngineTree& read,
+                         unsigned seed, int states) {
+  if (program.empty()) return without(read, "it is not here");
+  const host_sim::TemporaryFolder scratch;
   states = std::min(states, 20);
-  std::ofstream(scratch.file("questions.json")) << mujoco_questions(file, read, seed, states);
-  if (!run({"node", AXIAL_MUJOCO_SCRIPT, package, scratch.file("questions.json"), scratch.file("answer.json")}))
-    return without("node did not run it");
-  return compared_with_mujoco(read, seed, states, description::read_text(scratch.file("answer.json")));
+  std::ofstream(scratch.file("questions.json")) << engine_questions(file, read, seed, states);
+  for (const char* name : {"questions.json", "answer.json"})
+    program.push_back(scratch.file(name));
+  if (!run(program)) return without(read, program.front() + " did not run it");
+  return compared_with_engine(read, seed, states, description::read_text(scratch.file("answer.json")));
 }
 
 }  // namespace importer

@@ -1,8 +1,9 @@
-"""Imports the public MJCFs of tests/import/mjcf/public.json and writes what doc/measurements/mjcf.md shows.
+"""Imports the public files of tests/import/FORMAT/public.json and writes what doc/measurements/FORMAT.md shows.
 
-usage: public.py PROGRAM ENGINE FOLDER DATA_FOLDER DOCUMENT
+usage: public.py FORMAT PROGRAM ENGINE FOLDER DATA_FOLDER DOCUMENT
 
-PROGRAM is the importer, ENGINE the folder of the package mujoco-js. FOLDER has copies of the repositories, as OWNER+NAME; meshes need not be there.
+FORMAT is mjcf or sdf, PROGRAM the importer, ENGINE the folder of the package mujoco-js or the program dart_engine. FOLDER has copies of the repositories,
+as OWNER+NAME; meshes need not be there.
 """
 
 import json
@@ -26,7 +27,7 @@ def imported(program, engine, folder, entry, scratch):
         return {**entry, "refused": said.removeprefix("import: ").replace(f"{file.parent}/", "")}
     row = json.loads((scratch / "robot.json").read_text(encoding="utf-8"))
     if not row["engine"]["name"]:
-        sys.exit(f"{file}: MuJoCo was not asked: {row['engine']['why_not']}")
+        sys.exit(f"{file}: its engine was not asked: {row['engine']['why_not']}")
     keep = ("pose_error", "torque_error", "mass_matrix_error", "engine")
     return {**entry, "joints": len(row["joints"]), **{key: row[key] for key in keep}, "warnings": len(row["warnings"])}
 
@@ -51,18 +52,18 @@ def repositories(rows):
     return markdown(["repository", "commit"], sorted({(row["repository"], f"`{row['commit'][:12]}`") for row in rows}), 2)
 
 
-def main(program, engine, folder, data, document):
-    entries = json.loads((ROOT / "tests/import/mjcf/public.json").read_text(encoding="utf-8"))
+def main(form, program, engine, folder, data, document):
+    entries = json.loads((ROOT / f"tests/import/{form}/public.json").read_text(encoding="utf-8"))
     with tempfile.TemporaryDirectory() as scratch:
         rows = [imported(program, engine, folder, entry, pathlib.Path(scratch)) for entry in entries]
-    (pathlib.Path(data) / "mjcf.json").write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
     commit = subprocess.run([ROOT / "host_sim/tools/system/commit.sh"], check=True, capture_output=True, text=True).stdout.strip()
-    tables = {"mjcf_provenance": f"Imported at commit `{commit}`: {sum('refused' not in row for row in rows)} of {len(rows)} files.\n",
-              "mjcf": compared(rows), "mjcf_refused": refused(rows), "mjcf_repositories": repositories(rows)}
+    (pathlib.Path(data) / f"{form}.json").write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
+    tables = {f"{form}_provenance": f"Imported at commit `{commit}`: {sum('refused' not in row for row in rows)} of {len(rows)} files.\n",
+              form: compared(rows), f"{form}_refused": refused(rows), f"{form}_repositories": repositories(rows)}
     fill(document, tables.get)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 6:
+    if len(sys.argv) != 7:
         sys.exit(__doc__)
     main(*sys.argv[1:])
