@@ -134,9 +134,10 @@ TEST(AsPublished, IsAskedForAndSaidInTheHeader) {
 
 // The frame of the second joint is the first one's; its axis is nearly that frame's z.
 TEST(NearlyRight, AnAxisIsSettledInAFrameThatIsRightToo) {
-  const auto& elbow = fore(
-      imported("<mujoco><worldbody><body><joint/><geom size='0.1'/><body pos='0.3 0 0'><joint axis='0.000004 0 1'/>"
-               "<geom size='0.1' pos='0.2 0 0'/></body></body></worldbody></mujoco>"));
+  const Result arm = imported(
+      "<mujoco><worldbody><body><joint/><geom size='0.1'/><body pos='0.3 0 0'><joint axis='0.000004 0 1'/>"
+      "<geom size='0.1' pos='0.2 0 0'/></body></body></worldbody></mujoco>");
+  const auto& elbow = fore(arm);
   EXPECT_EQ(elbow.alpha.sin, 0.0);
   EXPECT_EQ(elbow.a, 0.3);
 }

@@ -24,9 +24,9 @@ std::vector<double> list(const Json& of, const std::string& key, std::size_t siz
 /// In radians, whichever of the two keys is there.
 double angle(const Json& row, const std::string& key) { return row.value(key, row.value(key + "_deg", 0.0) * degree); }
 
-class Reader {
+class TableReader {
  public:
-  Reader(const std::string& text, const std::vector<Change>& changes, Reference& result)
+  TableReader(const std::string& text, const std::vector<Change>& changes, Reference& result)
       : robot_(Json::parse(text)), changes_(changes), result_(result) {
     classical_ = robot_.at("convention") == "classical";
   }
@@ -143,7 +143,7 @@ class Reader {
 Reference reference_of(const std::string& text, const std::vector<Change>& changes, double changed_angle_bound) {
   Reference result;
   result.changed_angle_bound = 1e-12 + changed_angle_bound;
-  Reader(text, changes, result).read();
+  TableReader(text, changes, result).read();
   return result;
 }
 

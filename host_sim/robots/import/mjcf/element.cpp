@@ -14,9 +14,9 @@ namespace {
 using description::harmless;
 namespace fs = std::filesystem;
 
-class Reader {
+class FileReader {
  public:
-  explicit Reader(const std::string& from) : folder_(fs::path(from).parent_path()) {
+  explicit FileReader(const std::string& from) : folder_(fs::path(from).parent_path()) {
     seen_.insert(fs::path(from).filename().string());
   }
 
@@ -73,6 +73,6 @@ const std::string* Element::find(const std::string& attribute) const {
   return nullptr;
 }
 
-Element read_elements(const std::string& text, const std::string& from) { return Reader(from).read(text, from); }
+Element read_elements(const std::string& text, const std::string& from) { return FileReader(from).read(text, from); }
 
 }  // namespace importer::mjcf

@@ -16,9 +16,9 @@ constexpr const char* joint_words =
     "solimpfriction stiffness range actuatorfrcrange actuatorgravcomp margin ref springref armature damping "
     "frictionloss user";
 
-class Reader {
+class ModelReader {
  public:
-  explicit Reader(Model& model) : m_(model) {}
+  explicit ModelReader(Model& model) : m_(model) {}
 
   void read() {
     check_sections();
@@ -202,7 +202,7 @@ void read_model(const std::string& text, const std::string& from, Model& model) 
   model.name = model.root.find("model") != nullptr ? *model.root.find("model") : "";
   model.settings = settings_of(model.root);
   model.defaults.emplace(model.root);
-  Reader(model).read();
+  ModelReader(model).read();
 }
 
 Body inertia_of(const BodyNode& body, const Settings& settings) {

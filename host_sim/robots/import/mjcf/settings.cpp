@@ -6,8 +6,6 @@
 namespace importer::mjcf {
 namespace {
 
-constexpr Real pi = 3.14159265358979323846264338327950288L;
-
 constexpr const char* compiler_words =
     "angle eulerseq autolimits inertiafromgeom boundmass boundinertia balanceinertia settotalmass inertiagrouprange "
     "coordinate meshdir texturedir assetdir strippath discardvisual fusestatic usethread convexhull exactmeshinertia "

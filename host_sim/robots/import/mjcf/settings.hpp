@@ -6,6 +6,8 @@
 
 namespace importer::mjcf {
 
+constexpr Real pi = 3.14159265358979323846264338327950288L;
+
 struct Settings {
   Real angle = 0.0L;                             ///< rad of a unit of angle
   std::string sequence = "xyz";                  ///< of Euler angles; capitals: about axes that stay

@@ -9,8 +9,6 @@
 namespace importer::mjcf {
 namespace {
 
-constexpr Real pi = 3.14159265358979323846264338327950288L;
-
 /// How much there is of a shape (m^3, or m^2 of its surface) and its moments for a mass of 1.
 struct Shape {
   Real content = 0.0L;

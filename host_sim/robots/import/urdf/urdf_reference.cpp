@@ -81,9 +81,10 @@ KDL::Frame frame(const Three& xyz, const Three& rpy) {
   return {KDL::Rotation::RPY(rpy[0], rpy[1], rpy[2]), KDL::Vector(xyz[0], xyz[1], xyz[2])};
 }
 
-class Reader {
+class ReferenceReader {
  public:
-  Reader(const std::string& text, const ReadingOptions& options, const std::vector<Change>& changes, Reference& result)
+  ReferenceReader(const std::string& text, const ReadingOptions& options, const std::vector<Change>& changes,
+                  Reference& result)
       : options_(options), result_(result), read_(changes, result.changed_angle, result.changed_length) {
     document_.Parse(text.c_str());
     robot_ = document_.FirstChildElement("robot");
@@ -265,7 +266,7 @@ Reference reference_of(const std::string& text, const ReadingOptions& options, c
   const double rounding = 1e-12;
   result.changed_angle_bound =
       rounding + (options.snap ? std::max(nearly_right, options.right_angles) : options.right_angles);
-  Reader(text, options, changes, result).read(joint_order);
+  ReferenceReader(text, options, changes, result).read(joint_order);
   if (!tool_link.empty()) result.tool_segment = segment_name(tool_link);
   return result;
 }
