@@ -3,12 +3,12 @@
 
 readonly QEMU_BOARDS=(stm32f405 stm32f100 nrf51 rv32_virt)
 readonly RUNNER_BOARD=rp2040 # in an emulator of its own, slower than QEMU: tests build and run these images alone
-readonly RUNNER_IMAGES=(selftest{,-scara,-puma560} fixed{,-derivatives}-{scara,puma560} feedforward-{scara,puma560} feedforward-fixed-{scara,puma560}
+readonly RUNNER_IMAGES=(selftest{,-scara,-puma560} fixed{,-derivatives,-motions}-{scara,puma560} feedforward-{scara,puma560} feedforward-fixed-{scara,puma560}
   injection-scara kernels-scara faults overflow tracking-fixed-scara
   size-puma560-bare-inverse_dynamics-unrolled-off{,-fixed32} size-scara-bare-inverse_dynamics-unrolled-off-double)
 readonly RAM_IMAGES=(selftest{,-scara} size-puma560-bare-inverse_dynamics-unrolled-off{,-fixed32}) # of rp2040_ram
 readonly CORE_BOARD=rp2350_riscv # its core in an emulator, without peripherals
-readonly CORE_IMAGES=(selftest{,-scara,-puma560} fixed{,-derivatives}-{scara,puma560} size-puma560-bare-inverse_dynamics-unrolled-off{,-fixed32})
+readonly CORE_IMAGES=(selftest{,-scara,-puma560} fixed{,-derivatives,-motions}-{scara,puma560} size-puma560-bare-inverse_dynamics-unrolled-off{,-fixed32})
 readonly BOARDS=("${QEMU_BOARDS[@]}" "$RUNNER_BOARD" rp2040_ram)
 # Of the documents' closed loops, in fixed point: the smallest one. Its UART queues six bytes, which QEMU fills at once.
 readonly LOOP_BOARD=nrf51
@@ -34,6 +34,17 @@ configure() {
     # Anew where a list of sources has changed: a test that was just added has to be known.
     ninja -C "$directory" build.ninja >>"$AXIAL_ROOT/build/$preset.log" 2>&1 || fail "configuring $preset: failed; see build/$preset.log"
   fi
+}
+
+# was_found PRESET NAME: whether CMake has found what it knows as that.
+was_found() { grep -qsE "^$2:PATH=/" "$AXIAL_ROOT/build/$1/CMakeCache.txt"; }
+
+# look_again PRESET NAME...: what was configured before a package was there is configured anew.
+look_again() {
+  local name
+  for name in "${@:2}"; do
+    if ! was_found "$1" "$name"; then rm -f "$AXIAL_ROOT/build/$1/build.ninja"; fi
+  done
 }
 
 # images_of BOARD: what its tests run; nothing where that is all that it has.

@@ -86,20 +86,16 @@ is_sdf() { [[ $1 != -* && -f $1 ]] && grep -q '<sdf[ >]' "$1" && ! grep -qE '<(r
 
 # build_import [FILE or option...]: an SDF wants more, which may not be had; the importer says then what is missing.
 build_import() {
-  local argument packages=()
+  local argument packages=() found=(AXIAL_URDFDOM_INCLUDE)
   ensure_packages
   for argument; do
-    if is_sdf "$argument"; then packages=(libsdformat-dev); fi
+    if is_sdf "$argument"; then packages=(libsdformat-dev) found+=(sdformat12_DIR); fi
   done
-  if ((${#packages[@]})) && [[ " $* " != *" --without-engine "* ]]; then packages+=(libdart-dev); fi
+  if ((${#packages[@]})) && [[ " $* " != *" --without-engine "* ]]; then packages+=(libdart-dev) found+=(DART_DIR); fi
   if ((${#packages[@]})); then (ensure_packages "${packages[@]}") || true; fi
-  # What was configured before these were there looks again.
-  if ! was_found AXIAL_URDFDOM_INCLUDE || { ((${#packages[@]})) && ! was_found sdformat12_DIR; } ||
-    { ((${#packages[@]} > 1)) && ! was_found DART_DIR; }; then
-    rm -f "$AXIAL_ROOT/build/$HOST_PRESET/build.ninja"
-  fi
+  look_again "$HOST_PRESET" "${found[@]}"
   build "$HOST_PRESET" import >&2
-  if ((${#packages[@]} > 1)) && was_found sdformat12_DIR && was_found DART_DIR; then build "$HOST_PRESET" dart_engine >&2; fi
+  if ((${#packages[@]} > 1)) && was_found "$HOST_PRESET" sdformat12_DIR && was_found "$HOST_PRESET" DART_DIR; then
+    build "$HOST_PRESET" dart_engine >&2
+  fi
 }
-
-was_found() { grep -qsE "^$1:PATH=/" "$AXIAL_ROOT/build/$HOST_PRESET/CMakeCache.txt"; }
