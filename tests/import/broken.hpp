@@ -1,7 +1,11 @@
 #pragma once
 /// Descriptions of which one place is wrong.
 
+#include <host_sim/robots/import/importer.hpp>
+
 #include <gtest/gtest.h>
+
+#include <ctime>
 #include <string>
 
 namespace broken {
@@ -19,6 +23,20 @@ inline std::string changed(std::string text, const Broken& broken) {
 
 inline void expect_says(const std::string& message, const std::string& says) {
   EXPECT_NE(message.find(says), std::string::npos) << "message: '" << message.substr(0, 300) << "', expected: " << says;
+}
+
+/// What an import refuses a text with; empty where it is taken. A second at most.
+inline std::string message_within_a_second(const std::string& text, const std::string& from,
+                                           const importer::Options& options) {
+  const auto begin = std::clock();  // of the processor: the machine may be busy
+  std::string message;
+  try {
+    importer::import_text(text, from, options);
+  } catch (const description::Refused& refused) {
+    message = refused.what();
+  }
+  EXPECT_LT(std::clock() - begin, CLOCKS_PER_SEC) << message;
+  return message;
 }
 
 }  // namespace broken

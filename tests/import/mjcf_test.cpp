@@ -5,6 +5,8 @@
 
 #include <axial/axial.hpp>
 
+#include "trees.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,6 +17,11 @@ namespace {
 
 using importer::Options;
 using importer::Result;
+using trees::expect_near;
+using trees::joint;
+using trees::link;
+using trees::said;
+using trees::says;
 
 constexpr double pi = 3.14159265358979323846, tight = 1e-13;
 
@@ -29,29 +36,6 @@ importer::EngineTree read_bodies(const std::string& bodies, const std::string& b
 Result imported(const std::string& text, const Options& options = {}) {
   return importer::import_text(text, folder + "test.xml", options);
 }
-const importer::SourceLink& link(const importer::EngineTree& found, const std::string& name) {
-  for (const auto& each : found.tree.links)
-    if (each.name == name) return each;
-  throw description::Refused("no link " + name);
-}
-const importer::SourceJoint& joint(const importer::EngineTree& found, const std::string& name) {
-  for (const auto& each : found.tree.links)
-    if (each.joint.name == name) return each.joint;
-  throw description::Refused("no joint " + name);
-}
-std::string said(const importer::EngineTree& found) {
-  std::string text;
-  for (const auto& note : found.tree.notes)
-    text += note + "\n";
-  return text;
-}
-bool says(const std::string& text, const std::string& what) { return text.find(what) != std::string::npos; }
-
-void expect_near(const std::array<double, 3>& ours, const std::array<double, 3>& theirs) {
-  for (std::size_t k = 0; k < 3; ++k)
-    EXPECT_NEAR(ours[k], theirs[k], tight) << k;
-}
-
 // --- against MuJoCo: the answers are committed. AXIAL_MUJOCO=FOLDER, that of the package mujoco-js, writes them anew.
 
 constexpr unsigned seed = 3;

@@ -6,6 +6,7 @@
 #include <axial/axial.hpp>
 
 #include "arms.hpp"
+#include "trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +19,11 @@ namespace {
 
 using importer::Options;
 using importer::Result;
+using trees::expect_near;
+using trees::joint;
+using trees::link;
+using trees::said;
+using trees::says;
 
 constexpr double tight = 1e-13;
 const std::string folder = std::string(AXIAL_ROOT) + "/tests/import/sdf/";
@@ -45,28 +51,6 @@ std::string standing(const std::string& inside) {
 Result imported(const std::string& text, const Options& options = {}) {
   return importer::import_text(text, folder + "test.sdf", options);
 }
-const importer::SourceLink& found(const importer::EngineTree& tree, const std::string& name) {
-  for (const auto& each : tree.tree.links)
-    if (each.name == name) return each;
-  throw description::Refused("no link " + name);
-}
-const importer::SourceJoint& joint_of(const importer::EngineTree& tree, const std::string& name) {
-  for (const auto& each : tree.tree.links)
-    if (each.joint.name == name) return each.joint;
-  throw description::Refused("no joint " + name);
-}
-std::string said(const importer::EngineTree& tree) {
-  std::string text;
-  for (const auto& note : tree.tree.notes)
-    text += note + "\n";
-  return text;
-}
-bool says(const std::string& text, const std::string& what) { return text.find(what) != std::string::npos; }
-void expect_near(const std::array<double, 3>& ours, const std::array<double, 3>& theirs) {
-  for (std::size_t k = 0; k < 3; ++k)
-    EXPECT_NEAR(ours[k], theirs[k], tight) << k;
-}
-
 // --- against DART: the answer is committed. AXIAL_DART=PROGRAM, that is dart_engine, writes it anew.
 
 constexpr unsigned seed = 3;
@@ -148,7 +132,7 @@ TEST(Sdf, PosesAreRelativeToWhatTheyName) {
         read(standing("<frame name='f' attached_to='base'><pose>0 0 2 0 0 0</pose></frame>"
                       "<frame name='g' attached_to='f'><pose>1 0 0 0 0 0</pose></frame>" +
                       link("l", of_link) + joint("j", "revolute", "base", "l", "<xyz>0 0 1</xyz>", of_joint)));
-    return found(tree, "l").joint.origin.position;
+    return link(tree, "l").joint.origin.position;
   };
   expect_near(origin("<pose>1 2 3 0 0 0</pose>"), {1.0, 2.0, 3.0});
   expect_near(origin("<pose relative_to='f'>1 2 3 0 0 0</pose>"), {1.0, 2.0, 5.0});
@@ -160,7 +144,7 @@ TEST(Sdf, PosesAreRelativeToWhatTheyName) {
 TEST(Sdf, AnglesAreRadiansUnlessThePoseSaysDegrees) {
   const auto x_axis = [](const std::string& pose) {
     const auto tree = read(standing(link("l", pose) + joint("j", "revolute", "base", "l")));
-    const auto& r = found(tree, "l").joint.origin.rotation;
+    const auto& r = link(tree, "l").joint.origin.rotation;
     return std::array<double, 3>{r[0], r[3], r[6]};
   };
   expect_near(x_axis("<pose degrees='true'>0 0 0 0 0 90</pose>"), {0.0, 1.0, 0.0});
@@ -175,7 +159,7 @@ TEST(Sdf, AnAxisIsExpressedWhereItSays) {
     const auto tree = read(standing(
         link("l", "<pose degrees='true'>0 0 0 90 0 0</pose>") +
         joint("j", "revolute", "base", "l", "<xyz" + in + ">0 0 3</xyz>", "<pose degrees='true'>0 0 0 0 90 0</pose>")));
-    return joint_of(tree, "j").axis;
+    return joint(tree, "j").axis;
   };
   expect_near(axis(""), {1.0, 0.0, 0.0});  // in axes of the link
   expect_near(axis(" expressed_in='l'"), {0.0, 0.0, 1.0});
@@ -189,9 +173,9 @@ TEST(Sdf, ANestedModelIsPutByItsPlacementFrame) {
                     "<frame name='flange'><pose>1 0 0 0 0 0</pose></frame>" +
                     link("l") + link("k", "<pose>0 1 0 0 0 0</pose>") + joint("i", "prismatic", "l", "k") + "</model>" +
                     joint("j", "revolute", "base", "n::flange")));
-  expect_near(found(tree, "n::l").joint.origin.position, {0.0, 0.0, 5.0});  // the child is a frame: its link is carried
-  expect_near(found(tree, "n::l frame").joint.origin.position, {-1.0, 0.0, 0.0});
-  EXPECT_EQ(joint_of(tree, "n::i").kind, importer::Kind::prismatic);
+  expect_near(link(tree, "n::l").joint.origin.position, {0.0, 0.0, 5.0});  // the child is a frame: its link is carried
+  expect_near(link(tree, "n::l frame").joint.origin.position, {-1.0, 0.0, 0.0});
+  EXPECT_EQ(joint(tree, "n::i").kind, importer::Kind::prismatic);
 }
 
 TEST(Sdf, FixedJointsMerge) {
@@ -205,9 +189,9 @@ TEST(Sdf, FixedJointsMerge) {
 }
 
 importer::SourceJoint with_axis(const std::string& inside, const std::string& type = "revolute") {
-  return joint_of(read(standing(link("l") + link("k") + joint("j", type, "base", "l", "<xyz>0 0 1</xyz>" + inside) +
-                                joint("i", "revolute", "l", "k"))),
-                  "j");
+  return joint(read(standing(link("l") + link("k") + joint("j", type, "base", "l", "<xyz>0 0 1</xyz>" + inside) +
+                             joint("i", "revolute", "l", "k"))),
+               "j");
 }
 
 TEST(Sdf, LimitsAreThoseThatAreGiven) {
@@ -319,7 +303,7 @@ TEST(Sdf, JointsOfOtherKindsAreHeldBesideTheChain) {
   const auto tree = read(standing(link("l") + link("b") + joint("j", "revolute", "base", "l") +
                                   "<joint name='ball' type='ball'><parent>l</parent><child>b</child></joint>"),
                          options);
-  EXPECT_FALSE(joint_of(tree, "ball").moves());
+  EXPECT_FALSE(joint(tree, "ball").moves());
   EXPECT_TRUE(says(said(tree), "held at 0 (or their nearest limit), their bodies carried along: ball"));
 }
 
@@ -340,7 +324,7 @@ TEST(Sdf, ModelsAreIncludedFromTheFolder) {
   };
   for (const auto& tree : {read_at("arm/model.sdf", arm("model://hand")), read_at("world.sdf", arm("model://hand")),
                            read_at("world.sdf", arm("hand")), read_at("world.sdf", arm("file://hand/model.sdf"))})
-    expect_near(found(tree, "hand::palm").joint.origin.position, {0.0, 0.0, 2.0});
+    expect_near(link(tree, "hand::palm").joint.origin.position, {0.0, 0.0, 2.0});
   fs::remove_all(place);
 }
 
