@@ -1,7 +1,7 @@
 #pragma once
 /// What a reader has made of a file, by name.
 
-#include <host_sim/robots/import/importer.hpp>
+#include <host_sim/robots/import/engine.hpp>
 
 #include <gtest/gtest.h>
 
