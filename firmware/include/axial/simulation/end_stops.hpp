@@ -1,0 +1,58 @@
+// End stops: a spring and a damper beyond each declared position limit.
+#pragma once
+#include <axial/scalar/language.hpp>
+
+#include <axial/simulation/integrators.hpp>
+
+#include <axial/options/begin.hpp>
+
+namespace axial {
+
+/// What a joint meets at its position limits: N m/rad and N m s/rad, on slides N/m and N s/m. The damper acts in the
+/// stop alone, and neither ever pulls.
+struct EndStops {
+  double stiffness = 0.0;  ///< N m/rad or N/m
+  double damping = 0.0;    ///< N m s/rad or N s/m
+};
+
+/// A drive, and stops at the position limits that the robot declares; a joint without limits has none. For float and
+/// double; the drive is only referred to. It tells an implicit method how stiff it is while a joint is in a stop, so
+/// that LinearlyImplicitEuler and StickingEuler take any step: a joint by itself leaves a stop no faster than it came,
+/// v' = v (1 - k s) / (1 + k + d), where k = h^2 K/M, d = h D/M and s of its last step, of 1, lies in the stop. For an
+/// explicit method ask step_limit() with the same stiffness first.
+template <class S, class T, class Drive>
+class WithEndStops {
+ public:
+  static_assert(!detail::is_word<T>, "axial: end stops are of float and double");
+
+  /// `drive` as advance() takes it
+  constexpr WithEndStops(const Drive& drive, const EndStops& stops) : drive_(drive), stops_(stops) {}
+
+  /// The drive's efforts, and those of the stops.
+  template <class Where>
+  constexpr void operator()(const Where& at, EffortsOf<S, T>& tau, Inputs<S, T>& in, DriveStiffness<S, T>& told) const {
+    if constexpr (detail::tells_stiffness<Drive, S, T>)
+      drive_(at, tau, in, told);
+    else
+      drive_(at, tau, in);
+    for (int i = 0; i < joint_count<S>; ++i)
+      stop(robot_of<S>::chain.links[i], at.q[i], at.qd[i], tau[i], told.stiffness[i], told.damping[i]);
+  }
+
+ private:
+  constexpr void stop(const LinkParameters& link, const T& q, const T& qd, T& tau, T& stiffness, T& damping) const {
+    const T low = T(link.position_min), high = T(link.position_max);
+    const T beyond = q > high ? q - high : q < low ? q - low : T(0);
+    const T push = T(stops_.stiffness) * beyond + T(stops_.damping) * qd;
+    if (!(push * beyond > T(0))) return;
+    tau = tau - push;
+    stiffness = stiffness + T(stops_.stiffness), damping = damping + T(stops_.damping);
+  }
+
+  const Drive& drive_;
+  EndStops stops_;
+};
+
+}  // namespace axial
+
+#include <axial/options/end.hpp>
