@@ -4,6 +4,7 @@
 
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/recursion/drives.hpp>
+#include <axial/simulation/driven_stiffness.hpp>
 #include <axial/simulation/integrators.hpp>
 
 #include <axial/options/begin.hpp>
@@ -151,6 +152,13 @@ struct StickingEuler {
     }
   };
 };
+
+namespace detail {
+template <class T>
+constexpr T limit_of(StickingEuler, const StiffBounds<T>&) {
+  return std::numeric_limits<T>::infinity();
+}
+}  // namespace detail
 
 }  // namespace axial
 
