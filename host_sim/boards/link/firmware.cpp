@@ -123,6 +123,11 @@ std::optional<link::Encoders> Firmware::try_move(const link::Torque& efforts, st
   return look_for<link::Encoders>(limit);
 }
 
+std::optional<link::Encoders> Firmware::try_command(const link::ArmCommand& command, std::chrono::milliseconds limit) {
+  send(command, sequence_);
+  return look_for<link::Encoders>(limit);
+}
+
 std::optional<link::Torque> Firmware::try_report(std::chrono::milliseconds limit) {
   return look_for<link::Torque>(limit, true);
 }

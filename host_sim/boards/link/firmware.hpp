@@ -39,6 +39,7 @@ class Firmware {
   std::optional<link::Torque> try_torque(const std::optional<link::Measurement>& measurement,
                                          const link::SetPoint& set_point, std::chrono::milliseconds limit);
   std::optional<link::Encoders> try_move(const link::Torque& efforts, std::chrono::milliseconds limit);
+  std::optional<link::Encoders> try_command(const link::ArmCommand& command, std::chrono::milliseconds limit);
   /// What a controller exerts of itself and reports.
   std::optional<link::Torque> try_report(std::chrono::milliseconds limit);
   std::optional<link::Stats> try_stats(std::chrono::milliseconds limit);
