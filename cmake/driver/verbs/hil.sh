@@ -4,7 +4,7 @@
 
 usage() {
   cat <<'END_OF_USAGE'
-usage: ./axial hil [HEADER|ROBOT] [--plant BOARD] [--controller BOARD] [options]
+usage: ./axial hil HEADER|ROBOT [options]
 Installs and builds what is missing: the tracking image of a robot for one board, an image that stands in for its arm for another. Starts both in
 their emulators, joins their serial ports and runs them in lock-step: encoders and set-points to one, torques to the other. Then the same loop around
 an arm in double on this host. Prints both tracking errors, writes JSON, CSV and a picture (doc/guides/two_boards.md).

@@ -97,7 +97,7 @@ class Arm {
         return push(wanted.values);
       case ArmAction::blind:
         for (std::size_t i = 0; i < joints; ++i)
-          blind_[i] = wanted.values[i] > 0.0F || wanted.values[i] < 0.0F;
+          blind_[i] = (word_of(wanted.values[i]) << 1) != 0;  // neither 0 nor -0, by integers alone
         return true;
       case ArmAction::stop:
       case ArmAction::go:
@@ -135,48 +135,59 @@ class Arm {
     const auto phase = static_cast<DrivePhase>(request.phase);
     const bool off = phase == DrivePhase::idle || phase == DrivePhase::disabled;
     const auto tau = joint_values(off ? Values{} : request.tau);
-    for (std::size_t i = joints; i-- > 0;)
-      if (!is_finite(tau[static_cast<int>(i)])) told_ = Status::not_finite, joint_ = static_cast<std::uint8_t>(i);
-    if (told_ == Status::not_finite) return;
     if constexpr (is_stored_v<Number>) {
       const auto kept = to_fixed<Tau>(tau);
       wanted_ = kept.values;
-      if (!kept.status.ok()) told_ = Status::effort_limited, joint_ = static_cast<std::uint8_t>(kept.status.joint);
+      tell(kept.status);
     } else {
+      axial::Status found{};
       for (int i = static_cast<int>(joints); i-- > 0;) {
-        const auto most = static_cast<Number>(R::chain.links[i].effort_limit);
-        const auto asked = static_cast<Number>(tau[i]);
+        constexpr const auto& limits = limits_of<R, Number>;
+        const Number most = limits.joints[i].effort, asked = static_cast<Number>(tau[i]);
         wanted_[i] = asked > most ? most : asked < -most ? -most : asked;
-        if (asked > most || asked < -most) told_ = Status::effort_limited, joint_ = static_cast<std::uint8_t>(i);
+        if (!(asked <= most && asked >= -most)) found = {axial::Status::Code::effort_limit, i};
       }
+      for (int i = static_cast<int>(joints); i-- > 0;)
+        if (!is_finite(tau[i])) found = {axial::Status::Code::not_finite, i};
+      tell(found);
     }
+  }
+  /// Keeps the first that there is to say.
+  void tell(const axial::Status& found) {
+    if (found.ok() || told_ != Status::ok) return;
+    told_ = link_status(found.code);
+    joint_ = found.joint < 0 ? hal::link::no_joint : static_cast<std::uint8_t>(found.joint);
   }
 
   bool place(const Values& values) {
     X there{};
-    for (std::size_t i = 0; i < joints; ++i)
-      if (!is_finite(values[i])) return false;
     if constexpr (is_stored_v<Number>) {
       const auto kept = to_fixed<Positions<R, Number>>(joint_values(values));
       if (!kept.status.ok()) return false;
       there.q = kept.values;
-    } else {
-      for (std::size_t i = 0; i < joints; ++i)
-        there.q[static_cast<int>(i)] = static_cast<Number>(values[i]);
+    } else if (!put(values, there.q)) {
+      return false;
     }
     x_ = there;
     encoders_.place(x_);
     return true;
   }
-
   bool push(const Values& values) {
+    if constexpr (is_stored_v<Number>) {
+      const auto kept = to_fixed<Tau>(joint_values(values));
+      if (kept.status.ok()) pushed_ = kept.values;
+      return kept.status.ok();
+    } else {
+      return put(values, pushed_);
+    }
+  }
+  /// False, and nothing is put, where one is no number.
+  template <class To>
+  static bool put(const Values& values, To& to) {
     for (std::size_t i = 0; i < joints; ++i)
       if (!is_finite(values[i])) return false;
-    if constexpr (is_stored_v<Number>)
-      pushed_ = to_fixed<Tau>(joint_values(values)).values;
-    else
-      for (int i = 0; i < static_cast<int>(joints); ++i)
-        pushed_[i] = static_cast<Number>(values[static_cast<std::size_t>(i)]);
+    for (std::size_t i = 0; i < joints; ++i)
+      to[static_cast<int>(i)] = static_cast<Number>(values[i]);
     return true;
   }
 
@@ -200,12 +211,8 @@ class Arm {
   void move() {
     if (stopped_) return;
     const Held<S, Number> held{acting(), {}};
-    for (int k = 0; k < substeps; ++k) {
-      const axial::Status found = step(held);
-      if (!found.ok() && told_ == Status::ok)
-        told_ = link_status(found.code),
-        joint_ = found.joint < 0 ? hal::link::no_joint : static_cast<std::uint8_t>(found.joint);
-    }
+    for (int k = 0; k < substeps; ++k)
+      tell(step(held));
     encoders_.follow(x_);
   }
   axial::Status step(const Held<S, Number>& held) {

@@ -26,7 +26,8 @@ class WithEndStops {
   static_assert(!detail::is_word<T>, "axial: end stops are of float and double");
 
   /// `drive` as advance() takes it
-  constexpr WithEndStops(const Drive& drive, const EndStops& stops) : drive_(drive), stops_(stops) {}
+  constexpr WithEndStops(const Drive& drive, const EndStops& stops)
+      : drive_(drive), stiffness_(T(stops.stiffness)), damping_(T(stops.damping)) {}
 
   /// The drive's efforts, and those of the stops.
   template <class Where>
@@ -36,21 +37,31 @@ class WithEndStops {
     else
       drive_(at, tau, in);
     for (int i = 0; i < joint_count<S>; ++i)
-      stop(robot_of<S>::chain.links[i], at.q[i], at.qd[i], tau[i], told.stiffness[i], told.damping[i]);
+      stop(limits.low[i], limits.high[i], at.q[i], at.qd[i], tau[i], told.stiffness[i], told.damping[i]);
   }
 
  private:
-  constexpr void stop(const LinkParameters& link, const T& q, const T& qd, T& tau, T& stiffness, T& damping) const {
-    const T low = T(link.position_min), high = T(link.position_max);
+  struct Limits {
+    T low[joint_count<S>] = {}, high[joint_count<S>] = {};
+    constexpr Limits() {
+      for (int i = 0; i < joint_count<S>; ++i) {
+        const LinkParameters& link = robot_of<S>::chain.links[i];
+        low[i] = static_cast<T>(link.position_min), high[i] = static_cast<T>(link.position_max);
+      }
+    }
+  };
+  static constexpr Limits limits{};
+
+  constexpr void stop(const T& low, const T& high, const T& q, const T& qd, T& tau, T& stiffness, T& damping) const {
     const T beyond = q > high ? q - high : q < low ? q - low : T(0);
-    const T push = T(stops_.stiffness) * beyond + T(stops_.damping) * qd;
+    const T push = stiffness_ * beyond + damping_ * qd;
     if (!(push * beyond > T(0))) return;
     tau = tau - push;
-    stiffness = stiffness + T(stops_.stiffness), damping = damping + T(stops_.damping);
+    stiffness = stiffness + stiffness_, damping = damping + damping_;
   }
 
   const Drive& drive_;
-  EndStops stops_;
+  T stiffness_, damping_;
 };
 
 }  // namespace axial
