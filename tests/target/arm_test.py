@@ -17,7 +17,8 @@ POSE, COUNTS = (0.3, -0.4, 0.1), (2**32 / (2 * math.pi), 2**32 / (2 * math.pi), 
 WEIGHT = (0.0, 0.0, -1.25 * GRAVITY)  # what holds the slide
 WITH_FPU = ("stm32f405",)
 # Which arms move in less than a tick of their board's timer, by the emulator's clock.
-IN_REAL_TIME = {"stm32f405": ("arm-scara", "arm-fixed-scara"), "rv32_virt": ("arm-fixed-scara",), "rp2040": ("arm-fixed-scara",)}
+IN_REAL_TIME = {"stm32f405": ("arm-scara", "arm-fixed-scara"), "stm32f100": ("arm-scara", "arm-fixed-scara"),
+                "rv32_virt": ("arm-fixed-scara",), "rp2040": ("arm-fixed-scara",)}
 
 
 class Arm(harness.BoardTest):
