@@ -22,7 +22,7 @@ an arm in double on this host. Prints both tracking errors, writes JSON, CSV and
 Exits non-zero when the tracking error is more than 2 % from that around the host's arm, the controller's board gives another torque than its source
 on this host (fixed32: bits; float: 4 last places), a set-point is refused, or a fault ends otherwise.
 maintainers:
-  --documents         alone: writes doc/data/hil.json, the picture and the tables of doc/measurements/two_boards.md
+  --documents         alone: writes doc/data/hil.json, the picture and the tables of doc/measurements/hil.md
 END_OF_USAGE
 }
 
@@ -79,18 +79,22 @@ hil_image() {
   esac
 }
 
+# Robot, number of both, controller, arm, seconds; the first with faults, and drawn.
+readonly HIL_DOCUMENTED=("scara float stm32f405 stm32f405 60 --faults" "puma560 float stm32f405 stm32f405 10" "puma560 fixed32 stm32f405 stm32f100 10"
+  "scara fixed32 nrf51 nrf51 10" "scara fixed32 nrf51 rv32_virt 10" "scara float rv32_virt nrf51 10" "scara fixed32 rp2040 rp2040 1")
+
 write_hil_documents() {
-  local doc=$AXIAL_ROOT/doc output=$AXIAL_ROOT/output/hil row robot number plant controller
+  local doc=$AXIAL_ROOT/doc output=$AXIAL_ROOT/output/hil row robot number controller plant seconds faults
   local -a rows=()
-  rm -rf "$output/rows"
-  mkdir -p "$output/rows"
-  for row in scara:float:stm32f405:stm32f405:60 puma560:float:stm32f405:stm32f405:10 scara:fixed32:nrf51:nrf51:10 scara:fixed32:rv32_virt:stm32f405:10 \
-    scara:fixed32:stm32f405:rp2040:2 puma560:fixed32:nrf51:rv32_virt:2; do
-    IFS=: read -r robot number controller plant seconds <<<"$row"
-    rows+=("$output/rows/$robot-$number-$controller-$plant.json")
+  mkdir -p "$output/documents"
+  for row in "${HIL_DOCUMENTED[@]}"; do
+    read -r robot number controller plant seconds faults <<<"$row"
+    rows+=("$output/documents/${#rows[@]}.json")
     two_boards "$robot" '' --number "$number" --plant-number "$number" --controller "$controller" --plant "$plant" --seconds "$seconds" \
-      --output "$output" --json "${rows[-1]}" --provenance "$doc/data/hil_provenance.json" ${row:+$([[ $row == *:60 ]] && echo --faults)}
-    [[ $row == *:60 ]] && cp "$output/hil-scara.png" "$doc/pictures/hil.png"
+      --output "$output" --json "${rows[-1]}" ${faults:+"$faults"}
+    [[ -z $faults ]] || cp "$output/hil-$robot.png" "$doc/pictures/hil.png"
   done
+  printf '{"commit": "%s", "compiler": "%s", "boards": "%s"}\n' "$("$AXIAL_ROOT/host_sim/tools/system/commit.sh")" "$(c++ --version | head -n 1)" \
+    "$(arm-none-eabi-g++ --version | head -n 1)" >"$doc/data/hil_provenance.json"
   /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/figures/pages/two_board_tables.py" "$doc" "${rows[@]}"
 }

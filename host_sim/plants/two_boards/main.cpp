@@ -2,7 +2,6 @@
 // arm on this host; what becomes of faults of the line between them.
 #include <firmware/apps/run/motion.hpp>
 #include <firmware/apps/tracking/controller.hpp>
-#include <host_sim/boards/on_board/provenance.hpp>
 #include <host_sim/plants/loop/cycle.hpp>
 #include <host_sim/plants/loop/on_host.hpp>
 #include <host_sim/plants/two_boards/faults.hpp>
@@ -35,8 +34,7 @@ constexpr const char* image_name = own ? "own" : Robot::name;
 constexpr auto joints = static_cast<std::size_t>(Robot::chain.size);
 
 struct Options {
-  std::string controller = "stm32f405", plant = "stm32f405", number = "float", plant_number = "float", output, json,
-              provenance;
+  std::string controller = "stm32f405", plant = "stm32f405", number = "float", plant_number = "float", output, json;
   double seconds = 2.0;
   bool faults = false;
 };
@@ -262,7 +260,6 @@ int run(const Options& options) {
   }
   write_json(stem + ".json", rows);
   if (!options.json.empty()) write_json(options.json, rows);
-  if (!options.provenance.empty()) write_json(options.provenance, provenance());
   run_plot("loop.py", {stem + ".csv", stem + ".json"});
   std::printf("\npicture  %s.png\ndata     %s.csv, %s.json\n", stem.c_str(), stem.c_str(), stem.c_str());
   return verdict.status();
@@ -282,6 +279,5 @@ int main(int count, char** arguments) {
   line.flag("--faults", options.faults, "besides, faults of the line");
   line.option("--output", options.output, "folder of CSV, JSON and picture").show_default();
   line.option("--json", options.json, "one more copy of the figures");
-  line.option("--provenance", options.provenance, "file for compilers, flags and commit");
   return line.run(count, arguments, [&] { return run(options); });
 }
