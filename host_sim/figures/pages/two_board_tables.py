@@ -18,12 +18,12 @@ def loops(rows):
               str(row["last_places"]), grouped(row["instructions"]), grouped(row["plant_instructions"]), f"{row['ticks_per_s']:.0f}"]
              for row in rows if "difference" in row]
     return markdown(["robot", "controller", "arm", "s", "tool RMS, um", "by the host's arm", "apart", "last places", "instructions, controller",
-                     "arm", "ticks a second"], found)
+                     "arm", "ticks a second"], found, 3)
 
 
 def faults(rows):
     found = [[row["fault"], row["ends"], "yes" if row["held"] else "NO: " + row["found"]] for row in rows if "fault" in row]
-    return markdown(["fault of the line", "ends", "did"], found)
+    return markdown(["fault of the line", "ends", "did"], found, 3)
 
 
 def main(doc, files):
