@@ -3,8 +3,8 @@
 
 #include <host_sim/boards/emulator/serial_line.hpp>
 
+#include <algorithm>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace host_sim::two_boards {
