@@ -1,22 +1,22 @@
-// The machines of this folder, as a list of types.
+// The machines of this folder, as a list of types; gallery.py writes it from gallery.json.
 #pragma once
 
-#include <robots/gallery/a1_leg.hpp>
-#include <robots/gallery/anymal_c_leg.hpp>
-#include <robots/gallery/gen3.hpp>
-#include <robots/gallery/go2_leg.hpp>
-#include <robots/gallery/iiwa14.hpp>
-#include <robots/gallery/lite6.hpp>
-#include <robots/gallery/openarm.hpp>
-#include <robots/gallery/openmanipulator_x.hpp>
-#include <robots/gallery/sawyer.hpp>
-#include <robots/gallery/so100.hpp>
-#include <robots/gallery/so101.hpp>
-#include <robots/gallery/ur10e.hpp>
-#include <robots/gallery/ur5e.hpp>
-#include <robots/gallery/vx300s.hpp>
-#include <robots/gallery/xarm7.hpp>
-#include <robots/gallery/z1.hpp>
+#include <robots/gallery/arms/gen3.hpp>
+#include <robots/gallery/arms/iiwa14.hpp>
+#include <robots/gallery/arms/lite6.hpp>
+#include <robots/gallery/arms/sawyer.hpp>
+#include <robots/gallery/arms/ur10e.hpp>
+#include <robots/gallery/arms/ur5e.hpp>
+#include <robots/gallery/arms/xarm7.hpp>
+#include <robots/gallery/desk/openarm.hpp>
+#include <robots/gallery/desk/openmanipulator_x.hpp>
+#include <robots/gallery/desk/so100.hpp>
+#include <robots/gallery/desk/so101.hpp>
+#include <robots/gallery/desk/vx300s.hpp>
+#include <robots/gallery/desk/z1.hpp>
+#include <robots/gallery/mobile/a1_leg.hpp>
+#include <robots/gallery/mobile/anymal_c_leg.hpp>
+#include <robots/gallery/mobile/go2_leg.hpp>
 #include <robots/robots.hpp>
 
 namespace robots {
