@@ -12,11 +12,14 @@ import pathlib
 import re
 import subprocess
 import sys
+import textwrap
+
+import chains
 
 ROOT = pathlib.Path(__file__).resolve().parents[4]
 GALLERY = ROOT / "robots/gallery"
 sys.path.insert(0, str(ROOT / "host_sim/tools/output"))
-from document import fill, markdown  # noqa: E402
+from document import filled, markdown  # noqa: E402
 
 
 def entries():
@@ -78,25 +81,32 @@ def row(entry):
     return [f"`{entry['name']}`", entry["robot"], joints(text), f"{entry['repository']}, `{entry['commit'][:12]}`", entry["licence"], said, doubtful]
 
 
-def write_list(machines):
+def list_of(machines):
+    """gallery.hpp, as clang-format has it."""
     struct = [re.search(r"^struct (\w+) \{", text_of(entry), re.M)[1] for entry in machines]
     text = "// The machines of this folder, as a list of types; gallery.py writes it from gallery.json.\n#pragma once\n\n"
     text += "".join(f"#include <{header}>\n" for header in sorted(entry["header"] for entry in machines)) + "#include <robots/robots.hpp>\n"
-    text += "\nnamespace robots {\n\n/// Real machines, each made by `./axial import` from a public description.\n"
-    text += f"using Gallery = List<{', '.join(struct)}>;\n\n}}  // namespace robots\n"
-    (GALLERY / "gallery.hpp").write_text(text, encoding="utf-8")
-    subprocess.run(["clang-format", "-i", GALLERY / "gallery.hpp"], check=True)
+    begun = "using Gallery = List<"
+    listed = textwrap.fill(", ".join(struct) + ">;", 120, initial_indent=begun, subsequent_indent=" " * len(begun))
+    return text + f"\nnamespace robots {{\n\n/// Real machines, each made by `./axial import` from a public description.\n{listed}\n\n}}  // namespace robots\n"
 
 
-def write_pages(machines):
+def filled_page(folder, tables):
+    page = folder / "README.md"
+    return page, filled(page.read_text(encoding="utf-8"), tables.get)
+
+
+def pages(machines):
+    """What is written from the headers that stand there: files and their texts."""
     rooms = list(dict.fromkeys(room(entry) for entry in machines))
     head = ["name", "machine", "joints", "source, commit", "licence of the data", "assumed", "doubtful"]
     for name in rooms:
-        rows = [row(entry) for entry in machines if room(entry) == name]
-        fill(GALLERY / name / "README.md", {"machines": markdown(head, rows, len(head))}.get)
+        inside = [entry for entry in machines if room(entry) == name]
+        yield filled_page(GALLERY / name, {"machines": markdown(head, [row(entry) for entry in inside], len(head))})
+        yield GALLERY / name / "chains.svg", chains.sheet({entry["name"]: chains.Chain(text_of(entry)) for entry in inside})
     names = [[f"[{name}]({name}/README.md)", ", ".join(f"`{entry['name']}`" for entry in machines if room(entry) == name)] for name in rooms]
-    fill(GALLERY / "README.md", {"rooms": markdown(["room", "machines"], names, 2)}.get)
-    write_list(machines)
+    yield filled_page(GALLERY, {"rooms": markdown(["room", "machines"], names, 2)})
+    yield GALLERY / "gallery.hpp", list_of(machines)
 
 
 def main(program, engine=None, folder=None, *names):
@@ -104,7 +114,8 @@ def main(program, engine=None, folder=None, *names):
     for entry in machines if folder is not None else []:
         if not names or entry["name"] in names:
             imported(program, engine, folder, entry)
-    write_pages(machines)
+    for path, text in pages(machines):
+        path.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":
