@@ -5,7 +5,6 @@
 //           Apache-2.0, Flexiv; numbers alone are taken over
 // published: geometry, bodies, and limits, friction and rotors as far as that file has them
 // measured: nothing here; assumed: as the lines say that begin so
-// doubtful: the maker says of his published dynamics that they are approximate
 // source:   flexiv_rizon4.xml (MJCF), bodies of 'world' to 'link7', whose frame is the tool's
 // read:     sections that are no part of rigid joints are not read: asset
 // read:     tool: frame of link 'link7', the chain's only end

@@ -5,7 +5,7 @@
 //           MIT, Dobot; numbers alone are taken over
 // published: geometry, bodies, and limits, friction and rotors as far as that file has them
 // measured: nothing here; assumed: as the lines say that begin so
-// doubtful: bodies are a drawing program's, of 1.1 kg that move; joint 3 stands 2 degrees off
+// doubtful: bodies are a drawing program's, of 1.1 kg that move; joint 4 stands a degree off
 //           as it was drawn
 // source:   m1pro_description.urdf (URDF), links of 'dummy_link' to 'Link4', whose frame is the tool's
 // read:     tool: frame of link 'Link4', the chain's only end

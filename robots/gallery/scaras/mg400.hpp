@@ -5,7 +5,7 @@
 //           MIT, Dobot; numbers alone are taken over
 // published: geometry, bodies, and limits, friction and rotors as far as that file has them
 // measured: nothing here; assumed: as the lines say that begin so
-// doubtful: bodies are a drawing program's; rods of the parallelograms are as heavy as drawn
+// doubtful: bodies are a drawing program's
 // source:   mg400_description.urdf (URDF), links of 'base_link'
 // assumed:  gravity of 9.81 m/s^2 along -z of link 'base_link'
 // assumed:  no rotor inertias: a URDF has none

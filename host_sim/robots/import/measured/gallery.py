@@ -3,8 +3,8 @@
 usage: gallery.py PROGRAM ENGINE FOLDER [NAME...]
        gallery.py --pages
 
-PROGRAM is the importer, beside it dart_engine; ENGINE the folder of the package mujoco-js. FOLDER has copies of the repositories, as OWNER+NAME; meshes
-need not be there. --pages writes list, tables and pictures from the headers that stand there.
+PROGRAM is the importer, beside it dart_engine; ENGINE the folder of the package mujoco-js. FOLDER has copies of the repositories, as OWNER+NAME, at
+the commits that gallery.json names; meshes need not be there. --pages writes list, tables and pictures from the headers that stand there.
 """
 
 import json
