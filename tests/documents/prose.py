@@ -2,20 +2,20 @@
 """The guides read well as far as a count can tell: short sentences, short paragraphs, lines that fit a window.
 
 usage: prose.py ROOT
-The style asks for sentences of 25 words and paragraphs of five sentences; these are ceilings above that. Tables, blocks, indented
+The style asks for 120 columns, 25 words and five sentences; these are ceilings above that. Tables, blocks, indented
 formulae and headings are no prose, and a line that one link fills may be longer.
 """
 import pathlib
 import re
 import sys
 
-LONGEST_LINE, MOST_SENTENCES, MOST_WORDS = 120, 7, 35
+LONGEST_LINE, MOST_SENTENCES, MOST_WORDS = 130, 7, 35
 NO_PROSE = re.compile(r"^```.*?^```|^(?:\||#|<!--|!\[|    ).*?$", re.MULTILINE | re.DOTALL)
 PARAGRAPH = re.compile(r"\n\s*\n|\n(?=\s*(?:[-*]|\d+\.) )")
 TARGET, CODE = re.compile(r"\]\([^)]*\)"), re.compile(r"`[^`]*`")
 SENTENCE = re.compile(r"(?<=[\w)\]\"'*]{2}[.:?!])\s+(?=[A-Z*`\[(])")  # not behind an initial
 WORD = re.compile(r"(?<!\S)[(*\[\"]*[A-Za-z]{2,}")  # symbols of formulae are none
-BAD = (("x " * 61, "wide"), ("One word. " * 8, "sentences"), ("of words " * 18 + ".", "words"))
+BAD = (("x " * 66, "wide"), ("One word. " * 8, "sentences"), ("of words " * 18 + ".", "words"))
 
 
 def problems(text):
