@@ -93,7 +93,8 @@ struct Summation {
   /// Whether nothing that follows from an answer of that status is right.
   AXIAL_INLINE static constexpr bool is_lost(const Status& status) { return status.code == Status::Code::not_finite; }
   AXIAL_INLINE static constexpr bool is_kept(const Status& asked, const Status& led_to) {
-    return led_to.ok() & !is_lost(asked);
+    const bool is_right = led_to.ok(), was_lost = is_lost(asked);
+    return is_right & !was_lost;
   }
   /// Puts into the status of accelerations at a state that they are lost, where it does not tell: it does.
   template <class Q, class V>
