@@ -17,8 +17,8 @@ FIGURES = ("microseconds", "instructions", "cycles", "flash_bytes", "ram_bytes",
 TITLES = {"inverse_dynamics": "torque", "gravity": "gravity", "forward_dynamics": "forward dynamics", "feedforward": "safe loop"}
 HEADERS = {"float": "axial/axial.hpp", "fixed32": "axial/fixed.hpp"}
 ROBOT = "ROBOT_TYPE"  # what the page replaces by the robot's type
-DECLARED = {"q": "axial::Positions<Robot, T> q{};  // rad or m", "qd": "axial::Velocities<Robot, T> qd{};",
-            "qdd": "axial::Accelerations<Robot, T> qdd{};", "tau": "axial::EffortsOf<Scene, T> tau{};  // N m or N",
+DECLARED = {"q": "axial::Positions<Robot, T> q{};", "qd": "axial::Velocities<Robot, T> qd{};",
+            "qdd": "axial::Accelerations<Robot, T> qdd{};", "tau": "axial::EffortsOf<Scene, T> tau{};",
             "state": "axial::FeedforwardState<Scene, T> state{};  // the last safe torque, kept between calls"}
 
 
