@@ -138,7 +138,7 @@ words_of() {
     ROBOT) robots_with_trajectories ;;
     DRIVEN) robots_with_trajectories shared_drives/ ;;
     MODEL) sed -n 's/.*const char\* name = "\([a-z0-9_]*\)";.*/\1/p' "$AXIAL_ROOT"/robots/*.hpp "$AXIAL_ROOT"/robots/models/*.hpp ;;
-    MACHINE) sed -n 's/.*const char\* name = "\([a-z0-9_]*\)".*/\1/p' "$AXIAL_ROOT"/robots/*.hpp "$AXIAL_ROOT"/robots/gallery/*.hpp ;;
+    MACHINE) find "$AXIAL_ROOT/robots" -name models -prune -o -name '*.hpp' -exec sed -n 's/.*const char\* name = "\([a-z0-9_]*\)".*/\1/p' {} + | sort ;;
     ANY_BOARD) (cd "$AXIAL_ROOT/hal/boards" && grep -lE '"(qemu|runner)"' -- */board.json | sed 's,/.*,,') ;;
     WORD) sed '/^#/d; s/[, ]\+/\n/g' "$AXIAL_ROOT/firmware/apps/size/matrix.txt" | sort -u | sed '/^\**$/d' ;;
     [0-9a-z]*) echo "$1" ;;

@@ -28,7 +28,7 @@ import store  # noqa: E402
 import verify  # noqa: E402
 
 SKIPPED = 77
-ARM, LEG = "robots/gallery/ur5e.hpp", "robots/gallery/go2_leg.hpp"
+ARM, LEG = (robot.header for robot in catalogue.chosen(["ur5e", "go2_leg"]))
 
 
 def cell(header=ARM, number="float", place="nrf51"):
@@ -49,7 +49,7 @@ class Catalogue(unittest.TestCase):
     def test_every_robot_of_both_lists_is_in_it_once(self):
         names = [robot.name for robot in catalogue.robots()]
         self.assertEqual(len(names), len(set(names)))
-        headers = {path.stem for folder in ("robots", "robots/gallery") for path in (ROOT / folder).glob("*.hpp")} - {"robots", "gallery"}
+        headers = {path.stem for path in (ROOT / "robots").rglob("*.hpp") if path.parent.name != "models"} - {"robots", "gallery"}
         self.assertEqual(set(names), headers)
 
     def test_real_machines_come_first_and_say_what_they_are(self):
@@ -141,7 +141,7 @@ class Kept(unittest.TestCase):
         self.assertTrue(self.known().is_current(cell()))
 
     def test_errors_stand_beside_costs(self):
-        store.keep(cell(), [row(algorithm=name, error=None) for name in ("inverse_dynamics", "feedforward", "gravity")] + [refusal("no room", algorithm="forward_dynamics")])
+        store.keep(cell(), [row(algorithm=name, error=None, header="moved.hpp") for name in ("inverse_dynamics", "feedforward", "gravity")] + [refusal("no room", algorithm="forward_dynamics")])
         store.keep(cell(place="host"), [{"algorithm": "inverse_dynamics", "joints": 6, "error": 2e-7, "error_certified": 3e-7},
                                         {"algorithm": "forward_dynamics", "joints": 6, "error": 4e-7}])
         found = {each["algorithm"]: each for each in self.known().joined(cell())}
@@ -150,6 +150,7 @@ class Kept(unittest.TestCase):
         self.assertNotIn("error", found["forward_dynamics"])
         self.assertEqual(found["forward_dynamics"]["joints"], 6)
         self.assertEqual(found["gravity"]["commit"], "c0ffee1")
+        self.assertEqual({each["header"] for each in found.values()}, {ARM}, "wherever it was when it was measured")
 
     def test_what_was_not_measured_says_so(self):
         asked = argparse.Namespace(robot="ur5e", board="nrf51,rp2040", number="float")
@@ -397,6 +398,7 @@ class Mutants(unittest.TestCase):
         ("figures/gallery/store.py", 'SAME_TORQUE = {"feedforward": "inverse_dynamics"}', "SAME_TORQUE = {}", "Kept"),
         ("figures/gallery/store.py", 'OF_HOST if "why" in row else (*OF_HOST, *ERRORS)', "(*OF_HOST, *ERRORS)", "Kept"),
         ("figures/gallery/store.py", 'if path.is_file():\n            return', 'if False:\n            return', "Kept"),
+        ("figures/gallery/store.py", ', "header": cell.robot.header', "", "Kept"),
         ("figures/gallery/gallery.py", "if not store.is_current(cell):", "if True:", "Kept"),
         ("figures/gallery/gallery.py", "store.joined(cell) or [", "store.joined(cell) + [", "Kept"),
         ("boards/size/refused.py", "overflows by {full[2]} bytes", "overflows by {full[1]} bytes", "Reasons"),

@@ -43,7 +43,7 @@ def of_header(path):
 def robots():
     """Real machines first."""
     described = json.loads((ROOT / "robots/gallery/gallery.json").read_text(encoding="utf-8"))
-    machines = [Robot(each["name"], f"robots/gallery/{each['name']}.hpp", each["robot"]) for each in described]
+    machines = [Robot(each["name"], each.get("header", f"robots/gallery/{each['name']}.hpp"), each["robot"]) for each in described]
     return machines + [of_header(header) for header in INCLUDED.findall((ROOT / "robots/robots.hpp").read_text(encoding="utf-8"))]
 
 

@@ -53,9 +53,9 @@ class Store:
         return bool(rows) and all(row.get(key) == sources(cell) for row in rows)
 
     def joined(self, cell):
-        """A board's rows, with what the host says of them."""
+        """A board's rows, with what the host says of them; a header may have moved since."""
         errors = {row["algorithm"]: row for row in self.rows(cell._replace(place=HOST))}
-        return [with_errors(row, errors) for row in self.rows(cell)]
+        return [{**with_errors(row, errors), "header": cell.robot.header} for row in self.rows(cell)]
 
 
 def with_errors(row, errors):
