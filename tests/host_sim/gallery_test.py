@@ -56,8 +56,18 @@ class Catalogue(unittest.TestCase):
         described = json.loads((ROOT / "robots/gallery/gallery.json").read_text(encoding="utf-8"))
         self.assertEqual([(robot.name, robot.machine) for robot in catalogue.robots()][:len(described)], [(each["name"], each["robot"]) for each in described])
 
+    def test_a_header_of_ones_own_is_found_from_where_one_stands_and_mixed_up_with_none(self):
+        with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
+            pathlib.Path("my arm.hpp").write_text('// Mine.\nstatic constexpr const char* name = "ur5e";', encoding="utf-8")
+            own, = catalogue.chosen(["my arm.hpp"])
+            self.assertEqual((own.name, own.machine), ("ur5e", "Mine"))
+            self.assertEqual(own.header, os.path.realpath("my arm.hpp"))
+            self.assertNotEqual(own.key, catalogue.chosen(["ur5e"])[0].key)
+            same, = catalogue.chosen([str(ROOT / ARM)])
+        self.assertEqual((same.key, same.header), ("ur5e", ARM))
+
     def test_float_comes_first_and_errors_before_costs(self):
-        found = [(each.robot.name, each.number, each.place) for each in catalogue.cells(catalogue.chosen(["ur5e", LEG]), ("float", "fixed32"), ("nrf51",))]
+        found = [(each.robot.name, each.number, each.place) for each in catalogue.cells(catalogue.chosen(["ur5e", str(ROOT / LEG)]), ("float", "fixed32"), ("nrf51",))]
         self.assertEqual(found[:3], [("ur5e", "float", "host"), ("ur5e", "float", "nrf51"), ("go2_leg", "float", "host")])
         self.assertEqual(len(found), 8)
 
@@ -167,7 +177,7 @@ class Kept(unittest.TestCase):
         said = io.StringIO()
         with contextlib.redirect_stdout(said), unittest.mock.patch.object(gallery, "Store", self.known):
             gallery.run_cells(argparse.Namespace(robot="ur5e", board="nrf51,rp2040", number="float"))
-        self.assertEqual(said.getvalue().splitlines(), [f"host float {ARM}", f"rp2040 float {ARM}"])
+        self.assertEqual(said.getvalue().splitlines(), [f"host float {ROOT / ARM}", f"rp2040 float {ROOT / ARM}"])
 
 
 LOG = """[1/9] Building
@@ -389,6 +399,8 @@ class Mutants(unittest.TestCase):
     TABLE = [
         ("figures/gallery/catalogue.py", "return machines + [", "return machines[1:] + [", "Catalogue"),
         ("figures/gallery/catalogue.py", "for number in numbers for robot in which", "for robot in which for number in numbers", "Catalogue"),
+        ("figures/gallery/catalogue.py", '("own-" if os.path.isabs(self.header) else "")', '""', "Catalogue"),
+        ("figures/gallery/catalogue.py", "of_header(os.path.abspath(name))", "of_header(name)", "Catalogue"),
         ("figures/gallery/catalogue.py", "yield from headers(included)", "pass", "Sources"),
         ("figures/gallery/catalogue.py", 'file.suffix != ".md"', "True", "Sources"),
         ("figures/gallery/catalogue.py", 'f"hal/boards/{place}")', '"hal/boards")', "Sources"),

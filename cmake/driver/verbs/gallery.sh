@@ -16,7 +16,7 @@ again, so that a run that was interrupted goes on where it was. A cell that cann
   --html FILE         one page for a browser that needs no other file: choose robot, board and number system, see cost, error and code
 Exits with 0 also where cells cannot be or were left for the next run: both are said.
 maintainers:
-  --documents         first, --minutes may follow: writes doc/data/gallery*.json, the pictures and doc/measurements/gallery.md from what there is
+  --documents         first, --minutes N may follow: writes doc/data/gallery*.json, the pictures and doc/measurements/gallery.md from what there is
 END_OF_USAGE
 }
 
@@ -24,6 +24,9 @@ export OWN_BUILD_SECONDS=900 # the longest that images of a cell, or its errors,
 
 run() {
   local minutes
+  if [[ " $* " == *" --documents "* ]] && [[ $1 != --documents || ($# != 1 && ($# != 3 || $2 != --minutes)) ]]; then
+    fail_usage "--documents stands alone, or --minutes N behind it; see ./axial gallery --help --all"
+  fi
   minutes=$(option_of --minutes '' "$@")
   ensure_packages
   if [[ ${1:-} == --documents ]]; then
@@ -41,15 +44,15 @@ gallery_py() { /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/figures/gallery/gall
 
 # measure_cells MINUTES CHOICE...: each in a shell of its own, so that one that ends it leaves the others.
 measure_cells() {
-  local minutes=$1 cells cell count=0
+  local minutes=$1 cells cell place number header count=0
   shift
   mapfile -t cells < <(gallery_py cells "$@")
   for cell in "${cells[@]}"; do
     if [[ -n $minutes ]] && ((SECONDS >= 60 * minutes)); then break; fi
     count=$((count + 1))
     say "cell $count of ${#cells[@]}, after $((SECONDS / 60)) min: $cell"
-    read -r -a cell <<<"$cell"
-    (measure_cell "${cell[@]}") </dev/null || say "not measured: ${cell[*]}"
+    read -r place number header <<<"$cell"
+    (measure_cell "$place" "$number" "$header") </dev/null || say "not measured: $cell"
   done
   ((count == ${#cells[@]})) || say "$((${#cells[@]} - count)) cells are left for the next run"
 }

@@ -3,6 +3,7 @@
 import functools
 import hashlib
 import json
+import os
 import pathlib
 import re
 from typing import NamedTuple
@@ -25,6 +26,11 @@ class Robot(NamedTuple):
     header: str  # in the project's folder, or anywhere
     machine: str  # what it is, in words
 
+    @property
+    def key(self):
+        """Somebody's own robot is none of the project's, whatever its name."""
+        return ("own-" if os.path.isabs(self.header) else "") + self.name
+
 
 class Cell(NamedTuple):
     robot: Robot
@@ -32,12 +38,19 @@ class Cell(NamedTuple):
     place: str  # a board, or HOST
 
 
+def located(path):
+    """A header as the catalogue names it: one of the project's from its root, any other whole."""
+    whole = (ROOT / path).resolve()
+    return str(whole.relative_to(ROOT) if whole.is_relative_to(ROOT / "robots") else whole)
+
+
 def of_header(path):
     """A robot by its header, whose first line says what it is."""
-    text = pathlib.Path(ROOT, path).read_text(encoding="utf-8")
+    path = located(path)
+    text = (ROOT / path).read_text(encoding="utf-8")
     named = NAME.search(text)
     first = text.splitlines()[0].lstrip("/ ").rstrip(".")
-    return Robot(named[1] if named else pathlib.Path(path).stem, str(path), re.split(r"[:(]|, MDH", first)[0].strip())
+    return Robot(named[1] if named else pathlib.Path(path).stem, path, re.split(r"[:(]|, MDH", first)[0].strip())
 
 
 def robots():
@@ -48,9 +61,9 @@ def robots():
 
 
 def chosen(names):
-    """Robots by name or by header, all where there are no names."""
+    """Robots by name or by header (from where one stands), all where there are no names."""
     known = {robot.name: robot for robot in robots()}
-    return [known[name] if name in known else of_header(name) for name in names] if names else list(known.values())
+    return [known[name] if name in known else of_header(os.path.abspath(name)) for name in names] if names else list(known.values())
 
 
 def cells(which, numbers, boards):

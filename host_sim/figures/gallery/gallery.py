@@ -57,7 +57,7 @@ def run_cells(options):
     store = Store()
     for cell in choice(options):
         if not store.is_current(cell):
-            print(cell.place, cell.number, cell.robot.header)
+            print(cell.place, cell.number, ROOT / cell.robot.header)
 
 
 def run_targets(options):

@@ -15,7 +15,7 @@ SAME_TORQUE = {"feedforward": "inverse_dynamics"}  # the safe loop answers that 
 
 
 def place_of(cell):
-    return FOLDER / f"{cell.robot.name}-{cell.number}-{cell.place}.json"
+    return FOLDER / f"{cell.robot.key}-{cell.number}-{cell.place}.json"
 
 
 def commit():
@@ -44,7 +44,7 @@ class Store:
         path = place_of(cell)
         if path.is_file():
             return json.loads(path.read_text(encoding="utf-8"))
-        return self._committed.get((cell.robot.name, cell.number, cell.place), [])
+        return self._committed.get((cell.robot.key, cell.number, cell.place), [])
 
     def is_current(self, cell):
         """Whether it need not be measured again."""
