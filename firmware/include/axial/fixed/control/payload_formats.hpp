@@ -53,7 +53,7 @@ struct JointColumnRounding {
   struct To {
     template <class X>
     constexpr auto operator()(const X& x) const {
-      if constexpr (IsVec3<X>::value)
+      if constexpr (is_vec3_v<X>)
         return Vec3{round_to<E>(x.x), round_to<E>(x.y), round_to<E>(x.z)};
       else
         return round_to<E>(x);

@@ -66,9 +66,9 @@ template <class Scene, class Parameters, class S, class Recursion, Wanted wanted
 inline constexpr auto ranges_of = analysed<Scene, Parameters, S, Recursion>(wanted);
 
 template <class T>
-struct IsVec3 : std::false_type {};
+inline constexpr bool is_vec3_v = false;
 template <class X, class Y, class Z>
-struct IsVec3<Vec3<X, Y, Z>> : std::true_type {};
+inline constexpr bool is_vec3_v<Vec3<X, Y, Z>> = true;
 
 /// Doublings of a drive that is halved so often at first: back to itself, and more where it is small.
 constexpr int doublings_after(int halvings) { return smaller(halvings + 8, 40); }
@@ -83,7 +83,7 @@ struct FormatRounding {
   template <class Quantity, class... Terms>
   AXIAL_INLINE static constexpr auto sum(Quantity, const Terms&... terms) {
     constexpr int exponent = Table::value.format[I].of(Quantity{});
-    if constexpr ((IsVec3<Terms>::value || ...))
+    if constexpr ((is_vec3_v<Terms> || ...))
       return Vec3{rounded_sum<exponent, S>(terms.x...), rounded_sum<exponent, S>(terms.y...),
                   rounded_sum<exponent, S>(terms.z...)};
     else
@@ -91,7 +91,7 @@ struct FormatRounding {
   }
   template <class Quantity, class Inverse, class X>
   AXIAL_INLINE static constexpr auto quotient(Quantity quantity, const Inverse& inverse, const X& x) {
-    if constexpr (IsVec3<X>::value)
+    if constexpr (is_vec3_v<X>)
       return Vec3{quotient(quantity, inverse, x.x), quotient(quantity, inverse, x.y), quotient(quantity, inverse, x.z)};
     else if constexpr (is_zero_v<X>)
       return Zero{};
@@ -163,7 +163,7 @@ struct FormatRounding {
  private:
   template <class M>
   AXIAL_INLINE static constexpr auto whole_mass(const M& mass) {
-    if constexpr (is_structural_v<M> || IsFx<M>::value || is_literal_v<M>)
+    if constexpr (is_structural_v<M> || is_fx_v<M> || is_literal_v<M>)
       return mass;
     else
       return sum(quantity::Mass{}, mass);

@@ -41,7 +41,7 @@ struct FixedView<Robot, S, Values, role::Position> {
 
 template <int E, class S, class X>
 AXIAL_INLINE constexpr auto stored_at(const X& x) {
-  if constexpr (IsVec3<X>::value)
+  if constexpr (is_vec3_v<X>)
     return Vec3{stored_at<E, S>(x.x), stored_at<E, S>(x.y), stored_at<E, S>(x.z)};
   else if constexpr (is_structural_v<X>)
     return Stored<typename S::Word>{Fx<E, S>(x).raw};
@@ -97,7 +97,7 @@ struct FixedValues : WordValues<SceneType, S> {
   /// values[i] = x where the format of the values may be too small for x: then the largest word, and `lost` is set.
   template <class Values, class I, class X>
   AXIAL_INLINE static constexpr void write_limited(Values& values, I i, const X& x, bool& lost) {
-    if constexpr (!detail::IsFx<X>::value)
+    if constexpr (!detail::is_fx_v<X>)
       write(values, i, x);
     else if constexpr (X::exponent >= Values::exponent(I::value))
       write(values, i, x);

@@ -60,23 +60,23 @@ AXIAL_INLINE constexpr Bam<S> operator+(Bam<S> a, Bam<S> b) {
 namespace detail {
 
 template <class X>
-struct FixedKind : std::false_type {};
+inline constexpr bool is_fixed_v = false;
 template <int E, class S>
-struct FixedKind<Fx<E, S>> : std::true_type {};
+inline constexpr bool is_fixed_v<Fx<E, S>> = true;
 template <std::uint64_t Bits, class S>
-struct FixedKind<Literal<Bits, S>> : std::true_type {};
+inline constexpr bool is_fixed_v<Literal<Bits, S>> = true;
 template <class A, class B, bool n>
-struct FixedKind<Product<A, B, n>> : std::true_type {};
+inline constexpr bool is_fixed_v<Product<A, B, n>> = true;
 template <class A, class B>
-struct FixedKind<Sum<A, B>> : std::true_type {};
+inline constexpr bool is_fixed_v<Sum<A, B>> = true;
 
 template <class X>
-struct IsFx : std::false_type {};
+inline constexpr bool is_fx_v = false;
 template <int E, class S>
-struct IsFx<Fx<E, S>> : std::true_type {};
+inline constexpr bool is_fx_v<Fx<E, S>> = true;
 
 template <class X>
-using if_fixed = std::enable_if_t<FixedKind<X>::value, int>;
+using if_fixed = std::enable_if_t<is_fixed_v<X>, int>;
 
 template <class X>
 inline constexpr bool is_literal_v = false;
@@ -86,7 +86,7 @@ inline constexpr bool is_literal_v<Literal<Bits, S>> = true;
 }  // namespace detail
 
 template <class X>
-struct NumberTraits<X, std::enable_if_t<detail::FixedKind<X>::value>> {
+struct NumberTraits<X, std::enable_if_t<detail::is_fixed_v<X>>> {
   static constexpr bool is_number = true;
   /// The constant in the format of X.
   static constexpr X constant(double value) {
@@ -98,7 +98,7 @@ struct NumberTraits<X, std::enable_if_t<detail::FixedKind<X>::value>> {
 
 namespace detail {
 template <class X>
-struct Constants<X, std::enable_if_t<FixedKind<X>::value && !IsFx<X>::value>> {
+struct Constants<X, std::enable_if_t<is_fixed_v<X> && !is_fx_v<X>>> {
   template <int N>
   AXIAL_INLINE static constexpr auto integer(Int<N>) {
     return Literal<bits_of(static_cast<double>(N)), typename X::Arithmetic>{};

@@ -50,7 +50,7 @@ AXIAL_INLINE constexpr const X& lazy_sum(const X& x) {
 }
 template <class X, class Y, class... Rest>
 AXIAL_INLINE constexpr auto lazy_sum(const X& x, const Y& y, const Rest&... rest) {
-  if constexpr (FixedKind<X>::value && FixedKind<Y>::value)
+  if constexpr (is_fixed_v<X> && is_fixed_v<Y>)
     return lazy_sum(Sum<X, Y>{x, y}, rest...);
   else
     return lazy_sum(x + y, rest...);
@@ -58,7 +58,7 @@ AXIAL_INLINE constexpr auto lazy_sum(const X& x, const Y& y, const Rest&... rest
 
 /// Whether a sum of terms is of fixed point, zeros by type aside.
 template <class... X>
-inline constexpr bool are_fixed_terms = ((FixedKind<X>::value || is_zero_v<X>)&&...) && (FixedKind<X>::value || ...);
+inline constexpr bool are_fixed_terms = ((is_fixed_v<X> || is_zero_v<X>)&&...) && (is_fixed_v<X> || ...);
 
 /// The sum of terms, rounded once into exponent E: what round_to() makes of a lazy sum of them. In one step where they
 /// have no products, or products by whole double words; a zero by type stays one.
