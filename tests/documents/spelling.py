@@ -44,7 +44,7 @@ def main(root, *options):
             where.setdefault(word, page.relative_to(root))
     found = unknown(where)
     if "--write" in options:
-        known_file.write_text("".join(f"{word}\n" for word in sorted(found, key=str.lower)), encoding="utf-8")
+        known_file.write_text("".join(f"{word}\n" for word in sorted(found, key=lambda word: (word.lower(), word))), encoding="utf-8")
         return 0
     known = set(known_file.read_text(encoding="utf-8").split())
     wrong = [f"{where[word]}: '{word}' is no word" for word in sorted(found - known)] + [f"words.txt: no page uses '{word}'" for word in sorted(known - found)]

@@ -4,6 +4,7 @@
 #include "arms.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 namespace {
 
@@ -21,6 +22,27 @@ const std::string four_bar = changed(arms::urdf, "</robot>",
                                      "joint1</role><mechanicalReduction>2</mechanicalReduction></joint></transmission>"
                                      "</robot>");
 
+TEST(Couplings, ThatJoinNothingMayLeaveOutTheirGear) {
+  const auto imported = [](const std::string& reduction) {
+    return importer::import_text(changed(arms::urdf, "</robot>",
+                                         "<transmission name=\"own\"><type>x/SimpleTransmission</type><joint "
+                                         "name=\"elbow\"/><actuator name=\"motor\"><mechanicalReduction>" +
+                                             reduction +
+                                             "</mechanicalReduction></actuator></transmission>"
+                                             "</robot>"),
+                                 "arm", {});
+  };
+  const auto said = [&](const std::string& reduction) {
+    const auto& notes = imported(reduction).imported.robot.notes;
+    const auto own =
+        std::find_if(notes.begin(), notes.end(), [](const auto& note) { return note.find("'own'") != note.npos; });
+    return own == notes.end() ? std::string() : *own;
+  };
+  EXPECT_EQ(said("1"), "");
+  EXPECT_NE(said("100").find("reduction 100, the gear"), std::string::npos) << said("100");
+  EXPECT_NE(said("gear").find("mechanicalReduction 'gear' is not a number"), std::string::npos) << said("gear");
+  EXPECT_TRUE(imported("gear").figures.good());
+}
 TEST(Couplings, OfAFollowerTakeItsFrictionToTheDrive) {
   const auto result = importer::import_text(follower, "arm", {});
   EXPECT_TRUE(result.figures.good());

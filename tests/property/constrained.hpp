@@ -27,7 +27,7 @@ inline Couplings couplings(int joints, const std::vector<int>& owner, const std:
   Couplings c{Matrix<quad>(joints, int(owner.size())), Vector<quad>(std::size_t(joints), quad(0)), owner};
   for (int i = 0; i < joints; ++i)
     for (int k = 0; k < int(owner.size()); ++k)
-      c.g(i, k) = rows[std::size_t(i)][std::size_t(k)];
+      c.g(i, k) = quad(rows[std::size_t(i)][std::size_t(k)]);
   return c;
 }
 

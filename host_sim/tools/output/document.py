@@ -19,11 +19,15 @@ def markdown(header, rows, words=1):
     return "".join("| " + " | ".join(line) + " |\n" for line in lines)
 
 
+def filled(text, table):
+    """With table(name), a text, between each pair of marks."""
+    return MARKED.sub(lambda match: match[1] + table(match[2]) + match[3], text)
+
+
 def fill(document, table):
     """Replaces what stands between the marks of a document by table(name), a text."""
     path = pathlib.Path(document)
-    text = path.read_text(encoding="utf-8")
-    path.write_text(MARKED.sub(lambda match: match[1] + table(match[2]) + match[3], text), encoding="utf-8")
+    path.write_text(filled(path.read_text(encoding="utf-8"), table), encoding="utf-8")
 
 
 def command(usage, tables, read=lambda folder: folder):

@@ -67,18 +67,21 @@ class Element {
   bool is(const std::string& law) const {
     return type_.size() >= law.size() && type_.compare(type_.size() - law.size(), law.size(), law) == 0;
   }
-  double value(const TiXmlElement& end, const char* tag, double missing) const {
+  /// A simple transmission's numbers are told and go into nothing, so that one that is none needs no refusal.
+  double value(const TiXmlElement& end, const char* tag, double missing) {
     const std::string text = text_below(end, tag);
     if (text.empty()) return missing;
     std::istringstream words(text);
     words.imbue(std::locale::classic());
     double result = 0.0;
     std::string rest;
-    if (!(words >> result) || words >> rest) refuse(std::string(tag) + " is '" + text + "'", "give a number");
-    return result;
+    if (words >> result && !(words >> rest)) return result;
+    if (!is("SimpleTransmission")) refuse(std::string(tag) + " is '" + text + "'", "give a number");
+    unread_ = std::string(tag) + " '" + text + "'";
+    return missing;
   }
   /// Ends in the order of their roles, joint1 before joint2; where roles are missing, as they stand.
-  std::vector<End> ends(const char* tag) const {
+  std::vector<End> ends(const char* tag) {
     std::vector<End> found;
     for (auto* e = element_.FirstChildElement(tag); e != nullptr; e = e->NextSiblingElement(tag)) {
       End end{attribute(*e, "name"), attribute(*e, "role"), 1.0, 0.0};
@@ -95,6 +98,11 @@ class Element {
 
   void add_simple(SourceTree& tree) const {
     if (joints_.size() != 1 || actuators_.empty()) return;
+    if (!unread_.empty()) {
+      tree.notes.push_back(here() + unread_ + " is not a number: a gear in .rotor_inertia(J, gear) at joint '" +
+                           joints_[0].name + "' is yours to give");
+      return;
+    }
     const double gear = joints_[0].reduction * actuators_[0].reduction;
     if (gear != 1.0)
       tree.notes.push_back(here() + "reduction " + number(gear) + ", the gear in .rotor_inertia(J, " + number(gear) +
@@ -144,7 +152,7 @@ class Element {
 
   const TiXmlElement& element_;
   const std::string& from_;
-  std::string name_, type_;
+  std::string name_, type_, unread_;
   std::vector<End> joints_, actuators_;
 };
 
