@@ -63,7 +63,7 @@ def draw_robot(axes, rows, name, boards):
             axes.plot([row["microseconds"] for row in found], [row["error"] for row in found], **look(colour, marker, filled, 5))
     axes.set(xscale="log", yscale="log")
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(plt.LogLocator(numticks=9))
+        axis.set_major_locator(plt.LogLocator(base=100.0 if axis is axes.xaxis else 10.0, numticks=9))
         axis.set_minor_locator(plt.NullLocator())
     axes.tick_params(labelbottom=True, labelleft=True, labelsize=8)
     axes.set_title(name, fontsize=10)
