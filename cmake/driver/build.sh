@@ -4,7 +4,7 @@
 readonly QEMU_BOARDS=(stm32f405 stm32f100 nrf51 rv32_virt)
 readonly RUNNER_BOARD=rp2040 # in an emulator of its own, slower than QEMU: tests build and run these images alone
 readonly RUNNER_IMAGES=(selftest{,-scara,-puma560} fixed{,-derivatives,-motions}-{scara,puma560} feedforward-{scara,puma560} feedforward-fixed-{scara,puma560}
-  injection-scara kernels-scara faults overflow tracking-fixed-scara
+  injection-scara kernels-scara faults overflow tracking-fixed-scara arm-fixed-scara
   size-puma560-bare-inverse_dynamics-unrolled-off{,-fixed32} size-scara-bare-inverse_dynamics-unrolled-off-double)
 readonly RAM_IMAGES=(selftest{,-scara} size-puma560-bare-inverse_dynamics-unrolled-off{,-fixed32}) # of rp2040_ram
 readonly CORE_BOARD=rp2350_riscv # its core in an emulator, without peripherals

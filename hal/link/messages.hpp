@@ -27,7 +27,9 @@ enum class MessageType : std::uint8_t {
   measurement = 9,    ///< host: what the encoders say, for images that close a loop; before the tick's set-point
   injection = 10,     ///< host: fail; in images for fault injection alone
   derivatives =
-      11  ///< host: third and fourth derivative of the motion, for images that take them; before the set-point
+      11,         ///< host: third and fourth derivative of the motion, for images that take them; before the set-point
+  encoders = 12,  ///< a board that stands in for an arm: the answer to a torque, with its sequence number
+  arm_command = 13  ///< host, to such a board
 };
 
 enum class Mode : std::uint8_t {
@@ -166,6 +168,33 @@ struct Derivatives {
   std::array<float, max_joints> q3, q4;
 };
 
+/// How a board that stands in for an arm answers a torque: what its encoders say after a tick of it.
+struct Encoders {
+  static constexpr MessageType type = MessageType::encoders;
+  std::size_t joints;                             ///< not sent: the payload's length tells
+  std::array<std::int32_t, max_joints> position;  ///< as a measurement has them
+  std::array<float, max_joints> speed;            ///< rad/s or m/s
+  std::uint32_t count;                            ///< instructions or cycles of this tick
+  std::uint16_t overruns;                         ///< deadlines missed so far; stays at 65535
+  std::uint8_t status, joint;                     ///< see TorqueStatus
+  std::uint8_t phase;                             ///< of the arm's drives
+};
+
+/// What becomes of an arm that a board stands in for.
+enum class ArmAction : std::uint8_t {
+  place = 0,  ///< it is at rest at `values`, rad or m
+  push = 1,   ///< `values`, N m or N, act on the joints besides, until the next push
+  blind = 2,  ///< encoders whose value is not 0 say 0, as of a broken wire
+  stop = 3,   ///< time stands still
+  go = 4      ///< it goes on
+};
+struct ArmCommand {
+  static constexpr MessageType type = MessageType::arm_command;
+  std::size_t joints;  ///< not sent: the payload's length tells
+  std::array<float, max_joints> values;
+  std::uint8_t action;  ///< see ArmAction
+};
+
 template <class Archive, class Array>
 void each(Archive& archive, Array& values, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i)
@@ -235,21 +264,39 @@ void layout(Archive& a, Derivatives& m) {
   each(a, m.q3, m.joints), each(a, m.q4, m.joints);
 }
 
-template <class Archive>
-void layout(Archive& a, Measurement& m) {
+template <class Archive, class Message>
+void positions(Archive& a, Message& m) {
   for (std::size_t i = 0; i < m.joints; ++i) {
     auto word = static_cast<std::uint32_t>(m.position[i]);
     a(word);
     m.position[i] = static_cast<std::int32_t>(word);
   }
-  a(m.feeds_forward);
+}
+
+template <class Archive>
+void layout(Archive& a, Measurement& m) {
+  positions(a, m), a(m.feeds_forward);
+}
+
+template <class Archive>
+void layout(Archive& a, Encoders& m) {
+  positions(a, m), each(a, m.speed, m.joints);
+  a(m.count), a(m.overruns), a(m.status), a(m.joint), a(m.phase);
+}
+
+template <class Archive>
+void layout(Archive& a, ArmCommand& m) {
+  each(a, m.values, m.joints), a(m.action);
 }
 
 constexpr std::size_t set_point_size(std::size_t joints) { return 12 * joints; }
 constexpr std::size_t torque_size(std::size_t joints) { return 4 * joints + 9; }
 constexpr std::size_t measurement_size(std::size_t joints) { return 4 * joints + 1; }
 constexpr std::size_t derivatives_size(std::size_t joints) { return 8 * joints; }
+constexpr std::size_t encoders_size(std::size_t joints) { return 8 * joints + 9; }
+constexpr std::size_t arm_command_size(std::size_t joints) { return 4 * joints + 1; }
 static_assert(set_point_size(max_joints) <= max_payload && torque_size(max_joints) <= max_payload);
+static_assert(encoders_size(max_joints) <= max_payload);
 
 /// Bytes of a message with a frame around it.
 struct WireBytes {
@@ -294,6 +341,14 @@ inline bool set_joints(Derivatives& m, std::size_t length) {
   m.joints = length / 8;
   return length % 8 == 0 && m.joints <= max_joints;
 }
+inline bool set_joints(Encoders& m, std::size_t length) {
+  m.joints = length < encoders_size(0) ? 0 : (length - encoders_size(0)) / 8;
+  return length == encoders_size(m.joints) && m.joints <= max_joints;
+}
+inline bool set_joints(ArmCommand& m, std::size_t length) {
+  m.joints = length / 4;
+  return length == arm_command_size(m.joints) && m.joints <= max_joints;
+}
 
 /// Reads `frame` as a `Message`; false when the type or the payload's length does not fit.
 template <class Message>
@@ -320,6 +375,10 @@ constexpr bool fits_tick(std::size_t joints, std::uint32_t baud, std::uint32_t t
                             (takes_derivatives ? wire_size(derivatives_size(joints)) : wire_size(torque_size(joints))) +
                             (closes_loop ? wire_size(measurement_size(joints)) : 0);
   return bytes * 10 * tick_Hz <= baud;
+}
+/// Likewise a torque and what the encoders of an arm answer.
+constexpr bool arm_fits_tick(std::size_t joints, std::uint32_t baud, std::uint32_t tick_Hz) {
+  return (wire_size(torque_size(joints)) + wire_size(encoders_size(joints))) * 10 * tick_Hz <= baud;
 }
 
 }  // namespace axial::hal::link

@@ -1,10 +1,11 @@
-// doc/guides/conventions.md, doc/guides/trees.md, doc/guides/moving_base.md, doc/guides/fixed_point.md: robots and
-// number systems as documents write them.
+// doc/guides/conventions.md, doc/guides/two_boards.md, doc/guides/trees.md, doc/guides/moving_base.md,
+// doc/guides/fixed_point.md: robots and number systems as documents write them.
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
 #include <axial/fixed.hpp>
 #include <axial/robot/classical.hpp>
 #include <cmath>
+#include <firmware/apps/plant/arm.hpp>
 #include <robots/puma560.hpp>
 
 namespace {
@@ -44,6 +45,42 @@ TEST(MovingBase, ThrustersLiftIt) {
 #include "moving_base-2.inc"
   EXPECT_TRUE(a.status.ok());
   EXPECT_GT(a.base_acceleration.linear.z, -9.81F);
+}
+
+namespace two_boards {
+struct MyArm {
+  static constexpr auto chain = axial::chain(axial::gravity(0.0, 0.0, -9.81),
+                                             axial::revolute()
+                                                 .mass(2.0)
+                                                 .inertia_com(0.1, 0.1, 0.1)
+                                                 .coulomb(1.0)
+                                                 .position_limits(-1.0, 1.0)
+                                                 .speed_limit(2.0)
+                                                 .effort_limit(9.0),
+                                             axial::revolute()
+                                                 .a(0.3)
+                                                 .mass(1.0)
+                                                 .inertia_com(0.1, 0.1, 0.1)
+                                                 .coulomb(1.0)
+                                                 .position_limits(-1.0, 1.0)
+                                                 .speed_limit(2.0)
+                                                 .effort_limit(9.0));
+};
+#include "two_boards-1.inc"
+}  // namespace two_boards
+
+TEST(TwoBoards, AnArmHasWhatItsHeaderNames) {
+  using Mechanics = axial::apps::plant::MechanicsOf<two_boards::WornArm>;
+  static_assert(axial::apps::plant::has_friction<Mechanics> && axial::apps::plant::has_stops<Mechanics>);
+  static_assert(axial::apps::plant::has_backlash<Mechanics> && axial::apps::plant::encoder_bits<Mechanics> == 17);
+  axial::apps::plant::Arm<two_boards::WornArm, float> arm;
+  arm.choose(axial::hal::link::Mode::lock_step, 1000);
+  ASSERT_TRUE(arm.command({2, {0.5F, -0.5F}, 0}));
+  for (int k = 0; k < 100; ++k) {
+    arm.pass(1), arm.load({2, {0.9F, -0.9F}, 0, 0, 0, 0, 1});
+    arm.compute();
+  }
+  EXPECT_EQ(arm.state().q[0], 0.5F) << "it sticks";
 }
 
 TEST(FixedPoint, WordsGiveATorque) {

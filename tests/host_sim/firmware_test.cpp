@@ -197,6 +197,64 @@ TEST(Firmware, ATorqueOfAnotherSessionIsABrokenFrame) {
   EXPECT_FALSE(failure(with_torque(other)).empty());
 }
 
+/// A good arm: its encoders count the numbers that it was asked by, and its speed is the effort.
+void move_well(PlayedBoard& board, const link::FrameView& frame) {
+  board.open(frame);
+  link::Torque in{};
+  link::ArmCommand told{};
+  link::Encoders out{};
+  out.joints = 2;
+  if (link::decode_message(frame, in))
+    out.position[0] = static_cast<std::int32_t>(frame.sequence), out.speed[0] = in.tau[0];
+  else if (link::decode_message(frame, told))
+    out.speed[0] = 10.0F * told.values[0], out.phase = told.action;
+  else
+    return;
+  board.send(out, frame.sequence);
+}
+
+TEST(Firmware, MovesAnArm) {
+  PlayedBoard board(move_well);
+  Firmware arm(board.host);
+  link::Torque tau{};
+  tau.joints = 2, tau.tau = {0.5F};
+  EXPECT_EQ(arm.command({2, {2.0F}, 3}).speed[0], 20.0F);
+  EXPECT_EQ(arm.move(tau).position[0], 1);
+  EXPECT_EQ(arm.move(tau).speed[0], 0.5F);
+  arm.skip(5);
+  EXPECT_EQ(arm.try_move(tau, std::chrono::seconds(5))->position[0], 8);
+  EXPECT_EQ(arm.try_command({2, {2.0F}, 3}, std::chrono::seconds(5))->phase, 3);
+}
+
+TEST(Firmware, PassesOverWhatIsNoAnswerWhereTheLineMayFail) {
+  const auto noisy = [](PlayedBoard& board, const link::FrameView& frame) {
+    if (is(frame, link::MessageType::start)) return board.open(frame);
+    board.send_broken_frame();
+    board.send(link::ErrorReply{}, 0);
+    link::Encoders old{};
+    old.joints = 2;
+    board.send(old, frame.sequence - 1);
+    old.status = static_cast<std::uint8_t>(link::TorqueStatus::watchdog);
+    board.send(old, frame.sequence);
+    move_well(board, frame);
+  };
+  PlayedBoard board(noisy);
+  Firmware arm(board.host);
+  link::Torque tau{};
+  tau.joints = 2;
+  EXPECT_EQ(arm.try_move(tau, std::chrono::seconds(5))->position[0], 1);
+  EXPECT_THROW(arm.move(tau), std::runtime_error);
+}
+
+TEST(Firmware, WhatDoesNotComeInTimeIsNone) {
+  PlayedBoard board(with_torque([](PlayedBoard&, const link::FrameView&) {}));
+  Firmware firmware(board.host);
+  EXPECT_FALSE(firmware.try_torque({}, set_point, std::chrono::milliseconds(50)));
+  EXPECT_FALSE(firmware.try_report(std::chrono::milliseconds(50)));
+  EXPECT_FALSE(firmware.try_stats(std::chrono::milliseconds(50)));
+  EXPECT_FALSE(firmware.try_session(std::chrono::milliseconds(50))) << "this board's session is open already";
+}
+
 TEST(Firmware, NoticesALostTorque) {
   const auto skip = [](PlayedBoard& board, const link::FrameView& frame) {
     link::Torque out{};

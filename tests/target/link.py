@@ -4,6 +4,8 @@ import struct
 import zlib
 
 HELLO, SET_POINT, TORQUE, ERROR, STATS_REQUEST, STATS, SHUTDOWN, START, MEASUREMENT, INJECTION = range(1, 11)
+ENCODERS, ARM_COMMAND = 12, 13
+PLACE, PUSH, BLIND, STOP, GO = range(5)
 LOCK_STEP, FREE_RUNNING = 0, 1
 OK, NOT_FINITE, OUTSIDE_LIMITS, EFFORT_LIMITED, WATCHDOG, DISABLED, NOT_MEASURED = range(7)
 IDLE, RUNNING, FADING, HOLDING, PHASE_DISABLED = range(5)
@@ -95,6 +97,22 @@ def torque(payload):
     joints = (len(payload) - 9) // 4
     *tau, count, overruns, status, joint, phase = struct.unpack(f"<{joints}fIHBBB", payload)
     return {"tau": tau, "count": count, "overruns": overruns, "status": status, "joint": joint, "phase": phase}
+
+
+def torque_of(tau, phase=RUNNING):
+    """What a controller sends to its drives."""
+    return struct.pack(f"<{len(tau)}fIHBBB", *tau, 0, 0, OK, 255, phase)
+
+
+def encoders(payload):
+    joints = (len(payload) - 9) // 8
+    values = struct.unpack(f"<{joints}i{joints}fIHBBB", payload)
+    return {"position": values[:joints], "speed": values[joints : 2 * joints],
+            **dict(zip(("count", "overruns", "status", "joint", "phase"), values[2 * joints :]))}
+
+
+def arm_command(action, values):
+    return struct.pack(f"<{len(values)}fB", *values, action)
 
 
 def error(payload):

@@ -36,15 +36,45 @@ inline constexpr bool takes_derivatives = false;
 template <class Controller>
 inline constexpr bool takes_derivatives<Controller, std::void_t<decltype(&Controller::take)>> = true;
 
+/// Whether it is no controller but an arm: it takes torques and answers encoders (LinkRequest, LinkAnswer), and has
+/// choose(mode), pass(numbers), command(command).
+template <class Controller, class = void>
+inline constexpr bool stands_for_arm = false;
+template <class Controller>
+inline constexpr bool stands_for_arm<Controller, std::void_t<decltype(&Controller::command)>> = true;
+
+/// What is asked for, and answered.
+///@{
+template <class Controller, bool arm = stands_for_arm<Controller>>
+struct LinkMessages {
+  using Request = link::SetPoint;
+  using Answer = link::Torque;
+  static constexpr std::size_t request_size = link::set_point_size(Controller::joints);
+  template <class Board>
+  static constexpr bool fit = link::fits_tick(Controller::joints, Board::baud, Board::tick_Hz, closes_loop<Controller>,
+                                              takes_derivatives<Controller>);
+};
+template <class Arm>
+struct LinkMessages<Arm, true> {
+  using Request = link::Torque;
+  using Answer = link::Encoders;
+  static constexpr std::size_t request_size = link::torque_size(Arm::joints);
+  template <class Board>
+  static constexpr bool fit = link::arm_fits_tick(Arm::joints, Board::baud, Board::tick_Hz);
+};
+///@}
+
 /// `Board`: see hal/README.md. `Controller`: see controller.hpp; `joints`, `name`, load(set-point), compute(), which is
 /// measured, settle(set-point), store(torque), and of its fall-back store_exerted(torque), set_times(times),
 /// advance(ticks), restart(), phase(); where it closes a loop, measure(measurement), and where it knows elastic joints
-/// take(derivatives). `injectable` images end and fail
+/// take(derivatives); or an arm, stands_for_arm. `injectable` images end and fail
 /// on request; they are for emulators.
 template <class Board, class Controller, bool injectable = false>
 class Feedforward {
-  static_assert(link::fits_tick(Controller::joints, Board::baud, Board::tick_Hz, closes_loop<Controller>,
-                                takes_derivatives<Controller>),
+  using Messages = LinkMessages<Controller>;
+  using Request = typename Messages::Request;
+  using Answer = typename Messages::Answer;
+  static_assert(Messages::template fit<Board>,
                 "A set-point and its answer do not fit a tick: raise the board's baud rate or lower its tick_Hz.");
 
  public:
@@ -92,9 +122,11 @@ class Feedforward {
   void handle(const link::FrameView& frame) {
     if constexpr (takes_derivatives<Controller>)
       if (frame.type == static_cast<std::uint8_t>(link::MessageType::derivatives)) return take_derivatives(frame);
+    if constexpr (stands_for_arm<Controller>)
+      if (frame.type == static_cast<std::uint8_t>(link::MessageType::arm_command)) return take_command(frame);
     switch (static_cast<link::MessageType>(frame.type)) {
-      case link::MessageType::set_point:
-        return take_set_point(frame);
+      case Request::type:
+        return take_request(frame);
       case link::MessageType::stats_request:
         return with<link::StatsRequest>(frame, [&](auto&) {
           stats_wanted_ = true;
@@ -136,6 +168,18 @@ class Feedforward {
     with<link::Derivatives>(frame, [&](auto& m) { controller_.take(m); });
   }
 
+  void take_command(const link::FrameView& frame) {
+    if (frame.length != link::arm_command_size(Controller::joints)) return tally_.refuse(link::Fault::bad_payload);
+    if (!in_session(frame)) return tally_.refuse(link::Fault::no_session);
+    with<link::ArmCommand>(frame, [&](auto& m) {
+      if (!controller_.command(m)) return tally_.refuse(link::Fault::bad_payload);
+      Answer now{};
+      controller_.store_exerted(now);
+      now.overruns = tally_.missed_deadlines();
+      send(now, frame.sequence, session_.id());
+    });
+  }
+
   template <class Message, class Action>
   void with(const link::FrameView& frame, Action action) {
     Message message{};
@@ -146,13 +190,15 @@ class Feedforward {
   /// The decoder passes frames of this session and of none.
   bool in_session(const link::FrameView& frame) const { return session_.is_open() && frame.session == session_.id(); }
 
-  void take_set_point(const link::FrameView& frame) {
-    if (frame.length != link::set_point_size(Controller::joints)) return tally_.refuse(link::Fault::bad_payload);
+  void take_request(const link::FrameView& frame) {
+    if (frame.length != Messages::request_size) return tally_.refuse(link::Fault::bad_payload);
     if (!in_session(frame)) return tally_.refuse(link::Fault::no_session);
+    const std::uint32_t last = sequence_.last();
     const Sequence::Verdict verdict = sequence_.take(frame.sequence);
     if (verdict != Sequence::Verdict::next)
       return tally_.refuse(verdict == Sequence::Verdict::old ? link::Fault::out_of_order : link::Fault::far_ahead);
-    decode_message(frame, set_point_);
+    decode_message(frame, request_);
+    if constexpr (stands_for_arm<Controller>) controller_.pass(frame.sequence - last);
     fresh_ = true;
     if (mode_ == link::Mode::lock_step) answer();
   }
@@ -197,18 +243,18 @@ class Feedforward {
   /// False where the torque took longer than a tick that it had to meet.
   bool answer() {
     auto compute = [this] { controller_.compute(); };
-    link::Torque torque{};
+    Answer answer{};
     age();
-    controller_.load(set_point_);
+    controller_.load(request_);
     const std::uint32_t count = Board::count(compute);
-    controller_.settle(set_point_);
+    controller_.settle(request_);
     set_drives();
-    controller_.store(torque);
-    torque.count = count;
-    torque.overruns = tally_.missed_deadlines();
-    tally_.add(torque);
+    controller_.store(answer);
+    answer.count = count;
+    answer.overruns = tally_.missed_deadlines();
+    tally_.add(answer);
     fresh_ = false;
-    send(torque, sequence_.last(), session_.id());
+    send(answer, sequence_.last(), session_.id());
     return mode_ == link::Mode::lock_step || count <= counts_a_tick<Board>();
   }
 
@@ -233,7 +279,7 @@ class Feedforward {
     const bool due = since_report_ >= watchdog_ticks && now != DrivePhase::running && now != DrivePhase::idle;
     if (!due || (!held && now == before)) return;
     since_report_ = 0;
-    link::Torque exerted{};
+    Answer exerted{};
     controller_.store_exerted(exerted);
     exerted.overruns = tally_.missed_deadlines();
     exerted.status = static_cast<std::uint8_t>(link::TorqueStatus::watchdog);
@@ -264,7 +310,10 @@ class Feedforward {
 
   void choose(link::Mode mode) {
     mode_ = mode;
-    controller_.set_times(fall_back_times(mode, Board::tick_Hz));
+    if constexpr (stands_for_arm<Controller>)
+      controller_.choose(mode, Board::tick_Hz);
+    else
+      controller_.set_times(fall_back_times(mode, Board::tick_Hz));
   }
 
   void greet() {
@@ -325,7 +374,7 @@ class Feedforward {
   }
 
   link::FrameDecoder decoder_{};
-  link::SetPoint set_point_{};
+  Request request_{};
   Controller controller_{};
   Tally tally_{};
   Sequence sequence_{};

@@ -47,16 +47,18 @@ class Tally {
     return static_cast<std::uint16_t>(missed_deadlines_ < 0xFFFF ? missed_deadlines_ : 0xFFFF);
   }
 
-  void add(const hal::link::Torque& torque) {
-    const auto status = static_cast<hal::link::TorqueStatus>(torque.status);
+  /// A torque, or what encoders say.
+  template <class Answer>
+  void add(const Answer& answer) {
+    const auto status = static_cast<hal::link::TorqueStatus>(answer.status);
     const bool computed = status == hal::link::TorqueStatus::ok || status == hal::link::TorqueStatus::effort_limited;
     if (!computed) {
       ++refused_;
       return;
     }
     ++computed_;
-    if (torque.count < count_min_) count_min_ = torque.count;
-    if (torque.count > count_max_) count_max_ = torque.count;
+    if (answer.count < count_min_) count_min_ = answer.count;
+    if (answer.count > count_max_) count_max_ = answer.count;
   }
 
   /// Something was refused since the last error reply.

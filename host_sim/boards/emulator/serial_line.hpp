@@ -15,10 +15,13 @@ class SerialLine {
  public:
   SerialLine() = default;
   explicit SerialLine(Descriptor socket) : socket_(static_cast<Descriptor&&>(socket)) {}
+  SerialLine(SerialLine&&) = default;
+  SerialLine& operator=(SerialLine&&) = default;
+  virtual ~SerialLine() = default;
 
-  void write(const std::uint8_t* bytes, std::size_t count);
+  virtual void write(const std::uint8_t* bytes, std::size_t count);
   /// Waits for bytes and returns how many came, at most `capacity`; 0 when none came in time.
-  std::size_t read(std::uint8_t* bytes, std::size_t capacity, std::chrono::milliseconds limit);
+  virtual std::size_t read(std::uint8_t* bytes, std::size_t capacity, std::chrono::milliseconds limit);
 
  private:
   Descriptor socket_;

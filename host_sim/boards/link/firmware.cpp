@@ -36,12 +36,18 @@ std::string describe_error(const link::FrameView& frame) {
                                             : "frame of type " + std::to_string(frame.type);
 }
 
-/// A torque that the firmware exerts of itself while no set-point comes.
-bool is_report(const link::FrameView& frame) {
-  link::Torque torque{};
-  return link::decode_message(frame, torque) &&
-         torque.status == static_cast<std::uint8_t>(link::TorqueStatus::watchdog);
+/// What a controller exerts, or an arm does, of itself while nothing is asked for.
+template <class Answer>
+bool reports(const link::FrameView& frame) {
+  Answer answer{};
+  return link::decode_message(frame, answer) &&
+         answer.status == static_cast<std::uint8_t>(link::TorqueStatus::watchdog);
 }
+bool is_report(const link::FrameView& frame) { return reports<link::Torque>(frame) || reports<link::Encoders>(frame); }
+
+/// Whether a message has the number of what it answers.
+template <class Answer>
+constexpr bool is_numbered = Answer::type == link::MessageType::torque || Answer::type == link::MessageType::encoders;
 
 }  // namespace
 
@@ -95,6 +101,71 @@ link::Stats Firmware::stats() {
   return wait_for<link::Stats>(answer_limit, "statistics");
 }
 
+link::Encoders Firmware::move(const link::Torque& efforts) {
+  send(efforts, ++sequence_);
+  return wait_for<link::Encoders>(answer_limit, "encoders " + std::to_string(sequence_));
+}
+
+link::Encoders Firmware::command(const link::ArmCommand& command) {
+  send(command, sequence_);
+  return wait_for<link::Encoders>(answer_limit, "encoders after a command");
+}
+
+std::optional<link::Torque> Firmware::try_torque(const std::optional<link::Measurement>& measurement,
+                                                 const link::SetPoint& set_point, std::chrono::milliseconds limit) {
+  if (measurement) send(*measurement, sequence_);
+  send(set_point, ++sequence_);
+  return look_for<link::Torque>(limit);
+}
+
+std::optional<link::Encoders> Firmware::try_move(const link::Torque& efforts, std::chrono::milliseconds limit) {
+  send(efforts, ++sequence_);
+  return look_for<link::Encoders>(limit);
+}
+
+std::optional<link::Encoders> Firmware::try_command(const link::ArmCommand& command, std::chrono::milliseconds limit) {
+  send(command, sequence_);
+  return look_for<link::Encoders>(limit);
+}
+
+std::optional<link::Torque> Firmware::try_report(std::chrono::milliseconds limit) {
+  return look_for<link::Torque>(limit, true);
+}
+
+std::optional<link::Stats> Firmware::try_stats(std::chrono::milliseconds limit) {
+  send(link::StatsRequest{}, sequence_);
+  return look_for<link::Stats>(limit);
+}
+
+bool Firmware::try_session(std::chrono::milliseconds limit) {
+  const std::uint32_t nonce = std::random_device{}() | 1U;
+  for (int tries = 0; tries < 4; ++tries) {
+    send(link::Start{static_cast<std::uint8_t>(link::Mode::lock_step), hello_.session, nonce}, sequence_);
+    const auto hello = look_for<link::Hello>(limit);
+    if (hello) hello_ = *hello;
+    if (hello && hello->nonce == nonce) return use_session(), true;
+  }
+  return false;
+}
+
+template <class Answer>
+std::optional<Answer> Firmware::look_for(std::chrono::milliseconds limit, bool reports) {
+  const auto end = Clock::now() + limit;
+  while (Clock::now() < end) {
+    while (at_ < size_) {
+      if (decoder_.feed(received_[at_++]) != link::FrameEvent::frame) continue;
+      const auto frame = decoder_.frame();
+      Answer answer{};
+      const bool fits = reports || !is_numbered<Answer> || frame.sequence == sequence_;
+      if (link::decode_message(frame, answer) && is_report(frame) == reports && fits) return answer;
+    }
+    at_ = 0;
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
+    size_ = left.count() > 0 ? line_.read(received_, sizeof received_, left) : 0;
+  }
+  return {};
+}
+
 template <class Answer>
 Answer Firmware::wait_for(std::chrono::milliseconds limit, const std::string& what) {
   const auto end = Clock::now() + limit;
@@ -104,8 +175,10 @@ Answer Firmware::wait_for(std::chrono::milliseconds limit, const std::string& wh
   Answer answer{};
   if (!link::decode_message(frame, answer))
     throw std::runtime_error("expected " + what + ", got: " + describe_error(frame));
-  if (Answer::type == link::MessageType::torque && frame.sequence != sequence_)
-    throw std::runtime_error("expected " + what + ", got torque " + std::to_string(frame.sequence));
+  if (is_numbered<Answer> && frame.sequence != sequence_)
+    throw std::runtime_error("expected " + what + ", got " +
+                             (Answer::type == link::MessageType::torque ? "torque " : "encoders ") +
+                             std::to_string(frame.sequence));
   return answer;
 }
 

@@ -7,6 +7,7 @@
 #include <hal/link/messages.hpp>
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace host_sim {
@@ -29,6 +30,23 @@ class Firmware {
   /// Third and fourth derivative of the set-point that comes next, to an image that takes them.
   void send_derivatives(const link::Derivatives& derivatives);
   link::Stats stats();
+  /// A tick of an image that stands in for an arm, by a controller's torque.
+  link::Encoders move(const link::Torque& efforts);
+  link::Encoders command(const link::ArmCommand& command);
+
+  // --- where the line may fail: what did not come in time is none, and all else that came is passed over
+
+  std::optional<link::Torque> try_torque(const std::optional<link::Measurement>& measurement,
+                                         const link::SetPoint& set_point, std::chrono::milliseconds limit);
+  std::optional<link::Encoders> try_move(const link::Torque& efforts, std::chrono::milliseconds limit);
+  std::optional<link::Encoders> try_command(const link::ArmCommand& command, std::chrono::milliseconds limit);
+  /// What a controller exerts of itself and reports.
+  std::optional<link::Torque> try_report(std::chrono::milliseconds limit);
+  std::optional<link::Stats> try_stats(std::chrono::milliseconds limit);
+  /// A session anew: disabled drives are idle again.
+  bool try_session(std::chrono::milliseconds limit);
+  /// The next number is so much farther, or back.
+  void skip(std::int32_t numbers) { sequence_ += static_cast<std::uint32_t>(numbers); }
 
  private:
   void check_version() const;
@@ -36,6 +54,8 @@ class Firmware {
   void use_session();
   template <class Answer>
   Answer wait_for(std::chrono::milliseconds limit, const std::string& what);
+  template <class Answer>
+  std::optional<Answer> look_for(std::chrono::milliseconds limit, bool reports = false);
   link::FrameView next_frame(std::chrono::steady_clock::time_point end, const std::string& what);
   template <class Message>
   void send(const Message& message, std::uint32_t sequence);

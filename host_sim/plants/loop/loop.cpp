@@ -70,33 +70,35 @@ Values values_of(const std::vector<double>& from) {
   return to;
 }
 
-/// An arm whose joints share drives, asked as an ElasticArm is: all of its values are those of the drives.
-class DrivenArm {
+/// A rigid arm, asked as an ElasticArm is. Where joints share drives, all of its values are those of the drives.
+template <class M>
+class RigidArm {
  public:
-  using Values = axial::Joints<simulation::DrivenModel, double>;
+  using Values = axial::Joints<M, double>;
+  using Motion = axial::Motion<M, double>;
 
-  explicit DrivenArm(const simulation::DrivenModel& model) : model_(model) {}
-  const simulation::DrivenModel& model() const { return model_; }
-  static simulation::DrivenMotion state(const Values& u, const Values& ud, const Values&) { return {u, ud, 0}; }
-  static Values positions(const simulation::DrivenMotion& x) { return x.q; }
-  static Values velocities(const simulation::DrivenMotion& x) { return x.qd; }
+  explicit RigidArm(const M& model) : model_(model) {}
+  const M& model() const { return model_; }
+  static Motion state(const Values& u, const Values& ud, const Values&) { return {u, ud, 0}; }
+  static Values positions(const Motion& x) { return x.q; }
+  static Values velocities(const Motion& x) { return x.qd; }
   static Values motors(const Values& states) { return states; }
   static Values efforts(const Values& tau) { return tau; }
 
  private:
-  simulation::DrivenModel model_;
+  M model_;
 };
 
-/// The robot in double, its encoders, and torques on their way. Arm: simulation::ElasticArm or DrivenArm.
-template <class Arm>
-class Plant {
-  using Model = std::decay_t<decltype(std::declval<const Arm&>().model())>;
+/// The robot in double, its encoders, and torques on their way. Body: simulation::ElasticArm or RigidArm.
+template <class Body>
+class Plant : public Arm {
+  using Model = std::decay_t<decltype(std::declval<const Body&>().model())>;
 
  public:
   using Values = axial::Joints<Model, double>;
 
   /// `slides`: which encoders count lengths, or numbers.
-  Plant(const Case& situation, const SetPoint& start, const Model& rigid, Arm arm, std::vector<bool> slides)
+  Plant(const Case& situation, const SetPoint& start, const Model& rigid, Body arm, std::vector<bool> slides)
       : slides_(std::move(slides)),
         rigid_(rigid),
         arm_(std::move(arm)),
@@ -117,7 +119,7 @@ class Plant {
       tau = weight;
   }
 
-  link::Measurement read() {
+  link::Measurement read() override {
     link::Measurement m{};
     m.joints = slides_.size();
     const auto seen = arm_.motors(x_.q);
@@ -126,7 +128,7 @@ class Plant {
     return m;
   }
 
-  void run(const link::Torque& answer) {
+  void run(const link::Torque& answer) override {
     Values tau{};
     for (int i = 0; i < joints(); ++i)
       tau[i] = static_cast<double>(answer.tau[static_cast<std::size_t>(i)]);
@@ -138,16 +140,17 @@ class Plant {
       simulation::step(simulation::Method::rk4, arm_.model(), x_, tick / steps_, hold);
   }
 
-  Values position() const { return arm_.positions(x_); }
-  JointState state() const {
+  JointState state() const override {
     const int n = joints();
     const Values q = arm_.positions(x_), qd = arm_.velocities(x_);
     return {{q.values, q.values + n}, {qd.values, qd.values + n}};
   }
-  axial::Vec3<double> tool(const Values& q) const { return axial::forward_kinematics(rigid_, q, {}).tool.position; }
-  int joints() const { return rigid_.size(); }
+  axial::Vec3<double> tool(const std::vector<double>& q) const override {
+    return axial::forward_kinematics(rigid_, values_of<Values>(q), {}).tool.position;
+  }
 
  private:
+  int joints() const { return rigid_.size(); }
   using Motion = axial::Motion<Model, double>;
 
   bool slides(int i) const { return slides_[static_cast<std::size_t>(i)]; }
@@ -165,7 +168,7 @@ class Plant {
 
   std::vector<bool> slides_;
   Model rigid_;  // for poses and weight
-  Arm arm_;      // what moves
+  Body arm_;     // what moves
   Motion x_;
   int steps_ = least_steps;
   int bits_;
@@ -178,12 +181,11 @@ class Plant {
 /// Sums of squares, and largest values.
 class Statistics {
  public:
-  explicit Statistics(int joints) : squares_(static_cast<std::size_t>(joints)), largest_(squares_.size()) {}
+  explicit Statistics(std::size_t joints) : squares_(joints), largest_(joints) {}
 
-  template <class Values>
-  void add(const std::vector<double>& wanted, const Values& q, const axial::Vec3<double>& off) {
+  void add(const std::vector<double>& wanted, const std::vector<double>& q, const axial::Vec3<double>& off) {
     for (std::size_t i = 0; i < squares_.size(); ++i) {
-      const double e = wanted[i] - q[static_cast<int>(i)];
+      const double e = wanted[i] - q[i];
       squares_[i] += e * e, largest_[i] = std::max(largest_[i], std::fabs(e));
     }
     const double tool = axial::dot(off, off);
@@ -211,54 +213,62 @@ std::vector<axial::LinkParameters> rigid(std::vector<axial::LinkParameters> link
   return links;
 }
 
-Plant<simulation::ElasticArm> plant_of_joints(const Case& situation, const SetPoint& start) {
-  const auto links = plant_links(situation);
+std::vector<bool> slides_of(const std::vector<axial::LinkParameters>& links) {
   std::vector<bool> slides;
   slides.reserve(links.size());
   for (const auto& link : links)
     slides.push_back(link.type == axial::JointType::prismatic);
-  return {situation, start, simulation::model_of(situation.robot, links),
-          simulation::ElasticArm(situation.robot, situation.resonance > 0 ? links : rigid(links),
-                                 damping_of(situation, links)),
-          slides};
+  return slides;
 }
 
-Plant<DrivenArm> plant_of_drives(const Case& situation, const SetPoint& start) {
-  const auto model = simulation::driven_model_of(situation.robot, plant_links(situation));
-  return {situation, start, model, DrivenArm(model), std::vector<bool>(start.q.size(), true)};
+std::unique_ptr<Arm> arm_of(const Case& situation, const SetPoint& start) {
+  const auto links = plant_links(situation);
+  if (simulation::shares_drives(situation.robot)) {
+    const auto model = simulation::driven_model_of(situation.robot, links);
+    return std::make_unique<Plant<RigidArm<simulation::DrivenModel>>>(
+        situation, start, model, RigidArm<simulation::DrivenModel>(model), std::vector<bool>(start.q.size(), true));
+  }
+  return std::make_unique<Plant<simulation::ElasticArm>>(
+      situation, start, simulation::model_of(situation.robot, links),
+      simulation::ElasticArm(situation.robot, situation.resonance > 0 ? links : rigid(links),
+                             damping_of(situation, links)),
+      slides_of(links));
 }
 
-template <class Arm>
-Tracking follow(const Case& situation, const Trajectory& cycle, std::size_t first, Plant<Arm> plant,
-                Controller& controller, const Watch& watch) {
-  using Values = typename Plant<Arm>::Values;
-  Statistics statistics(plant.joints());
+}  // namespace
+
+std::unique_ptr<Arm> arm_on_host(const Case& situation, const SetPoint& start, const simulation::Model& model,
+                                 const std::vector<axial::LinkParameters>& links) {
+  return std::make_unique<Plant<RigidArm<simulation::Model>>>(situation, start, model,
+                                                              RigidArm<simulation::Model>(model), slides_of(links));
+}
+
+Tracking follow(const Case& situation, const Trajectory& cycle, std::size_t first, Arm& arm, Controller& controller,
+                const Watch& watch) {
+  Statistics statistics(cycle.front().q.size());
   long refused = 0;
   const auto ticks = static_cast<std::size_t>(std::lround(situation.seconds / tick));
   for (std::size_t k = 0; k < ticks; ++k) {
     const SetPoint& wanted = cycle[(first + k) % cycle.size()];
-    statistics.add(wanted.q, plant.position(), plant.tool(values_of<Values>(wanted.q)) - plant.tool(plant.position()));
-    auto measurement = plant.read();
+    const JointState now = arm.state();
+    statistics.add(wanted.q, now.q, arm.tool(wanted.q) - arm.tool(now.q));
+    auto measurement = arm.read();
     measurement.feeds_forward = static_cast<std::uint8_t>(feed_of(situation));
     if (!wanted.q3.empty()) controller.take(derivatives_of(wanted));
     const link::Torque answer = controller.answer(measurement, to_message(wanted));
     const auto status = static_cast<link::TorqueStatus>(answer.status);
     refused += status != link::TorqueStatus::ok && status != link::TorqueStatus::effort_limited ? 1 : 0;
-    if (watch) watch(wanted, plant.state(), measurement, answer);
-    plant.run(answer);
+    if (watch) watch(wanted, now, measurement, answer);
+    arm.run(answer);
   }
   return statistics.result(refused);
 }
 
-}  // namespace
-
 Tracking follow(const Case& situation, Controller& controller, const Watch& watch) {
   const Trajectory cycle = cycle_of(situation.robot, situation.resonance > 0);
   const auto first = static_cast<std::size_t>(std::lround(situation.start / tick));
-  const SetPoint& start = cycle[first % cycle.size()];
-  if (simulation::shares_drives(situation.robot))
-    return follow(situation, cycle, first, plant_of_drives(situation, start), controller, watch);
-  return follow(situation, cycle, first, plant_of_joints(situation, start), controller, watch);
+  const auto arm = arm_of(situation, cycle[first % cycle.size()]);
+  return follow(situation, cycle, first, *arm, controller, watch);
 }
 
 bool declares_friction(const std::string& robot) {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <host_sim/plants/loop/controllers.hpp>
+#include <host_sim/plants/simulation/models.hpp>
 #include <host_sim/robots/trajectory/set_point.hpp>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,22 @@ struct JointState {
   std::vector<double> q, qd;
 };
 
+/// What a loop is closed around: a simulated arm, on this host or on a board.
+class Arm {
+ public:
+  Arm() = default;
+  Arm(const Arm&) = delete;
+  Arm& operator=(const Arm&) = delete;
+  virtual ~Arm() = default;
+  /// What its encoders say; feeds_forward is the loop's to fill.
+  virtual link::Measurement read() = 0;
+  /// A tick under a controller's answer.
+  virtual void run(const link::Torque& answer) = 0;
+  virtual JointState state() const = 0;
+  /// The tool point of such positions, m.
+  virtual axial::Vec3<double> tool(const std::vector<double>& q) const = 0;
+};
+
 /// Told after every tick: wanted motion, the joints when they were measured, what was measured, the answer.
 using Watch = std::function<void(const SetPoint&, const JointState&, const link::Measurement&, const link::Torque&)>;
 
@@ -52,6 +70,12 @@ using Watch = std::function<void(const SetPoint&, const JointState&, const link:
 /// derivatives and encoders are on the motors. The plant is in double, by four Runge-Kutta steps a tick or as many as
 /// its springs need, under a torque that is held.
 Tracking follow(const Case& situation, Controller& controller, const Watch& watch = {});
+/// The same of any arm, which stands where `cycle` is at `first`.
+Tracking follow(const Case& situation, const Trajectory& cycle, std::size_t first, Arm& arm, Controller& controller,
+                const Watch& watch = {});
+/// An arm in double on this host, as follow() has it: of a robot whose joints share no drives, rigid.
+std::unique_ptr<Arm> arm_on_host(const Case& situation, const SetPoint& start, const simulation::Model& model,
+                                 const std::vector<axial::LinkParameters>& links);
 
 /// Whether a plant of this robot can have friction.
 bool declares_friction(const std::string& robot);

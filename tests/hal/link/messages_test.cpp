@@ -89,6 +89,30 @@ TEST(Messages, MeasurementsKeepTheirSign) {
   EXPECT_EQ(back.feeds_forward, 1);
 }
 
+TEST(Messages, AnArmsEncodersAndCommandsRoundTrip) {
+  Encoders sent{}, back{};
+  sent.joints = 3;
+  sent.position = {-1, std::numeric_limits<std::int32_t>::min(), 7};
+  sent.speed = {0.5f, -2.0f, 3.0f};
+  sent.count = 0xFEDCBA98, sent.overruns = 0xABCD, sent.status = 2, sent.joint = 1, sent.phase = 3;
+  ASSERT_TRUE(round_trip(sent, back));
+  EXPECT_EQ(back.joints, 3u);
+  EXPECT_EQ(back.position, sent.position);
+  EXPECT_EQ(back.speed, sent.speed);
+  EXPECT_EQ(back.count, sent.count);
+  EXPECT_EQ(back.overruns, sent.overruns);
+  EXPECT_EQ(back.status, 2);
+  EXPECT_EQ(back.joint, 1);
+  EXPECT_EQ(back.phase, 3);
+
+  ArmCommand told{}, heard{};
+  told.joints = 2, told.values = {1.5f, -0.25f}, told.action = static_cast<std::uint8_t>(ArmAction::blind);
+  ASSERT_TRUE(round_trip(told, heard));
+  EXPECT_EQ(heard.joints, 2u);
+  EXPECT_EQ(heard.values, told.values);
+  EXPECT_EQ(heard.action, 2);
+}
+
 TEST(Messages, EveryMessageFitsAFrame) {
   std::uint8_t out[max_payload];
   const auto size = [&](auto message) {
@@ -125,6 +149,13 @@ TEST(Messages, AWrongLengthIsRefused) {
   EXPECT_TRUE(decode_message({9, 0, bytes, 13}, measurement));
   EXPECT_FALSE(decode_message({9, 0, bytes, 12}, measurement));
   EXPECT_FALSE(decode_message({9, 0, bytes, 37}, measurement));
+  Encoders encoders{};
+  EXPECT_TRUE(decode_message({12, 0, bytes, 33}, encoders));
+  EXPECT_FALSE(decode_message({12, 0, bytes, 32}, encoders));
+  EXPECT_FALSE(decode_message({12, 0, bytes, 8}, encoders));
+  ArmCommand command{};
+  EXPECT_TRUE(decode_message({13, 0, bytes, 13}, command));
+  EXPECT_FALSE(decode_message({13, 0, bytes, 12}, command));
 }
 
 TEST(Messages, AsManyJointsAsThereMayBeAndNotOneMore) {
@@ -143,6 +174,10 @@ TEST(Messages, AsManyJointsAsThereMayBeAndNotOneMore) {
   EXPECT_FALSE(decodes(Measurement{}, measurement_size(max_joints + 1)));
   EXPECT_TRUE(decodes(Derivatives{}, derivatives_size(max_joints)));
   EXPECT_FALSE(decodes(Derivatives{}, derivatives_size(max_joints + 1)));
+  EXPECT_TRUE(decodes(Encoders{}, encoders_size(max_joints)));
+  EXPECT_FALSE(decodes(Encoders{}, encoders_size(max_joints + 1)));
+  EXPECT_TRUE(decodes(ArmCommand{}, arm_command_size(max_joints)));
+  EXPECT_FALSE(decodes(ArmCommand{}, arm_command_size(max_joints + 1)));
 }
 
 // 7 joints: 84 + 37 bytes of payload, 11 of header and CRC, 1 of stuffing and 2 delimiters each: 149 bytes, 1 490 bits.
@@ -150,6 +185,8 @@ static_assert(wire_size(set_point_size(7)) == 98 && wire_size(torque_size(7)) ==
 static_assert(fits_tick(7, 1'490'000, 1000) && !fits_tick(7, 1'489'999, 1000));
 // A measurement adds 29 + 14 bytes.
 static_assert(fits_tick(7, 1'920'000, 1000, true) && !fits_tick(7, 1'919'999, 1000, true));
+// A torque of 51 bytes, encoders of 65 + 14.
+static_assert(arm_fits_tick(7, 1'300'000, 1000) && !arm_fits_tick(7, 1'299'999, 1000));
 
 }  // namespace
 }  // namespace axial::hal::link

@@ -4,6 +4,7 @@
 
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/recursion/drives.hpp>
+#include <axial/simulation/driven_stiffness.hpp>
 #include <axial/simulation/integrators.hpp>
 
 #include <axial/options/begin.hpp>
@@ -68,8 +69,9 @@ struct Contact {
 /// found in a fixed number of passes, each a linearly implicit step in which a joint that sticks has a damper as heavy
 /// as the root of 1/epsilon of its inertia: first those at rest; then those that the damper would have to hold with
 /// more than their static effort slide, and those that friction would turn around stick. A change that more passes
-/// would find is the next step's. The scene names Friction; a joint without a dry part pays for it in vain, and none
-/// has a smooth_speed(): smooth friction does not stick. Float and double.
+/// would find is the next step's. A drive may tell how stiff it is (DriveStiffness). The scene names Friction; a joint
+/// without a dry part pays for it in vain, and none has a smooth_speed(): smooth friction does not stick. Float and
+/// double.
 struct StickingEuler {
   /// order of its error in h, and how often it asks for accelerations
   static constexpr int order = 1, evaluations = 4;
@@ -83,12 +85,18 @@ struct StickingEuler {
                   "axial: what sticks is dry friction, of float and double; name Friction in the scene");
     static_assert(!detail::is_smoothed<robot_of<S>>(),
                   "axial: friction that sticks has no smooth_speed(); take it out, or take LinearlyImplicitEuler");
-    const auto driven = detail::ask<S, T>(drive, {x.q, x.qd, x.time(h)});
+    const Instant<S, T> instant{x.q, x.qd, x.time(h)};
+    detail::Driven<S, T> driven{};
+    DriveStiffness<S, T> told{};
+    if constexpr (detail::tells_stiffness<Drive, S, T>)
+      drive(instant, driven.tau, driven.in, told);
+    else
+      drive(instant, driven.tau, driven.in);
     State<S, T> state(system, x, driven.in, h);
     Status status{};
     for (int pass = 0; pass < evaluations; ++pass) {
       if (pass > 0) state.change(system.size());
-      status = state.solve(system, x, h, driven);
+      status = state.solve(system, x, h, driven, told);
     }
     state.move(system.size(), x, h);
     return status;
@@ -119,12 +127,13 @@ struct StickingEuler {
         contact[i] = contact[i].after(v[i], T(damper[i] * v[i]), dry[i]);
     }
     template <class System, class X, class Driven>
-    constexpr Status solve(const System& system, const X& x, const T& h, const Driven& driven) {
+    constexpr Status solve(const System& system, const X& x, const T& h, const Driven& driven,
+                           const DriveStiffness<S, T>& told) {
       auto tau = driven.tau;
-      DriveStiffness<S, T> held{};
+      DriveStiffness<S, T> held = told;
       for (int i = 0; i < system.size(); ++i) {
         const T slides = select(contact[i].direction > 0, dry[i].forward, dry[i].backward);
-        held.damping[i] = select(contact[i].sticks(), damper[i], T(0));
+        held.damping[i] = held.damping[i] + select(contact[i].sticks(), damper[i], T(0));
         tau[i] = tau[i] + dry[i].taken - select(contact[i].sticks(), T(damper[i] * x.qd[i]), slides);
       }
       const auto a = detail::implicit_accelerations(system, h, x.q, x.qd, tau, driven.in, held);
@@ -143,6 +152,13 @@ struct StickingEuler {
     }
   };
 };
+
+namespace detail {
+template <class T>
+constexpr T limit_of(StickingEuler, const StiffBounds<T>&) {
+  return std::numeric_limits<T>::infinity();
+}
+}  // namespace detail
 
 }  // namespace axial
 

@@ -1,0 +1,244 @@
+#pragma once
+/// A board that stands in for an arm: efforts in, encoders out, for the main job (feedforward.hpp) as a controller is.
+/// README.md has the table of what its drives do when efforts are late, absent or wrong.
+
+#include <firmware/apps/feedforward/controller.hpp>
+#include <firmware/apps/feedforward/deadlines.hpp>
+
+#include "encoders.hpp"
+#include "input.hpp"
+
+namespace axial::apps::plant {
+
+/// `substeps`: steps of the integrator a tick of 1 ms.
+template <class R, class Number = float, int substeps = 1>
+class Arm {
+  using S = ArmSceneOf<R>;
+  using Method = typename ArmMethod<R, Number, substeps>::type;
+  using X = std::conditional_t<is_stored_v<Number>, Motion<S, Number>, CompensatedMotion<S, Number>>;
+  using Tau = EffortsOf<S, Number>;
+  using Values = std::array<float, hal::link::max_joints>;
+  using Status = hal::link::TorqueStatus;
+  static_assert(!detail::shares_drives_in<typename scene_of<R>::Robot>,
+                "an arm whose joints share drives has no image yet that stands in for it");
+
+ public:
+  static constexpr std::size_t joints = static_cast<std::size_t>(joint_count<R>);
+  static constexpr const char* name = R::name;
+  static constexpr std::uint32_t ticks_a_second = 1000;
+
+  // --- what the main job asks
+
+  /// In lock-step a frame's number is the time, and the board's timer moves nothing.
+  void choose(hal::link::Mode mode, std::uint32_t tick_Hz) {
+    free_running_ = mode == hal::link::Mode::free_running;
+    ticks_a_board_tick_ = ticks_a_second / tick_Hz;
+    times_ = {watchdog_ticks, ticks_of(ramp_ms, free_running_ ? tick_Hz : ticks_a_second), 1};
+  }
+  void restart() { phases_ = {}, asked_ = {}, passed_ = 0; }
+  DrivePhase phase() const { return phases_.phase(); }
+
+  /// So many numbers came since the last efforts, these included.
+  void pass(std::uint32_t numbers) { passed_ += numbers; }
+  /// The board's timer.
+  void advance(std::uint32_t ticks) {
+    if (!free_running_) return;
+    for (; ticks > 0; --ticks) {
+      phases_.advance(times_, 1);
+      for (std::uint32_t k = 0; k < ticks_a_board_tick_; ++k)
+        move();
+    }
+  }
+
+  /// Ticks that were left out pass under the efforts before; then the drives take the new ones, if these are good.
+  void load(const hal::link::Torque& request) {
+    for (; passed_ > 1; --passed_)
+      wait(), move();
+    told_ = Status::ok, joint_ = hal::link::no_joint;
+    take(request);
+    if (told_ == Status::not_finite || !phases_.follow())
+      wait();
+    else
+      asked_ = wanted_;
+  }
+  /// What is measured: a tick in lock-step; in free-running ticks are the timer's.
+  void compute() {
+    if (!free_running_) move();
+  }
+  void settle(const hal::link::Torque&) {
+    passed_ = 0;
+    if (told_ != Status::not_finite && phases_.phase() == DrivePhase::disabled)
+      told_ = Status::disabled, joint_ = hal::link::no_joint;
+  }
+
+  void store(hal::link::Encoders& answer) const {
+    store_exerted(answer);
+    answer.status = static_cast<std::uint8_t>(told_), answer.joint = joint_;
+  }
+  void store_exerted(hal::link::Encoders& answer) const {
+    const auto speed = real(x_.qd);
+    answer.joints = joints;
+    for (std::size_t i = 0; i < joints; ++i) {
+      const int k = static_cast<int>(i);
+      answer.position[i] = blind_[i] ? 0 : encoders_.counts(k);
+      answer.speed[i] = static_cast<float>(speed[k]);
+    }
+    answer.joint = hal::link::no_joint;
+    answer.phase = static_cast<std::uint8_t>(phases_.phase());
+  }
+
+  /// False where there is no such action, or its values are no numbers of that kind.
+  bool command(const hal::link::ArmCommand& wanted) {
+    using hal::link::ArmAction;
+    switch (static_cast<ArmAction>(wanted.action)) {
+      case ArmAction::place:
+        return place(wanted.values);
+      case ArmAction::push:
+        return push(wanted.values);
+      case ArmAction::blind:
+        for (std::size_t i = 0; i < joints; ++i)
+          blind_[i] = (word_of(wanted.values[i]) << 1) != 0;  // neither 0 nor -0, by integers alone
+        return true;
+      case ArmAction::stop:
+      case ArmAction::go:
+        stopped_ = static_cast<ArmAction>(wanted.action) == ArmAction::stop;
+        return true;
+    }
+    return false;
+  }
+
+  /// As it is: rad or m, and per second.
+  const X& state() const { return x_; }
+
+ private:
+  static Joints<R, float> joint_values(const Values& from) {
+    Joints<R, float> to{};
+    for (std::size_t i = 0; i < joints; ++i)
+      to[static_cast<int>(i)] = from[i];
+    return to;
+  }
+  template <class V>
+  static auto real(const V& values) {
+    if constexpr (is_stored_v<Number>)
+      return to_real<float>(values);
+    else
+      return values;
+  }
+
+  /// One tick without good efforts, where frames are the time.
+  void wait() {
+    if (!free_running_) phases_.advance(times_, 1);
+  }
+
+  /// Efforts within the declared limits. Those of a controller whose drives are off are none.
+  void take(const hal::link::Torque& request) {
+    const auto phase = static_cast<DrivePhase>(request.phase);
+    const bool off = phase == DrivePhase::idle || phase == DrivePhase::disabled;
+    const auto tau = joint_values(off ? Values{} : request.tau);
+    if constexpr (is_stored_v<Number>) {
+      const auto kept = to_fixed<Tau>(tau);
+      wanted_ = kept.values;
+      tell(kept.status);
+    } else {
+      axial::Status found{};
+      for (int i = static_cast<int>(joints); i-- > 0;) {
+        constexpr const auto& limits = limits_of<R, Number>;
+        const Number most = limits.joints[i].effort, asked = static_cast<Number>(tau[i]);
+        wanted_[i] = asked > most ? most : asked < -most ? -most : asked;
+        if (!(asked <= most && asked >= -most)) found = {axial::Status::Code::effort_limit, i};
+      }
+      for (int i = static_cast<int>(joints); i-- > 0;)
+        if (!is_finite(tau[i])) found = {axial::Status::Code::not_finite, i};
+      tell(found);
+    }
+  }
+  /// Keeps the first that there is to say.
+  void tell(const axial::Status& found) {
+    if (found.ok() || told_ != Status::ok) return;
+    told_ = link_status(found.code);
+    joint_ = found.joint < 0 ? hal::link::no_joint : static_cast<std::uint8_t>(found.joint);
+  }
+
+  bool place(const Values& values) {
+    X there{};
+    if constexpr (is_stored_v<Number>) {
+      const auto kept = to_fixed<Positions<R, Number>>(joint_values(values));
+      if (!kept.status.ok()) return false;
+      there.q = kept.values;
+    } else if (!put(values, there.q)) {
+      return false;
+    }
+    x_ = there;
+    encoders_.place(x_);
+    return true;
+  }
+  bool push(const Values& values) {
+    if constexpr (is_stored_v<Number>) {
+      const auto kept = to_fixed<Tau>(joint_values(values));
+      if (kept.status.ok()) pushed_ = kept.values;
+      return kept.status.ok();
+    } else {
+      return put(values, pushed_);
+    }
+  }
+  /// False, and nothing is put, where one is no number.
+  template <class To>
+  static bool put(const Values& values, To& to) {
+    for (std::size_t i = 0; i < joints; ++i)
+      if (!is_finite(values[i])) return false;
+    for (std::size_t i = 0; i < joints; ++i)
+      to[static_cast<int>(i)] = static_cast<Number>(values[i]);
+    return true;
+  }
+
+  /// What acts now: the drives' share of what was asked for, and a hand's push.
+  Tau acting() const {
+    Tau sum{};
+    const std::uint32_t share = phases_.enabled() ? phases_.share(times_) : 0;
+    for (int i = 0; i < static_cast<int>(joints); ++i) {
+      if constexpr (is_stored_v<Number>) {
+        using Word = typename Tau::Value::Word;
+        const std::int64_t drive = integer::multiply(asked_[i].raw, static_cast<std::int32_t>(share)) >> 16;
+        sum[i] = {detail::nearest_word<Word>(drive + pushed_[i].raw)};
+      } else {
+        sum[i] = asked_[i] * (static_cast<Number>(share) * Number(1.0F / 65536.0F)) + pushed_[i];
+      }
+    }
+    return sum;
+  }
+
+  /// 1 ms. A step that is not made leaves the arm where it was, and is told.
+  void move() {
+    if (stopped_) return;
+    const Held<S, Number> held{acting(), {}};
+    for (int k = 0; k < substeps; ++k)
+      tell(step(held));
+    encoders_.follow(x_);
+  }
+  axial::Status step(const Held<S, Number>& held) {
+    using M = MechanicsOf<R>;
+    constexpr double seconds = 1e-3 / substeps;
+    if constexpr (knows_its_step<Method>) {
+      return axial::advance<Method>(x_, held);
+    } else {
+      constexpr StepOf<S, Number> h = static_cast<StepOf<S, Number>>(seconds);
+      if constexpr (has_stops<M>)
+        return axial::advance<Method>(x_, h, WithEndStops<S, Number, Held<S, Number>>(held, M::stops));
+      else
+        return axial::advance<Method>(x_, h, held);
+    }
+  }
+
+  X x_{};
+  ArmEncoders<R, Number> encoders_{};
+  Tau wanted_{}, asked_{}, pushed_{};
+  DrivePhases phases_{};
+  FallBackTimes times_{};
+  Status told_ = Status::ok;
+  std::uint8_t joint_ = hal::link::no_joint;
+  std::uint32_t passed_ = 0, ticks_a_board_tick_ = 1;
+  std::array<bool, hal::link::max_joints> blind_{};
+  bool free_running_ = false, stopped_ = false;
+};
+
+}  // namespace axial::apps::plant

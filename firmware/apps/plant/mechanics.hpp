@@ -1,0 +1,109 @@
+#pragma once
+/// What an arm does besides moving as a rigid body with its rotors. A robot names it in a struct of its own, and what
+/// it does not name costs nothing:
+///
+///   struct MyArm {
+///     static constexpr auto chain = ...;
+///     struct Mechanics {
+///       static constexpr bool friction = true;                // as the chain declares it: dry friction sticks
+///       static constexpr bool springs = true;                 // likewise; as stiff as you like
+///       static constexpr axial::EndStops stops{1e5, 30.0};    // N m/rad and N m s/rad, beyond its position limits
+///       static constexpr int encoder_bits = 14;               // a turn; on slides steps of a metre over 2^bits
+///       static constexpr double backlash[] = {1e-3, 0, 0};    // rad or m between a motor's encoder and its joint
+///     };
+///   };
+
+#include <axial/axial.hpp>
+#include <axial/fixed.hpp>
+#include <axial/fixed/simulation/integrators.hpp>
+#include <axial/simulation/declared_stiffness.hpp>
+#include <axial/simulation/end_stops.hpp>
+#include <axial/simulation/sticking.hpp>
+
+#include <cstdint>
+#include <type_traits>
+
+namespace axial::apps::plant {
+
+struct NoMechanics {};
+template <class R, class = void>
+struct NamedMechanics {
+  using type = NoMechanics;
+};
+template <class R>
+struct NamedMechanics<R, std::void_t<typename R::Mechanics>> {
+  using type = typename R::Mechanics;
+};
+template <class R>
+using MechanicsOf = typename NamedMechanics<R>::type;
+
+// What a struct M names, else nothing.
+///@{
+template <class M, class = void>
+inline constexpr bool has_friction = false;
+template <class M>
+inline constexpr bool has_friction<M, std::void_t<decltype(M::friction)>> = M::friction;
+
+template <class M, class = void>
+inline constexpr bool has_springs = false;
+template <class M>
+inline constexpr bool has_springs<M, std::void_t<decltype(M::springs)>> = M::springs;
+
+template <class M, class = void>
+inline constexpr bool has_stops = false;
+template <class M>
+inline constexpr bool has_stops<M, std::void_t<decltype(M::stops)>> = true;
+
+template <class M, class = void>
+inline constexpr bool has_backlash = false;
+template <class M>
+inline constexpr bool has_backlash<M, std::void_t<decltype(M::backlash)>> = true;
+
+template <class M, class = void>
+inline constexpr int encoder_bits = 32;
+template <class M>
+inline constexpr int encoder_bits<M, std::void_t<decltype(M::encoder_bits)>> = M::encoder_bits;
+///@}
+
+/// The scene of a robot that has these.
+template <class R, bool friction, bool springs>
+struct ArmScene {
+  using type = Scene<R, Gravity, RotorInertia>;
+};
+template <class R>
+struct ArmScene<R, true, false> {
+  using type = Scene<R, Gravity, RotorInertia, Friction>;
+};
+template <class R>
+struct ArmScene<R, false, true> {
+  using type = Scene<R, Gravity, RotorInertia, JointSprings>;
+};
+template <class R>
+struct ArmScene<R, true, true> {
+  using type = Scene<R, Gravity, RotorInertia, Friction, JointSprings>;
+};
+template <class R>
+using ArmSceneOf = typename ArmScene<R, has_friction<MechanicsOf<R>>, has_springs<MechanicsOf<R>>>::type;
+
+/// Springs of the robot alone, by `substeps` steps a tick of 1 ms.
+template <class R, int substeps>
+struct OwnSprings {
+  static constexpr double step = 1e-3 / substeps;
+  static constexpr double stiffness[joint_count<R>] = {}, damping[joint_count<R>] = {};
+};
+
+/// Who moves it: friction that sticks and whatever is stiff by implicit steps, all else by Runge-Kutta.
+template <class R, class Number, int substeps, class M = MechanicsOf<R>>
+struct ArmMethod {
+  static constexpr bool stiff = has_springs<M> || has_stops<M>;
+  using type =
+      std::conditional_t<has_friction<M>, StickingEuler, std::conditional_t<stiff, LinearlyImplicitEuler, RungeKutta4>>;
+};
+template <class R, class Word, int substeps, class M>
+struct ArmMethod<R, Stored<Word>, substeps, M> {
+  static_assert(!has_friction<M> && !has_stops<M>,
+                "an arm in fixed point has no friction that sticks and no end stops: take float, or name neither");
+  using type = std::conditional_t<has_springs<M>, LinearlyImplicitFor<OwnSprings<R, substeps>>, RungeKutta4>;
+};
+
+}  // namespace axial::apps::plant
