@@ -3,6 +3,7 @@
 # before anything is installed or built. In a value's name each part between bars is a word as it stands (float|fixed32) or one of
 #   BOARD     a board that runs every image          ROBOT     a robot that has a trajectory
 #   MODEL     any robot or count model               HEADER    a file that exists
+#   MACHINE   any robot, or one of robots/gallery
 #   N         a whole number                         NUMBER    a number
 #   IN_FILE   a file that exists
 #   ANY_BOARD a folder of hal/boards that an emulator runs          WORD      a word of firmware/apps/size/matrix.txt
@@ -137,6 +138,7 @@ words_of() {
     ROBOT) robots_with_trajectories ;;
     DRIVEN) robots_with_trajectories shared_drives/ ;;
     MODEL) sed -n 's/.*const char\* name = "\([a-z0-9_]*\)";.*/\1/p' "$AXIAL_ROOT"/robots/*.hpp "$AXIAL_ROOT"/robots/models/*.hpp ;;
+    MACHINE) find "$AXIAL_ROOT/robots" -name models -prune -o -name '*.hpp' -exec sed -n 's/.*const char\* name = "\([a-z0-9_]*\)".*/\1/p' {} + | sort ;;
     ANY_BOARD) (cd "$AXIAL_ROOT/hal/boards" && grep -lE '"(qemu|runner)"' -- */board.json | sed 's,/.*,,') ;;
     WORD) sed '/^#/d; s/[, ]\+/\n/g' "$AXIAL_ROOT/firmware/apps/size/matrix.txt" | sort -u | sed '/^\**$/d' ;;
     [0-9a-z]*) echo "$1" ;;

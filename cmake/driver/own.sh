@@ -102,8 +102,9 @@ build_own_images() {
   return "$status"
 }
 
+# keep_building PRESET TARGET...: for OWN_BUILD_SECONDS at most, where that is set.
 keep_building() {
   local board=$1
   shift
-  cmake --build "$AXIAL_ROOT/build/$board" --parallel "$(nproc)" --target "$@" -- -k 0 || echo "not all was built"
+  timeout "${OWN_BUILD_SECONDS:-0}" cmake --build "$AXIAL_ROOT/build/$board" --parallel "$(nproc)" --target "$@" -- -k 0 || echo "not all was built"
 }

@@ -61,7 +61,7 @@ def command_line(text, tree, places):
 
 def run_commands(commands, tree, places):
     """All that they print. The host's programs are those of this build."""
-    environment = {**os.environ, "AXIAL_HOST_PRESET": pathlib.Path(places["host"]).name}
+    environment = {**os.environ, "AXIAL_HOST_PRESET": pathlib.Path(places["host"]).name, "AXIAL_GALLERY": places["out"]}  # or it shows what it measured before
     printed = ""
     for text in commands.split(" ; "):
         done = subprocess.run(command_line(text.strip(), tree, places), cwd=tree, env=environment, stdin=subprocess.DEVNULL,

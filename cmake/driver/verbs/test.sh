@@ -43,7 +43,10 @@ run() {
   [[ -z $part ]] || check_part "$part" "${select[@]}"
   ! $record || [[ -n $part ]] || fail_usage "--record is of --part; see ./axial test --help --all"
   ensure_packages python3-scipy python3-yaml doxygen clang clang-format clang-tidy libbenchmark-dev hunspell hunspell-en-gb # what runs of other verbs need
-  if ((${#select[@]})); then look_for_sdf; fi
+  if ((${#select[@]})); then
+    look_for_sdf
+    (ensure_packages chromium) || say "no chromium: the tests of pages for a browser will be skipped"
+  fi
   step 1 "reading which tests there are"
   configure_halves || fail "the host's builds could not be configured"
   if $list; then

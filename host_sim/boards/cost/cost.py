@@ -38,7 +38,7 @@ def figures(work):
     try:
         return measure.Figures(*work).row()
     except FileNotFoundError:
-        return "not built: it does not compile or does not fit the board"
+        return f"not built: {measure.why_not_built(*work)}"
     except (execution.Mismatch, stack.Unbounded) as error:
         return str(error)
 

@@ -86,15 +86,26 @@ def units(board):
 
 
 @functools.lru_cache
-def refusals(board):
-    """{source: why} of a user's kernels that the library does not offer, in the log of ./axial's build."""
+def own_log(board):
+    """Of ./axial's build of a user's kernels; empty where all was built."""
     log = IMAGES / f"{board}-own.log"
-    return refused.refused(log.read_text(encoding="utf-8", errors="replace"))[0] if log.is_file() else {}
+    return log.read_text(encoding="utf-8", errors="replace") if log.is_file() else ""
+
+
+@functools.lru_cache
+def refusals(board):
+    """{source: why} of a user's kernels that the library does not offer."""
+    return refused.refused(own_log(board))[0]
 
 
 def refusal_of(board, probe):
     """Why the library does not offer a user's kernel; None where it does."""
     return refusals(board).get(units(board)[probe.name])
+
+
+def why_not_built(board, probe):
+    """Of a user's kernel that there is no image of."""
+    return refused.reason(own_log(board), (probe.name, probe.empty), units(board)[probe.name]) or "its build ended before it"
 
 
 def path_of(board, name):

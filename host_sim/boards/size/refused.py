@@ -10,6 +10,7 @@ import sys
 
 SENTENCE = re.compile(r"(?:static assertion failed: |error: static_assert failed.* \"|region `)([^\n\"]*)")
 ABOUT = re.compile("share drives|of up to 8 joints|every joint to move some mass")
+FULL = re.compile(r"region `(\w+)' overflowed by (\d+) bytes")
 # recursion/composite_scale.hpp: compilers print the condition that failed.
 JOINT = re.compile(r"every_joint_moves_mass_but<(\d+)>")
 SOURCE = re.compile(r"([\w.+-]+)\.cpp\.obj?\b")
@@ -27,6 +28,16 @@ def sentences(said):
     joint = JOINT.search(said)
     named = f" (joint {joint[1]}, counted from 0 at the base, moves none)" if joint else ""
     return [sentence + (named if "every joint to move some mass" in sentence else "") for sentence in SENTENCE.findall(said)]
+
+
+def reason(log, images, source):
+    """Why a kernel of that source has no image, or none to be set against: the library's sentence or the linker's; None where the log has none."""
+    names = "|".join([re.escape(source) + r"\.cpp\.obj?", *(re.escape(image) + r"\.elf" for image in images)])
+    for target, said in failures("\n" + log):
+        if re.search(rf"\b({names})(?!\S)", target):
+            full = FULL.search(said)
+            return f"it and what measures it do not fit: {full[1]} overflows by {full[2]} bytes" if full else next(iter(sentences(said)), "it does not compile")
+    return None
 
 
 def refused(log):

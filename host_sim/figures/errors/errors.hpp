@@ -30,6 +30,7 @@ struct Row {
       error_torque;  ///< of accelerations: M(q) times their error, relative to the joint's largest torque
   std::optional<double> certified;  ///< what the analysis proves of any state, of a torque in fixed point
   std::vector<Block> blocks;        ///< of derivatives, and of motors behind springs
+  int joints;                       ///< values of each argument: drives, where joints share them
 };
 
 /// Empty: all.

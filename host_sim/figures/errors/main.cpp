@@ -13,9 +13,9 @@ nlohmann::ordered_json to_json(const std::vector<errors::Row>& rows) {
   for (const errors::Row& row : rows) {
     const errors::Kernel& kernel = row.kernel;
     nlohmann::ordered_json object{
-        {"robot", kernel.robot},     {"scene", kernel.scene},     {"algorithm", kernel.algorithm},
-        {"variant", kernel.variant}, {"scalar", kernel.scalar},   {"states", row.states},
-        {"error", row.error},        {"error_rms", row.error_rms}};
+        {"robot", kernel.robot},     {"scene", kernel.scene},      {"algorithm", kernel.algorithm},
+        {"variant", kernel.variant}, {"scalar", kernel.scalar},    {"states", row.states},
+        {"error", row.error},        {"error_rms", row.error_rms}, {"joints", row.joints}};
     if (row.error_torque) object["error_torque"] = *row.error_torque;
     if (row.certified) object["error_certified"] = *row.certified;
     for (const errors::Block& block : row.blocks)

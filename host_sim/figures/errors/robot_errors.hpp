@@ -236,7 +236,7 @@ Row row_of(const Kernel& kernel) {
     if constexpr (has_blocks(job)) blocks.add(off, wanted[k]);
   }
   const auto proved = certified<job, Algorithm, Run, T>(reference.scales(job));
-  Row row{kernel, judged, errors.largest(), errors.rms(), {}, proved, {}};
+  Row row{kernel, judged, errors.largest(), errors.rms(), {}, proved, {}, axial::joint_count<R>};
   if (job == Job::acceleration) row.error_torque = torques.largest();
   if (has_blocks(job)) row.blocks = blocks.all();
   return row;

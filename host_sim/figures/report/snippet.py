@@ -20,6 +20,7 @@ CALLS = {"inverse_dynamics": "auto tau = axial::inverse_dynamics<Scene>(q, qd, q
          "forward_dynamics": "auto qdd = axial::forward_dynamics<Scene>(q, qd, tau{in})",
          "inverse_dynamics_derivatives": "auto d = axial::inverse_dynamics_derivatives<Scene>(q, qd, qdd{in})",
          "forward_dynamics_derivatives": "auto f = axial::forward_dynamics_derivatives<Scene>(q, qd, tau{in})",
+         "feedforward": "auto safe = axial::feedforward<Scene>(state, q, qd, qdd{in})",
          "elastic_feedforward": "auto motors = axial::elastic_feedforward<Scene>(q, qd, qdd, q3, q4)",
          "forward_kinematics": "auto poses = axial::forward_kinematics<Scene>(q)",
          "jacobian": "auto J = axial::jacobian<Scene>(q)"}
@@ -80,6 +81,7 @@ void chosen() {{
   [[maybe_unused]] axial::Positions<Robot, T> q{{}};
   [[maybe_unused]] axial::Velocities<Robot, T> qd{{}};
   [[maybe_unused]] {"axial::EffortsOf<Scene, T> tau" if "tau" in calling.partition("(")[2] else "axial::Accelerations<Robot, T> qdd"}{{}};
+  {"axial::FeedforwardState<Scene, T> state{};" if "state" in calling else ""}
   {"axial::Joints<Robot, T> q3{}, q4{};" if "q3" in calling else ""}
   [[maybe_unused]] axial::Inputs<Scene, T> in{{}};
   {calling}
