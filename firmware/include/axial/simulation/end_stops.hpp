@@ -2,6 +2,7 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
+#include <axial/scalar/select.hpp>
 #include <axial/simulation/integrators.hpp>
 
 #include <axial/options/begin.hpp>
@@ -53,11 +54,11 @@ class WithEndStops {
   static constexpr Limits limits{};
 
   constexpr void stop(const T& low, const T& high, const T& q, const T& qd, T& tau, T& stiffness, T& damping) const {
-    const T beyond = q > high ? q - high : q < low ? q - low : T(0);
+    const T beyond = select(q > high, T(q - high), select(q < low, T(q - low), T(0)));
     const T push = stiffness_ * beyond + damping_ * qd;
-    if (!(push * beyond > T(0))) return;
-    tau = tau - push;
-    stiffness = stiffness + stiffness_, damping = damping + damping_;
+    const bool meets = push * beyond > T(0);
+    tau = tau - select(meets, push, T(0));
+    stiffness = stiffness + select(meets, stiffness_, T(0)), damping = damping + select(meets, damping_, T(0));
   }
 
   const Drive& drive_;
