@@ -86,7 +86,7 @@ struct BoardBase {
     return Counter::count([](void* object) { (*static_cast<Code*>(object))(); }, &code);
   }
 
-  static std::uint32_t stack_used_bytes() { return hal::stack_used_bytes(); }
+  static bool measure_stack(std::uint32_t& bytes) { return stack_meter_.look(bytes); }
 
   /// The drives' pin. Off out of reset, and written off by start-up before anything else.
   static void enable_drives(bool on) {
@@ -162,6 +162,7 @@ struct BoardBase {
   inline static ClockReport clock_{};
   inline static ResetCause cause_ = ResetCause::unknown;
   inline static bool guarded_ = false;
+  inline static StackMeter stack_meter_{axial_stack_bottom, axial_stack_top};
   inline static std::uint32_t baud_ = 0;
 };
 

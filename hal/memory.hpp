@@ -44,13 +44,29 @@ inline void prepare_memory() {
   paint(axial_stack_bottom, here - 32);  // what lies under the frame is in use
 }
 
-/// Bytes of stack used since the start, by the paint that is gone.
-inline std::uint32_t stack_used_bytes() {
-  const std::uint32_t* word = axial_stack_bottom;
-  while (word < axial_stack_top && *word == stack_paint)
-    ++word;
-  return static_cast<std::uint32_t>((axial_stack_top - word) * std::ptrdiff_t{sizeof *word});
-}
+/// Finds the bytes of a painted stack that were used, by the paint that is gone: a part a call, for the whole may take
+/// longer than a tick. What is used meanwhile below the part that was looked at, the next measurement finds.
+class StackMeter {
+ public:
+  static constexpr int words_a_look = 128;
+
+  constexpr StackMeter(const std::uint32_t* bottom, const std::uint32_t* top) : bottom_(bottom), top_(top) {}
+
+  /// Looks further. True, and `bytes` found, at the deepest word that was used; the next call begins anew.
+  bool look(std::uint32_t& bytes) {
+    const std::uint32_t* word = bottom_ + looked_at_;
+    int left = words_a_look;
+    for (; left > 0 && word < top_ && *word == stack_paint; --left)
+      ++word;
+    looked_at_ = left > 0 ? 0 : word - bottom_;
+    bytes = static_cast<std::uint32_t>((top_ - word) * std::ptrdiff_t{sizeof *word});
+    return left > 0;
+  }
+
+ private:
+  const std::uint32_t *bottom_, *top_;
+  std::ptrdiff_t looked_at_ = 0;
+};
 
 /// Whether the guard still holds its paint: the canary of a core without hardware that guards it.
 inline bool stack_intact() {

@@ -341,10 +341,14 @@ class Feedforward {
     send(hello, sequence_.last(), link::no_session);
   }
 
+  /// Not before the stack is measured, which takes many steps.
   void send_stats() {
+    std::uint32_t stack_bytes = 0;
+    if (!Board::measure_stack(stack_bytes)) return;
+    stats_wanted_ = false;
     link::Stats stats = tally_.stats();
     stats.gaps = sequence_.gaps();
-    stats.stack_bytes = Board::stack_used_bytes();
+    stats.stack_bytes = stack_bytes;
     send(stats, stats_number_, session_.id());
   }
 
@@ -358,7 +362,6 @@ class Feedforward {
       hello_wanted_ = false;
       greet();
     } else if (stats_wanted_) {
-      stats_wanted_ = false;
       send_stats();
     } else if (tally_.has_news()) {
       link::ErrorReply reply = tally_.error_reply();

@@ -147,7 +147,10 @@ int main() {
 #ifdef AXIAL_IN_DOUBLE
   run<double>();
 #endif
-  print("stack,", Board::stack_used_bytes());
+  std::uint32_t stack_bytes = 0;
+  while (!Board::measure_stack(stack_bytes)) {
+  }
+  print("stack,", stack_bytes);
   Board::print("\nend\n");
   Board::exit(0);
 }

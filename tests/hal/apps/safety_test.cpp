@@ -146,6 +146,21 @@ TEST_F(SafetyApp, AStepGivesOneAnswerSoThatTheTickIsNotKeptWaiting) {
     EXPECT_LE(bytes, link::max_wire_size);
 }
 
+TEST_F(SafetyApp, TheStackIsMeasuredAPartAStepSoThatTheTickIsNotKeptWaiting) {
+  board().stack_looks = 5;
+  board().stack_bytes = 1236;
+  const Bytes request = wire(link::StatsRequest{}, 0);
+  board().to_board.insert(board().to_board.end(), request.begin(), request.end());
+  for (int looks = 0; looks < 5; ++looks) {
+    app_.step();
+    EXPECT_FALSE(board().asleep);
+    EXPECT_TRUE(board().from_board.empty());
+  }
+  app_.step();
+  EXPECT_EQ(answer<link::Stats>().value().stack_bytes, 1236u);
+  EXPECT_TRUE(board().asleep);
+}
+
 TEST_F(SafetyApp, AGoodSetPointEndsTheFallBackUntilTheDrivesAreDisabled) {
   open(link::Mode::free_running);
   move(1);
