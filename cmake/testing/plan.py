@@ -163,7 +163,7 @@ def write_plan(chosen, options):
     images = sorted({image for item in chosen for image in item.images})
     for board in sorted({image.split("/")[0] for image in images}):
         own = [image.split("/")[1] for image in images if image.startswith(board + "/")]
-        (PLAN / f"{board}.images").write_text("" if board in images else "".join(image + "\n" for image in own), encoding="utf-8")
+        (PLAN / f"{board}.images").write_text("".join(image + "\n" for image in ["all"] * (board in images) + own), encoding="utf-8")
 
 
 def describe(chosen):

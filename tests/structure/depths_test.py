@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """What decides which tests are run when: parts of sources, the essence, records. usage: depths_test.py"""
 
+import argparse
 import json
 import pathlib
 import re
@@ -8,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "cmake/testing"))
@@ -66,6 +68,14 @@ class Essence(unittest.TestCase):
         parts = plan.parts_of(items, 4)
         self.assertCountEqual([item.key for part in parts for item in part], [item.key for item in items])
         self.assertEqual([len(part) for part in parts], [10] * 4)
+
+    def test_an_image_that_one_names_is_built_where_another_needs_all(self):
+        """All images of a board are those that a build without names makes, which leaves out some that tests name."""
+        items = [plan.Item("unsanitized", "a.b", images=["nrf51"]), plan.Item("unsanitized", "a.c", images=["nrf51/plant", "rp2040/arm"])]
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(plan, "PLAN", pathlib.Path(folder)):
+            plan.write_plan(items, argparse.Namespace(filter=None))
+            told = {path.stem: path.read_text(encoding="utf-8").split() for path in pathlib.Path(folder).glob("*.images")}
+        self.assertEqual(told, {"nrf51": ["all", "plant"], "rp2040": ["arm"]})
 
     def test_names_of_tests_are_read_from_sources(self):
         with tempfile.TemporaryDirectory() as folder:

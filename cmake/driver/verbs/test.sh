@@ -99,15 +99,16 @@ test_selection() {
   return $status
 }
 
-# A file per board: the images that tests need, none for all.
+# A file per board: the images that tests need, "all" for what a build without names makes, which leaves out some that tests name.
 build_planned_images() {
-  local file board images status=0
+  local file board images usual status=0
   for file in "$AXIAL_ROOT"/build/plan/*.images; do
     [[ -f $file ]] || continue
     board=$(basename "$file" .images)
     mapfile -t images <"$file"
     (ensure_runner "$board") || say "the tests of $board will be skipped: its emulator could not be installed"
-    if ((${#images[@]} == 0)); then mapfile -t images < <(images_of "$board"); fi
+    mapfile -t usual < <(images_of "$board")
+    if [[ ${images[0]} == all && ${#usual[@]} != 0 ]]; then images=("${usual[@]}" "${images[@]:1}"); fi
     build "$board" "${images[@]}" || status=1
   done
   return $status

@@ -118,6 +118,22 @@ double speed_of(const Description& robot, const std::vector<int>& joints, const 
 
 }  // namespace
 
+void check_leaders(const SourceTree& tree, const std::function<void(const SourceJoint&, LeaderFault)>& refuse) {
+  const auto moving = [&](const std::string& name) -> const SourceJoint* {
+    for (const auto& link : tree.links)
+      if (link.joint.moves() && link.joint.name == name) return &link.joint;
+    return nullptr;
+  };
+  for (const auto& link : tree.links) {
+    if (!link.joint.moves() || link.joint.leader.empty()) continue;
+    const SourceJoint* at = moving(link.joint.leader);
+    if (at == nullptr) refuse(link.joint, LeaderFault::does_not_move);
+    for (std::size_t i = 0; at != nullptr && at != &link.joint && i < tree.links.size(); ++i)
+      at = moving(at->leader);
+    if (at == &link.joint) refuse(link.joint, LeaderFault::follows_itself);
+  }
+}
+
 void couple(const SourceTree& source, Description& robot) {
   for (const auto& transmission : source.transmissions)
     name_transmission(transmission, robot);

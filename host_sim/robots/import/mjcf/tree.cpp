@@ -3,6 +3,7 @@
 
 #include <host_sim/robots/description/description.hpp>
 #include <host_sim/robots/description/numbers.hpp>
+#include <host_sim/robots/import/couplings.hpp>
 
 #include <algorithm>
 #include <set>
@@ -103,7 +104,7 @@ class Cut {
     frames_.assign(m_.bodies.size(), -1);
     scale_ = scale();
     add_root();
-    check_laws();
+    check_leaders(result_.tree, [this](const SourceJoint& joint, LeaderFault fault) { refuse_leader(joint, fault); });
     check_tendons(m_, tree);
     refuse_loops(m_, [&](const std::string& body) { return carrier(body); });
     set_efforts(m_, tree);
@@ -256,25 +257,12 @@ class Cut {
       result.leader = law->second.leader, result.ratio = law->second.ratio, result.offset = law->second.offset;
     }
   }
-  const SourceJoint* mover(const std::string& name) {
-    for (const auto& link : links())
-      if (link.parent >= 0 && link.joint.moves() && link.joint.name == name) return &link.joint;
-    return nullptr;
-  }
-  void check_laws() {
-    for (const auto& link : links()) {
-      const auto* at = link.parent >= 0 && link.joint.moves() ? &link.joint : nullptr;
-      for (std::size_t steps = 0; at != nullptr && !at->leader.empty(); ++steps) {
-        const auto& written = laws_.at(at->name).written;
-        if (steps > links().size())
-          written.refuse("joint '" + at->name + "' follows itself, by way of others", "one of them has a drive");
-        const auto* leader = mover(at->leader);
-        if (leader == nullptr)
-          written.refuse("joint '" + at->name + "' follows '" + at->leader + "', which does not move here",
-                         "--hold-mimic holds it; or choose a --tip beside which it is held");
-        at = leader;
-      }
-    }
+  void refuse_leader(const SourceJoint& joint, LeaderFault fault) const {
+    const auto& written = laws_.at(joint.name).written;
+    if (fault == LeaderFault::follows_itself)
+      written.refuse("joint '" + joint.name + "' follows itself, by way of others", "one of them has a drive");
+    written.refuse("joint '" + joint.name + "' follows '" + joint.leader + "', which does not move here",
+                   "--hold-mimic holds it; or choose a --tip beside which it is held");
   }
 
   /// The link that carries a body and moves; -1: none; -2: the body is not in the tree.

@@ -1,6 +1,7 @@
 #include <host_sim/robots/description/comment.hpp>
 #include <host_sim/robots/description/description.hpp>
 #include <host_sim/robots/description/numbers.hpp>
+#include <host_sim/robots/import/couplings.hpp>
 #include <host_sim/robots/import/right_angles.hpp>
 #include <host_sim/robots/import/sdf/model.hpp>
 #include <host_sim/robots/import/sdf/sdf_reader.hpp>
@@ -137,7 +138,7 @@ class Cut {
     for (std::size_t i = 0; i < m_.joints.size(); ++i)
       children_[m_.joints[i].parent].push_back(static_cast<int>(i));
     add_root();
-    check_leaders();
+    check_leaders(result_.tree, refuse_leader);
     if (tree.tool < 0 && choice_.has_tip()) add_frame();
     say();
     tree.length_digit = digit_.value();
@@ -353,24 +354,11 @@ class Cut {
       result.leader = harmless(m_.models[static_cast<std::size_t>(joint.model)].scope + leader->GetAsString());
     }
   }
-  const SourceJoint* mover(const std::string& name) {
-    for (const auto& link : links())
-      if (link.parent >= 0 && link.joint.moves() && link.joint.name == name) return &link.joint;
-    return nullptr;
-  }
-  void check_leaders() {
-    for (const auto& link : links()) {
-      const auto* at = link.parent >= 0 && link.joint.moves() ? &link.joint : nullptr;
-      for (std::size_t steps = 0; at != nullptr && !at->leader.empty(); ++steps) {
-        if (steps > links().size())
-          refuse("joint '" + at->name + "' mimics itself, by way of others", "one of them has a drive");
-        const auto* leader = mover(at->leader);
-        if (leader == nullptr)
-          refuse("joint '" + at->name + "' mimics '" + at->leader + "', which does not move here",
-                 "--hold-mimic holds it; or choose a --tip beside which it is held");
-        at = leader;
-      }
-    }
+  static void refuse_leader(const SourceJoint& joint, LeaderFault fault) {
+    if (fault == LeaderFault::follows_itself)
+      refuse("joint '" + joint.name + "' mimics itself, by way of others", "one of them has a drive");
+    refuse("joint '" + joint.name + "' mimics '" + joint.leader + "', which does not move here",
+           "--hold-mimic holds it; or choose a --tip beside which it is held");
   }
 
   // --- bodies

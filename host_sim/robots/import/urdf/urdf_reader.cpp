@@ -1,6 +1,7 @@
 #include <host_sim/robots/description/comment.hpp>
 #include <host_sim/robots/description/description.hpp>
 #include <host_sim/robots/description/numbers.hpp>
+#include <host_sim/robots/import/couplings.hpp>
 #include <host_sim/robots/import/right_angles.hpp>
 #include <host_sim/robots/import/urdf/transmissions.hpp>
 #include <host_sim/robots/import/urdf/urdf_reader.hpp>
@@ -72,7 +73,7 @@ class Reader {
     has_tip_ = !options.tip.empty();
     add(root, -1);
     if (has_tip_) choose_tool(options.tip);
-    check_leaders();
+    check_leaders(tree_, [this](const SourceJoint& joint, LeaderFault fault) { refuse_leader(joint, fault); });
     if (!problems_.empty()) throw Refused(problems_);
     say_held();
     tree_.changes = angles_.changes(), tree_.warnings = angles_.warnings();
@@ -150,28 +151,12 @@ class Reader {
                  number(result.offset),
              "give a multiplier that is not 0; a joint that cannot move is a fixed joint");
   }
-  /// The joint of a name that moves, or null.
-  const SourceJoint* mover(const std::string& name) const {
-    for (const auto& link : tree_.links)
-      if (link.parent >= 0 && link.joint.moves() && link.joint.name == name) return &link.joint;
-    return nullptr;
-  }
-  void check_leaders() {
-    for (const auto& link : tree_.links) {
-      if (!link.joint.moves() || link.joint.leader.empty()) continue;
-      const auto* leader = &link.joint;
-      for (std::size_t steps = 0; leader != nullptr && !leader->leader.empty(); ++steps) {
-        if (steps > tree_.links.size()) {
-          refuse("joint '" + link.joint.name + "' mimics itself, by way of others", "one of them has a drive");
-          break;
-        }
-        leader = mover(leader->leader);
-      }
-      if (leader == nullptr)
-        refuse("joint '" + link.joint.name + "' mimics '" + link.joint.leader + "', which does not move here",
-               "--hold-mimic holds it and carries its body along; remove <mimic> if a drive of its own moves it; or "
-               "choose a --tip that leaves it beside the chain, where joints are held");
-    }
+  void refuse_leader(const SourceJoint& joint, LeaderFault fault) {
+    if (fault == LeaderFault::follows_itself)
+      return refuse("joint '" + joint.name + "' mimics itself, by way of others", "one of them has a drive");
+    refuse("joint '" + joint.name + "' mimics '" + joint.leader + "', which does not move here",
+           "--hold-mimic holds it and carries its body along; remove <mimic> if a drive of its own moves it; or "
+           "choose a --tip that leaves it beside the chain, where joints are held");
   }
   void read_axis(const urdf::Joint& joint, SourceJoint& result) {
     const double x = joint.axis.x, y = joint.axis.y, z = joint.axis.z, length = std::hypot(x, y, z);
