@@ -138,7 +138,7 @@ class Cut {
     for (std::size_t i = 0; i < m_.joints.size(); ++i)
       children_[m_.joints[i].parent].push_back(static_cast<int>(i));
     add_root();
-    check_leaders(result_.tree, refuse_leader);
+    check_leaders(result_.tree, [this](const SourceJoint& joint, LeaderFault fault) { refuse_leader(joint, fault); });
     if (tree.tool < 0 && choice_.has_tip()) add_frame();
     say();
     tree.length_digit = digit_.value();
@@ -354,7 +354,7 @@ class Cut {
       result.leader = harmless(m_.models[static_cast<std::size_t>(joint.model)].scope + leader->GetAsString());
     }
   }
-  static void refuse_leader(const SourceJoint& joint, LeaderFault fault) {
+  void refuse_leader(const SourceJoint& joint, LeaderFault fault) const {
     if (fault == LeaderFault::follows_itself)
       refuse("joint '" + joint.name + "' mimics itself, by way of others", "one of them has a drive");
     refuse("joint '" + joint.name + "' mimics '" + joint.leader + "', which does not move here",
