@@ -275,14 +275,26 @@ class Safety(harness.BoardTest):
                 self.injected(job, link.WRITE, self.stack_bottom(image), link.BY_STACK_OVERFLOW, 0)
                 self.injected(job, link.HANG, 0, link.BY_WATCHDOG, WATCHDOG_MS * 9 / 8)
 
+    def overrun(self, firmware, payload, attempts=3):
+        """A set-point a tick, until the board starts again. An emulator that its host starves hears them too late, so that it is
+        in time with each: then once more."""
+        while True:
+            firmware.send(b"".join(firmware.frame(link.SET_POINT, number, payload) for number in range(1, 1001)))
+            attempts -= 1
+            try:
+                return firmware.until_restart()
+            except TimeoutError:
+                if attempts == 0:
+                    raise
+                firmware.open(link.FREE_RUNNING)
+
     def test_a_loop_that_misses_its_deadlines(self):
         """Float on a core without a floating-point unit: the Panda's torque takes longer than the tick."""
         if self.board not in ("stm32f100", "nrf51"):
             self.skipTest("is quick enough")
         with self.run_job("feedforward-panda", link.FREE_RUNNING, fast=False) as firmware:
             q = link.set_point([-0.8, -0.8, 2.4, -0.8, -2.4, 1.2, -1.4], [0] * 7, [0] * 7)
-            firmware.send(b"".join(firmware.frame(link.SET_POINT, number, q) for number in range(1, 1001)))  # for every tick
-            told = firmware.until_restart()
+            told = self.overrun(firmware, q)
             torques = [link.torque(payload) for kind, _, payload in told if kind == link.TORQUE]
             self.assertEqual(link.hello(told[-1][2])["reset_cause"], link.BY_WATCHDOG)
             self.assertGreater(torques[-1]["overruns"], 10)
