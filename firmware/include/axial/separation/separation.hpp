@@ -210,7 +210,7 @@ struct Terms {
       Soundness<typename Links::Scalar> all;
       detail::judge_positions(all, links, in, q);
       if constexpr (inputs_can_overflow<Scene> && is_number_v<typename Links::Scalar>) {
-        const JudgedTerms<decltype(terms), typename Links::Scalar> judged{terms, all};
+        const Collected<S, T, typename Links::Scalar, Out, typename Links::Scalar> judged{out, {all}};
         separation::run(links, in, at, screws, judged);
       } else {
         separation::run(links, in, at, screws, terms);

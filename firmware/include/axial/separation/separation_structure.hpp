@@ -8,29 +8,13 @@
 namespace axial {
 namespace separation {
 
-/// Which coefficients of a scene are not zero for every q.
+/// Which coefficients of a scene are not zero for every q, and what notes them.
+///@{
 template <class S>
-struct Present : Separated<S, bool> {
-  /// whether a value differs from zero by type
-  template <class V>
-  static constexpr bool is = !is_zero_v<V>;
-  template <class V>
-  constexpr void inertia(int i, int j, const V&) {
-    this->A[i][j] = this->A[j][i] = is<V>;
-  }  ///< notes A(i, j)
-  template <class V>
-  constexpr void product(int i, int j, int k, const V&) {
-    this->B[i][this->pair(j, k)] = is<V>;
-  }  ///< notes B(i; j k)
-  template <class V>
-  constexpr void square(int i, int j, const V&) {
-    this->C[i][j] = is<V>;
-  }  ///< notes C(i, j)
-  template <class V>
-  constexpr void rest(int i, const V&) {
-    this->G[i] = is<V>;
-  }  ///< notes G(i)
-};
+using Present = Separated<S, bool>;
+template <class S>
+using PresentTerms = const Collected<S, bool, double, Present<S>>;
+///@}
 
 /// Coefficients of drives that joints share: what the joints' and G make of them.
 template <class S>
@@ -43,8 +27,9 @@ constexpr auto present_terms() {
   } else {
     constexpr auto links = links_of<S, double, BaseParameters>();
     Present<S> found{};
+    PresentTerms<S> terms{found};
     run(links, Inputs<S, double>{}, Joints<robot_of<S>, double>{},
-        map_links(links, [&](auto i) { return links.link(i).z(0.0); }), found);
+        map_links(links, [&](auto i) { return links.link(i).z(0.0); }), terms);
     return found;
   }
 }

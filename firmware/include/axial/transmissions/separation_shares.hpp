@@ -112,15 +112,16 @@ template <class S>
 constexpr auto driven_present_terms() {
   using Shares = driven::TermShares<scene_of<S>>;
   Present<S> found{};
-  Shares::each_inertia([&](const driven::Share& share) { found.inertia(share.k, share.l, true); });
+  PresentTerms<S> terms{found};
+  Shares::each_inertia([&](const driven::Share& share) { terms.inertia(share.k, share.l, true); });
   Shares::each_rates([&](const driven::RateShare& share) {
     if (share.k == share.l)
-      found.square(share.d, share.k, true);
+      terms.square(share.d, share.k, true);
     else
-      found.product(share.d, share.k, share.l, true);
+      terms.product(share.d, share.k, share.l, true);
   });
   for (int k = 0; k < joint_count<S>; ++k)
-    found.inertia(k, k, true), found.rest(k, true);
+    terms.inertia(k, k, true), terms.rest(k, true);
   return found;
 }
 }  // namespace separation
