@@ -1,7 +1,7 @@
 // What the algorithms use of the water about a body, derived from its description.
 #pragma once
 
-#include <axial/robot/water.hpp>
+#include <axial/robot/link_parameters.hpp>
 #include <axial/scalar/math.hpp>
 
 #include <cstddef>

@@ -6,7 +6,7 @@
 // section 9.3.
 #pragma once
 
-#include <axial/base/base_solve.hpp>
+#include <axial/base/floating_base.hpp>
 #include <axial/dynamics/base_wrench.hpp>
 #include <axial/dynamics/composite_body.hpp>
 #include <axial/transmissions/driven_links.hpp>

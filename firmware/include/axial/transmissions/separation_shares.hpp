@@ -2,7 +2,7 @@
 // compiler.
 #pragma once
 
-#include <axial/separation/separation_structure.hpp>
+#include <axial/separation/separated_torque.hpp>
 #include <axial/transmissions/coupling_terms.hpp>
 
 #include <axial/options/begin.hpp>
