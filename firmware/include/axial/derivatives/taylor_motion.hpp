@@ -3,7 +3,7 @@
 
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/links/links.hpp>
-#include <axial/recursion/friction_slope.hpp>
+#include <axial/recursion/drives.hpp>
 #include <axial/spatial/taylor_screw.hpp>
 
 #include <axial/options/begin.hpp>

@@ -1,7 +1,6 @@
 // Links of a robot whose joints share drives: joint values on one side, values of drives on the other.
 #pragma once
 
-#include <axial/transmissions/driven_scenes.hpp>
 #include <axial/transmissions/roles.hpp>
 
 #include <axial/options/begin.hpp>

@@ -6,7 +6,6 @@
 #include <axial/transmissions/coupling_terms.hpp>
 #include <axial/transmissions/driven_algorithms.hpp>
 #include <axial/transmissions/driven_floating_base.hpp>
-#include <axial/transmissions/driven_forward_derivatives.hpp>
 #include <axial/transmissions/driven_links.hpp>
 #include <axial/transmissions/driven_model.hpp>
 #include <axial/transmissions/driven_motion.hpp>
