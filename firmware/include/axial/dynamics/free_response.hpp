@@ -58,14 +58,6 @@ struct AtRest {
 template <class K, class D, class R, class B, class L, class W>
 AtRest(K, D, R, B, L, W) -> AtRest<K, D, R, detail::Decided<B>, L, W>;
 
-/// The kind of a joint, as it is.
-struct SameKind {
-  /// the kind
-  template <class Kind>
-  constexpr Kind operator()(Kind kind) const {
-    return kind;
-  }
-};
 /// A step of a pass as f(kind of the joint, i, link i, ...). Where a kind is a type nothing is called in between.
 template <class Links, class F>
 struct ByJoint {
@@ -77,7 +69,7 @@ struct ByJoint {
   AXIAL_INLINE constexpr auto operator()(I i, const X&... x) const {
     auto link = links.link(i);
     if constexpr (Links::unrolled)
-      return f(decltype(link.on_joint(SameKind{})){}, i, link, x...);
+      return f(detail::KindOfJoint<decltype(link)>{}, i, link, x...);
     else
       return link.on_joint([&](auto joint) AXIAL_INLINE { return f(joint, i, link, x...); });
   }

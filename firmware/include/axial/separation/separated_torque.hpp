@@ -52,19 +52,13 @@ constexpr bool has_inertia() {
   else
     return present<S>.A[I::value][J::value];
 }
-/// Whether a coefficient of qd_j^2 may differ from zero.
-template <class S, class I, class J>
-constexpr bool has_square() {
-  if constexpr (is_table<S>)
-    return true;
-  else
-    return present<S>.C[I::value][J::value];
-}
-/// Whether a coefficient of qd_j qd_k may differ from zero.
-template <class S, class I, class J, class K>
+/// Whether a coefficient of qd_j qd_k, or of qd_j^2, may differ from zero.
+template <class S, class I, class J, class K = J>
 constexpr bool has_product() {
   if constexpr (is_table<S>)
     return true;
+  else if constexpr (std::is_same_v<J, K>)
+    return present<S>.C[I::value][J::value];
   else
     return present<S>.B[I::value][Present<S>::pair(J::value, K::value)];
 }
@@ -120,7 +114,7 @@ AXIAL_INLINE constexpr void add_inertial(const SeparatedA<S, T>& s, const Accele
 template <class S, class T, class I>
 AXIAL_INLINE constexpr void add_products(const Separated<S, T>& s, const RateProducts<S, T>& rates, I i, T& sum) {
   for_each_joint<S>([&](auto j) AXIAL_INLINE {
-    if constexpr (has_square<S, I, decltype(j)>()) sum = sum + s.C[i][j] * rates.squares[j];
+    if constexpr (has_product<S, I, decltype(j)>()) sum = sum + s.C[i][j] * rates.squares[j];
   });
   for_each_pair<S>([&](auto j, auto k) AXIAL_INLINE {
     constexpr auto pair = &SeparatedB<S, T>::pair;

@@ -91,12 +91,12 @@ struct DrivenLinks {
     return all;
   }
   /// What drive K feels of values of the joints: column K of G times them.
-  template <int K, int I = 0, class Values>
+  template <int K, class Values>
   AXIAL_INLINE static constexpr auto actuator_effort(const Values& values) {
-    if constexpr (I == size)
-      return Zero{};
-    else
-      return literal<Scalar>([] { return matrix.ratio[I][K]; }) * values[I] + actuator_effort<K, I + 1>(values);
+    return driven::sum_of<size>([&](auto i) AXIAL_INLINE {
+      constexpr int I = decltype(i)::value;
+      return literal<Scalar>([] { return matrix.ratio[I][K]; }) * values[I];
+    });
   }
   /// Overload that takes the drive as an index.
   template <class K, class Values>
@@ -190,22 +190,18 @@ struct DrivenLinks {
   struct DriveStep {
     static constexpr RowStep value() { return matrix.drive_step(K); }
   };
-  template <int I, int K = 0, class U>
+  template <int I, class U>
   AXIAL_INLINE static constexpr auto signed_sum(const U& u) {
-    if constexpr (K == capacity)
-      return Zero{};
-    else
-      return literal<Scalar>([] {
-               return matrix.ratio[I][K] > 0.0 ? 1.0 : matrix.ratio[I][K] < 0.0 ? -1.0 : 0.0;
-             }) * u[K] +
-             signed_sum<I, K + 1>(u);
+    return driven::sum_of<capacity>([&](auto k) AXIAL_INLINE {
+      constexpr double ratio = matrix.ratio[I][decltype(k)::value];
+      return literal<Scalar>([] { return ratio > 0.0 ? 1.0 : ratio < 0.0 ? -1.0 : 0.0; }) * u[k];
+    });
   }
-  template <int I, int K = 0, class U>
+  template <int I, class U>
   AXIAL_INLINE static constexpr auto row(const U& u) {
-    if constexpr (K == capacity)
-      return Zero{};
-    else
-      return literal<Scalar>([] { return matrix.ratio[I][K]; }) * u[K] + row<I, K + 1>(u);
+    return driven::sum_of<capacity>([&](auto k) AXIAL_INLINE {
+      return literal<Scalar>([] { return matrix.ratio[I][decltype(k)::value]; }) * u[k];
+    });
   }
   template <class F, int... I>
   AXIAL_INLINE static constexpr void each(const F& f, std::integer_sequence<int, I...>) {

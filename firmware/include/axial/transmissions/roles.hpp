@@ -24,6 +24,14 @@ using IfDriven = std::enable_if_t<is_driven<Links>>;
 namespace driven {
 template <class Links, class By>
 struct SlopeShares;
+/// term(Index<0>{}) + (term(Index<1>{}) + ...), `count` of them.
+template <int count, int i = 0, class Term>
+AXIAL_INLINE constexpr auto sum_of(const Term& term) {
+  if constexpr (i == count)
+    return Zero{};
+  else
+    return term(Index<i>{}) + sum_of<count, i + 1>(term);
+}
 }  // namespace driven
 ///@}
 /// Stops the compiler where such links reach a kernel without: at once, being a class.
