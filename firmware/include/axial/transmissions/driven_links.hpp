@@ -9,7 +9,7 @@ namespace axial {
 /// What kernels get for a robot whose joints share drives: its joints, its drives, and G between them. Those that know
 /// it (DrivenKernels) read values of drives, compute with joints and answer for drives.
 template <class SceneType, class ScalarType, class Parameters>
-struct DrivenLinks {
+struct DrivenLinks : driven::PlainDrives<ScalarType> {
   using Scene = SceneType;                                         ///< of the drives
   using Scalar = ScalarType;                                       ///< the number
   using Value = ScalarType;                                        ///< as joint values hold it
@@ -51,8 +51,7 @@ struct DrivenLinks {
     each_joint([&](auto i) AXIAL_INLINE { qd[i] = static_cast<Scalar>(row<decltype(i)::value>(ud)); });
     return qd;
   }
-  /// Nothing moves.
-  AXIAL_INLINE static constexpr NoMotion rates(NoMotion) { return {}; }
+  using driven::PlainDrives<ScalarType>::rates;
   /// Rates of the joints that are computed where a kernel reads them: ahead of it they would wait in memory. A common
   /// factor of a row stands outside, from where it goes into a sum.
   template <class U>
@@ -107,21 +106,6 @@ struct DrivenLinks {
   /// G(joint, drive) as a number.
   AXIAL_INLINE static constexpr Scalar ratio(int joint, int drive) {
     return NumberTraits<Scalar>::constant(matrix.ratio[joint][drive]);
-  }
-  /// Values of drives as kernels compute with them.
-  template <class U>
-  AXIAL_INLINE static constexpr const U& read_drives(const U& u) {
-    return u;
-  }
-  /// Writes for drive k what it feels of the joints, and terms of its own.
-  template <class Values, class K, class AtActuators, class... Own>
-  AXIAL_INLINE static constexpr void answer(Values& values, K, const AtActuators& actuator_effort, const Own&... own) {
-    values[K::value] = static_cast<Scalar>((actuator_effort[K::value] + ... + own));
-  }
-  /// values[k] = x.
-  template <class Values, class K, class X>
-  AXIAL_INLINE static constexpr void write(Values& values, K k, const X& x) {
-    values[k] = static_cast<Scalar>(x);
   }
   /// x + y, where a number system with formats waits for the sum's rounding.
   template <class X, class Y>

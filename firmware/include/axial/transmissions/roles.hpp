@@ -24,6 +24,26 @@ using IfDriven = std::enable_if_t<is_driven<Links>>;
 namespace driven {
 template <class Links, class By>
 struct SlopeShares;
+/// Values of drives over numbers T without formats, as they are.
+template <class T>
+struct PlainDrives {
+  static constexpr NoMotion rates(NoMotion) { return {}; }  ///< nothing moves
+  template <class U>
+  AXIAL_INLINE static constexpr const U& read_drives(const U& u) {  ///< as kernels compute with them
+    return u;
+  }
+  /// Writes for drive k what it feels of the joints, and terms of its own.
+  template <class Values, class K, class AtActuators, class... Own>
+  AXIAL_INLINE static constexpr void answer(Values& values, K k, const AtActuators& actuator_effort,
+                                            const Own&... own) {
+    values[k] = static_cast<T>((actuator_effort[k] + ... + own));
+  }
+  /// values[k] = x.
+  template <class Values, class K, class X>
+  AXIAL_INLINE static constexpr void write(Values& values, K k, const X& x) {
+    values[k] = static_cast<T>(x);
+  }
+};
 /// term(Index<0>{}) + (term(Index<1>{}) + ...), `count` of them.
 template <int count, int i = 0, class Term>
 AXIAL_INLINE constexpr auto sum_of(const Term& term) {

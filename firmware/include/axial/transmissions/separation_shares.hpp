@@ -75,33 +75,17 @@ struct TermShares {
 /// Shares as a table: of A, and of B and C.
 ///@{
 template <class Scene>
-inline constexpr int inertia_share_count = [] {
-  int count = 0;
-  TermShares<Scene>::each_inertia([&](const Share&) { ++count; });
-  return count;
-}();
+inline constexpr int inertia_share_count = counted([](const auto& f) { TermShares<Scene>::each_inertia(f); });
 template <class Scene>
-inline constexpr int rate_share_count = [] {
-  int count = 0;
-  TermShares<Scene>::each_rates([&](const RateShare&) { ++count; });
-  return count;
-}();
+inline constexpr int rate_share_count = counted([](const auto& f) { TermShares<Scene>::each_rates(f); });
 template <class Scene>
-inline constexpr auto inertia_shares = [] {
-  Row<Share, inertia_share_count<Scene> + 1> all{};  // a first one ends the last entry
-  int next = 0;
-  TermShares<Scene>::each_inertia([&](const Share& share) { all[next++] = share; });
-  all[next].first = true;
-  return all;
-}();
+inline constexpr auto inertia_shares = listed<Share, inertia_share_count<Scene>>([](const auto& f) {
+  TermShares<Scene>::each_inertia(f);
+});
 template <class Scene>
-inline constexpr auto rate_shares = [] {
-  Row<RateShare, rate_share_count<Scene> + 1> all{};
-  int next = 0;
-  TermShares<Scene>::each_rates([&](const RateShare& share) { all[next++] = share; });
-  all[next].first = true;
-  return all;
-}();
+inline constexpr auto rate_shares = listed<RateShare, rate_share_count<Scene>>([](const auto& f) {
+  TermShares<Scene>::each_rates(f);
+});
 ///@}
 
 }  // namespace driven
