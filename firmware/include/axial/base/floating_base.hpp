@@ -49,11 +49,6 @@ AXIAL_INLINE constexpr auto backward(const Round& round, const F& factors, const
   return Vec3{round.sum(quantity::LinearAcceleration{}, v.x, -(factors.lower.x * y), -(factors.lower.y * v.z)), y, v.z};
 }
 
-template <class A, class B>
-AXIAL_INLINE constexpr auto scaled(const A& by, const B& v) {
-  return Vec3{by.x * v.x, by.y * v.y, by.z * v.z};
-}
-
 // s - W V^T, known to be symmetric.
 template <class Round, class S, class W, class V>
 AXIAL_INLINE constexpr auto complement(const Round& round, const S& s, const W& w, const V& v) {
@@ -83,14 +78,12 @@ AXIAL_INLINE constexpr auto free_motion(const Round& round, const I& inertia, co
   const auto& c = inertia.coupling;
   auto linear = detail::factored<T>(round, inertia.linear, scale.mass);
   Mat3 w{detail::forward(round, linear, c.x), detail::forward(round, linear, c.y), detail::forward(round, linear, c.z)};
-  Mat3 gain{detail::scaled(linear.inverse, w.x), detail::scaled(linear.inverse, w.y),
-            detail::scaled(linear.inverse, w.z)};
+  Mat3 gain{detail::each(linear.inverse, w.x), detail::each(linear.inverse, w.y), detail::each(linear.inverse, w.z)};
   auto angular = detail::factored<T>(round, detail::complement(round, inertia.angular, gain, w), scale.polar);
   auto force = detail::forward(round, linear, p.force);
   auto moment = round.sum(Moment{}, p.moment, -(gain * force));
-  auto turn =
-      detail::backward(round, angular, detail::scaled(angular.inverse, detail::forward(round, angular, moment)));
-  auto shift = round.sum(LinearAcceleration{}, detail::scaled(linear.inverse, force), -transpose_times(gain, turn));
+  auto turn = detail::backward(round, angular, detail::each(angular.inverse, detail::forward(round, angular, moment)));
+  auto shift = round.sum(LinearAcceleration{}, detail::each(linear.inverse, force), -transpose_times(gain, turn));
   return FreeMotion{MotionVector{-turn, -detail::backward(round, linear, shift)},
                     Truth<T>(linear.singular | angular.singular)};
 }

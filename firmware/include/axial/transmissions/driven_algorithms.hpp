@@ -57,9 +57,11 @@ struct Execution<rnea::JointEffort<S, T, Drive>, Links, IfDriven<Links>> {
 template <class Links>
 struct Execution<crba::CompositeMatrix, Links, IfDriven<Links>> {
   /// writes it
-  template <class... X>
-  AXIAL_INLINE static constexpr void run(const Links& links, X&&... x) {
-    DrivenKernels<Links>::matrix_at(links, x...);
+  template <class Input, class Q, class M>
+  AXIAL_INLINE static constexpr void run(const Links& links, const Input& in, const Q& u, M& m) {
+    const auto q = links.positions(u);
+    const auto& at = links.joints();
+    DrivenKernels<Links>::matrix(links, in, joint_screws(at, in, at.read(q)), m);
   }
 };
 /// Accelerations of the drives, by composite bodies.

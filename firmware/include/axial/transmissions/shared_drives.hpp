@@ -67,14 +67,6 @@ struct DrivenKernels {
     else
       links.reduce(joints, m);
   }
-  /// G^T M G and the rotors from values of drives.
-  template <class Input, class Q, class M>
-  AXIAL_INLINE static constexpr void matrix_at(const Links& links, const Input& in, const Q& u, M& m) {
-    const auto q = links.positions(u);
-    const auto& at = links.joints();
-    matrix(links, in, joint_screws(at, in, at.read(q)), m);
-  }
-
   /// Columns of a Jacobian by drives, from those by joints.
   template <class J, class Result>
   AXIAL_INLINE static constexpr void columns(const Links& links, const J& joints, Result& result) {
