@@ -76,7 +76,7 @@ struct Asked {
     }
   }
   static bool is_revolute(int i) {
-    if constexpr (detail::is_known<R>(0))
+    if constexpr (detail::is_described<R>)
       return R::chain.links[i].type == JointType::revolute;
     else
       return i != 2;  // as model() makes it

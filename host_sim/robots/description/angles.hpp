@@ -1,7 +1,7 @@
 // Angles of a description: exact where they are multiples of 90 degrees, in degrees where a whole number says the same.
 #pragma once
 
-#include <axial/robot/angle.hpp>
+#include <axial/robot/link_parameters.hpp>
 
 #include <optional>
 

@@ -76,16 +76,11 @@ TEST(Separated, TermsSumToTheTorque) {
 
 // Each kind of coefficient by itself: the others would show most of what is not finite too, but not all of it.
 TEST(Separated, EveryKindOfCoefficientIsLookedAt) {
-  struct Nobody {
-    void inertia(int, int, double) const {}
-    void product(int, int, int, double) const {}
-    void square(int, int, double) const {}
-    void rest(int, double) const {}
-  };
+  using Terms = Separated<Crooked, double>;
   const auto judged = [](const auto& give, double value) {
-    const Nobody nobody;
+    Terms terms{};
     Soundness<double> all;
-    give(JudgedTerms<Nobody, double>{nobody, all}, value);
+    give(Collected<Crooked, double, double, Terms, double>{terms, {all}}, value);
     return all.status().code;
   };
   const auto expect_seen = [&](const auto& give, const char* what) {

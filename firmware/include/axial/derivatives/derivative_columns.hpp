@@ -124,11 +124,6 @@ AXIAL_INLINE constexpr auto to_parent(const AxialScrew<Axis, C, S, L, Turn>& x, 
                  to_parent(x, c.position, as_forces<PositionMoment, PositionForce>(round))};
 }
 
-/// Power of a force on a motion.
-template <class M, class F>
-AXIAL_INLINE constexpr auto power(const M& motion, const F& force) {
-  return dot(motion.angular, force.moment) + dot(motion.linear, force.force);
-}
 /// b . phi.
 template <class B>
 AXIAL_INLINE constexpr auto row_along(Revolute, const B& row) {
@@ -145,9 +140,9 @@ template <class Joint, class K, class I, class C, class M, class Out>
 AXIAL_INLINE constexpr void write_pair(Joint joint, K k, I i, const C& columns, const M& axis, Out& out) {
   out.mass(k, i, along_joint(joint, columns.acceleration));
   out.position(i, k, along_joint(joint, columns.position));
-  out.position(k, i, dot(columns.row, axis.first.angular) + power(axis.second, columns.acceleration));
+  out.position(k, i, dot(columns.row, axis.first.angular) + along_motion(axis.second, columns.acceleration));
   out.velocity(i, k, along_joint(joint, columns.speed));
-  out.velocity(k, i, row_along(joint, columns.row) + power(axis.doubled, columns.acceleration));
+  out.velocity(k, i, row_along(joint, columns.row) + along_motion(axis.doubled, columns.acceleration));
 }
 
 /// The columns of joint k, in the frame of joint j's axis, as they are in that of joint i's, the next one inboard; with

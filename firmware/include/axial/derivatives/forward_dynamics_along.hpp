@@ -45,7 +45,7 @@ AXIAL_INLINE constexpr void accelerations_along(const Links& links, const Recurs
   Factors<MassMatrix<typename Links::Scene::Robot, T>, T, Links::capacity> factors;
   result.qdd.status = execute<FactorsAt>(links, in, q, qd, tau, result.qdd, factors);
   auto& x = result.dqdd;
-  execute<Along>(recursion, in, DualValues{q, by.dq}, DualValues{qd, by.dqd}, DualValues{result.qdd, NoMotion{}},
+  execute<Along>(recursion, in, TaylorValues{q, by.dq}, TaylorValues{qd, by.dqd}, TaylorValues{result.qdd, NoMotion{}},
                  [&](auto i, const auto& effort) AXIAL_INLINE { x[i] = by.dtau[i] - slope_of(effort); });
   substitute(Any{}, execute<Actuators>(links), factors, x);
 }

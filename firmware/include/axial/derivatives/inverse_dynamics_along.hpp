@@ -3,7 +3,7 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/derivatives/derivative_results.hpp>
-#include <axial/derivatives/dual_motion.hpp>
+#include <axial/derivatives/taylor_motion.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -29,7 +29,7 @@ namespace derivatives {
 template <class Links, class Input, class Q, class V, class A, class Direction, class Result>
 AXIAL_INLINE constexpr void efforts_along(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd,
                                           const Direction& by, Result& result) {
-  execute<Along>(links, in, DualValues{q, by.dq}, DualValues{qd, by.dqd}, DualValues{qdd, by.dqdd},
+  execute<Along>(links, in, TaylorValues{q, by.dq}, TaylorValues{qd, by.dqd}, TaylorValues{qdd, by.dqdd},
                  [&](auto i, const auto& effort) AXIAL_INLINE {
                    links.write(result.tau, i, value_of(effort));
                    links.write(result.dtau, i, slope_of(effort));

@@ -1,7 +1,7 @@
 // Derivatives of inverse dynamics: efforts, mass matrix and both Jacobians in one pass.
 #pragma once
 
-#include <axial/derivatives/jacobian_structure.hpp>
+#include <axial/derivatives/derivative_entries.hpp>
 
 #include <axial/options/begin.hpp>
 

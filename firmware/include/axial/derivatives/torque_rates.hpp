@@ -3,7 +3,6 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/derivatives/inverse_dynamics_along.hpp>
-#include <axial/derivatives/taylor_motion.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -39,7 +38,7 @@ AXIAL_INLINE constexpr void write_rates(const Links& links, const Input& in, con
 template <class Links, class Input, class Q, class V, class A, class J, class Result>
 AXIAL_INLINE constexpr void write_rate(const Links& links, const Input& in, const Q& q, const V& qd, const A& qdd,
                                        const J& q3, Result& result) {
-  execute<Along>(links, in, DualValues{q, qd}, DualValues{qd, qdd}, DualValues{qdd, q3},
+  execute<Along>(links, in, TaylorValues{q, qd}, TaylorValues{qd, qdd}, TaylorValues{qdd, q3},
                  [&](auto i, const auto& effort) AXIAL_INLINE {
                    links.write(result.tau, i, value_of(effort));
                    links.write(result.taud, i, slope_of(effort));

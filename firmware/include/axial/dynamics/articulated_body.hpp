@@ -166,14 +166,9 @@ struct InMotion {
   /// Velocity-dependent part of every link's motion.
   template <class Screws>
   AXIAL_INLINE constexpr auto velocities(const Screws& screws) const {
-    return outward(links, base_velocity(links, in), [&](auto i, const auto& parent) AXIAL_INLINE {
-      auto link = links.link(i);
-      if constexpr (Links::unrolled)
-        return link.shape(move(detail::KindOfJoint<decltype(link)>{}, link, screws[i], parent, qd[i]));
-      else
-        return link.on_joint([&](auto joint)
-                                 AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i])); });
-    });
+    auto next = [&](auto joint, auto i, const auto& link, const auto& parent)
+                    AXIAL_INLINE { return link.shape(move(joint, link, screws[i], parent, qd[i])); };
+    return outward(links, base_velocity(links, in), ByJoint{links, next});
   }
   /// Force that acts on link i from outside, water included: N m and N.
   template <class I, class Link, class Body, class Vel>

@@ -4,8 +4,8 @@
 
 #include <axial/dynamics/articulated_body.hpp>
 #include <axial/dynamics/composite_body.hpp>
+#include <axial/dynamics/free_response.hpp>
 #include <axial/dynamics/route.hpp>
-#include <axial/dynamics/split_form.hpp>
 #include <axial/recursion/forward_soundness.hpp>
 
 #include <axial/options/begin.hpp>

@@ -1,8 +1,9 @@
-// The structure at rest, weightless and free of outside forces: what it is, and its answer to efforts alone. One
-// structure serves any number of drives.
+// Forward dynamics in the split form: the bias torque by RNEA, then the structure at rest under what is left of tau.
+// That structure, weightless and free of outside forces, and its answer to efforts alone serve any number of drives.
 #pragma once
 
 #include <axial/base/water.hpp>
+#include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/recursion/forward_result.hpp>
 #include <axial/recursion/joint_screws.hpp>
 #include <axial/recursion/loads.hpp>
@@ -57,14 +58,6 @@ struct AtRest {
 template <class K, class D, class R, class B, class L, class W>
 AtRest(K, D, R, B, L, W) -> AtRest<K, D, R, detail::Decided<B>, L, W>;
 
-/// The kind of a joint, as it is.
-struct SameKind {
-  /// the kind
-  template <class Kind>
-  constexpr Kind operator()(Kind kind) const {
-    return kind;
-  }
-};
 /// A step of a pass as f(kind of the joint, i, link i, ...). Where a kind is a type nothing is called in between.
 template <class Links, class F>
 struct ByJoint {
@@ -76,7 +69,7 @@ struct ByJoint {
   AXIAL_INLINE constexpr auto operator()(I i, const X&... x) const {
     auto link = links.link(i);
     if constexpr (Links::unrolled)
-      return f(decltype(link.on_joint(SameKind{})){}, i, link, x...);
+      return f(detail::KindOfJoint<decltype(link)>{}, i, link, x...);
     else
       return link.on_joint([&](auto joint) AXIAL_INLINE { return f(joint, i, link, x...); });
   }
@@ -167,6 +160,54 @@ AXIAL_INLINE constexpr auto respond(const Links& links, const Screws& screws, co
   });
   return first;
 }
+
+}  // namespace aba
+namespace aba {
+
+/// One answer in numbers of unlimited range, each acceleration as it comes.
+struct PlainAnswer {
+  /// Writes the accelerations under tau - bias.
+  template <class Links, class Screws, class Structure, class Tau, class Bias, class A>
+  AXIAL_INLINE static constexpr auto of(const Links& links, const Screws& screws, const Structure& structure,
+                                        const Tau& tau, const Bias& bias, A& qdd) {
+    auto drive = map_links(links, [&](auto i) AXIAL_INLINE { return tau[i] - bias[i]; });
+    Unwatched watch;
+    const auto lost = respond(links, screws, structure, drive, watch,
+                              [&](auto i, const auto& own) AXIAL_INLINE { links.write(qdd, i, own); });
+    return status_of<Links>(lost, false);
+  }
+};
+
+/// How the structure answers what drives it, over links that compute by `Scalar`; a number system with formats has its
+/// own way.
+template <class Scalar>
+struct SplitAnswer {
+  /// the way over these links
+  template <class Links>
+  using Over = PlainAnswer;
+};
+
+/// The algorithm over any form of links; `bias_links` are those of the bias torque, which may be of base parameters.
+struct SplitForm {
+  /// status of the accelerations that it writes
+  template <class Links, class BiasLinks, class Input, class Q, class V, class Tau, class A>
+  AXIAL_INLINE static constexpr auto run(const Links& links, const BiasLinks& bias_links, const Input& in, const Q& q,
+                                         const V& qd, const Tau& tau, A& qdd) {
+    auto at = links.read(q);
+    auto screws = joint_screws(links, in, at);
+    auto bias = bias_links.no_efforts();
+    if constexpr (detail::stages_apart<Links>)
+      detail::called([&]()
+                         AXIAL_INLINE { rnea::efforts(bias_links, in, at, screws, links.read(qd), NoMotion{}, bias); });
+    else
+      rnea::efforts(bias_links, in, at, screws, links.read(qd), NoMotion{}, bias);
+    auto structure = structure_at_rest(links, in, screws);
+    auto given = links.read(tau);
+    auto left = links.read(bias);
+    using Answer = typename SplitAnswer<typename Links::Scalar>::template Over<Links>;
+    return Answer::of(links, screws, structure, given, left, qdd);
+  }
+};
 
 }  // namespace aba
 }  // namespace axial

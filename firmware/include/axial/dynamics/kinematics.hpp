@@ -76,7 +76,7 @@ AXIAL_INLINE constexpr auto status_at(const Links& links, const Input& in, const
                                       const More&... more) {
   Soundness<typename Links::Scalar> all;
   detail::judge_positions(all, links, in, q);
-  if constexpr (!detail::is_known<typename Links::Scene::Robot>(0)) {
+  if constexpr (!detail::is_described<typename Links::Scene::Robot>) {
     for_each_link(links, [&](auto i) AXIAL_INLINE { detail::collect(all, numbers(i)); });
     (detail::collect(all, more), ...);
   }

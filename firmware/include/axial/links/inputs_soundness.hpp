@@ -48,20 +48,16 @@ struct InputLimits {
   TipWrenchLimit wrench{most::force, most::moment, false};
   ToolLimit tool{most::way, false};
 };
-template <class R>
-constexpr auto declared_inputs(int) -> decltype(R::chain.links, InputLimits{}) {
-  InputLimits all;
-  if (R::chain.payload_limit.declared) all.load = R::chain.payload_limit;
-  if (R::chain.tip_wrench_limit.declared) all.wrench = R::chain.tip_wrench_limit;
-  if (R::chain.tool_limit.declared) all.tool = R::chain.tool_limit;
-  return all;
-}
-template <class R>
-constexpr InputLimits declared_inputs(...) {
-  return {};
-}
 template <class Robot>
-inline constexpr InputLimits input_limits = declared_inputs<Robot>(0);
+inline constexpr InputLimits input_limits = [] {
+  InputLimits all;
+  if constexpr (is_described<Robot>) {
+    if (Robot::chain.payload_limit.declared) all.load = Robot::chain.payload_limit;
+    if (Robot::chain.tip_wrench_limit.declared) all.wrench = Robot::chain.tip_wrench_limit;
+    if (Robot::chain.tool_limit.declared) all.tool = Robot::chain.tool_limit;
+  }
+  return all;
+}();
 
 template <class T, class V>
 AXIAL_INLINE constexpr void collect(Soundness<T>& all, const V& x) {

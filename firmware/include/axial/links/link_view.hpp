@@ -2,7 +2,6 @@
 #pragma once
 
 #include <axial/links/base_parameters.hpp>
-#include <axial/links/drive_constants.hpp>
 #include <axial/links/link_constants.hpp>
 #include <axial/scalar/rounding.hpp>
 #include <axial/scene/joints.hpp>

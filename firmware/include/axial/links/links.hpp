@@ -1,7 +1,6 @@
 // The links of a robot as the algorithms walk over them, unrolled or looped.
 #pragma once
 
-#include <axial/links/inputs.hpp>
 #include <axial/links/plain_values.hpp>
 #include <axial/links/table_link.hpp>
 

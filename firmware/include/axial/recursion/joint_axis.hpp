@@ -19,6 +19,12 @@ AXIAL_INLINE constexpr auto along_joint(Prismatic, const F& f) {
   return f.force.z;
 }
 
+/// Component of a force along a joint whose motion is given: its power at one unit of rate.
+template <class M, class F>
+AXIAL_INLINE constexpr auto along_motion(const M& motion, const F& force) {
+  return dot(motion.angular, force.moment) + dot(motion.linear, force.force);
+}
+
 /// A joint acceleration as a motion of its link.
 template <class A>
 AXIAL_INLINE constexpr auto along_axis(Revolute, const A& qdd) {

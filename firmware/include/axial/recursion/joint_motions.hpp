@@ -63,12 +63,6 @@ AXIAL_INLINE constexpr auto joint_motions(const Links& links, const Screws& scre
   return map_links(links, [&](auto m) AXIAL_INLINE { return motions_of_joint(links, screws, m); });
 }
 
-/// Component of a force along a joint whose motion is given: its power at one unit of rate.
-template <class M, class F>
-AXIAL_INLINE constexpr auto along_motion(const M& motion, const F& force) {
-  return dot(motion.angular, force.moment) + dot(motion.linear, force.force);
-}
-
 }  // namespace axial
 
 #include <axial/options/end.hpp>

@@ -26,27 +26,19 @@ constexpr bool stays_below(double most, double slide) {
   return 1.0 + length * length < most / (terms * mass);
 }
 
-/// What makes slides infinite from which something might overflow: some 1e15 m in float.
+/// What makes slides infinite from which something might overflow: some 1e15 m in float. Of a run-time model, whose
+/// answers are looked at instead, 1.
 template <class Robot, class T>
-constexpr auto slide_scale(int) -> decltype(Robot::chain.links, T()) {
+constexpr T slide_scale() {
   double farthest = 1.0;
   constexpr double most = static_cast<double>((std::numeric_limits<T>::max)());
-  while (stays_below<Robot>(most, 4.0 * farthest))
-    farthest *= 2.0;
-  return static_cast<T>(most / farthest);
-}
-/// Overload for a run-time model, whose answers are looked at instead.
-template <class Robot, class T>
-constexpr T slide_scale(...) {
-  return T(1);
-}
-template <class Robot>
-constexpr auto is_known(int) -> decltype(Robot::chain.links, true) {
-  return true;
-}
-template <class Robot>
-constexpr bool is_known(...) {
-  return false;
+  if constexpr (is_described<Robot>) {
+    while (stays_below<Robot>(most, 4.0 * farthest))
+      farthest *= 2.0;
+    return static_cast<T>(most / farthest);
+  } else {
+    return T(1);
+  }
 }
 
 /// Positions: angles small enough for their sines, slides from which nothing overflows; and all run-time inputs.
@@ -54,7 +46,7 @@ template <class Links, class T, class Input, class Q>
 AXIAL_INLINE constexpr void judge_positions(Soundness<T>& all, const Links& links, const Input& in, const Q& q) {
   collect_inputs(all, links, in);
   if constexpr (std::is_floating_point_v<Lane<T>>) {
-    constexpr Lane<T> scale = slide_scale<typename Links::Scene::Robot, Lane<T>>(0);
+    constexpr Lane<T> scale = slide_scale<typename Links::Scene::Robot, Lane<T>>();
     for_each_link(links, [&](auto i) AXIAL_INLINE {
       links.link(i).on_joint([&](auto kind) AXIAL_INLINE {
         if constexpr (std::is_same_v<decltype(kind), Prismatic>) {

@@ -1,5 +1,6 @@
-// Truncated Taylor numbers: a quantity with its first and second derivative by time. A kernel of values, run over them,
-// differentiates itself twice; what does not change stays a plain number, by type.
+// Truncated Taylor numbers: a quantity with its first and, unless that is cut off, its second derivative by one
+// parameter. A kernel of values, run over them, differentiates itself; what does not change stays a plain number, by
+// type.
 #pragma once
 
 #include <axial/scalar/rounding.hpp>
@@ -29,6 +30,13 @@ using TaylorCopy = CopiedAsBytes;
 #endif
 }  // namespace detail
 
+/// Stands for a coefficient that is cut off: so is all that it enters.
+struct CutOff {
+  constexpr CutOff() = default;
+  template <class X>
+  AXIAL_INLINE constexpr CutOff(const X&) {}  // NOLINT(google-explicit-constructor): whatever it would be
+};
+
 /// value + linear t + quadratic t^2, cut off behind: the second derivative is twice `quadratic`, which saves products a
 /// factor 2. Each may be a structural scalar.
 template <class V, class L, class Q>
@@ -44,6 +52,20 @@ struct Taylor : detail::TaylorCopy<V> {
 };
 template <class V, class L, class Q>
 Taylor(V, L, Q) -> Taylor<V, L, Q>;
+/// Cut off behind its slope.
+template <class V, class L>
+struct Taylor<V, L, CutOff> {
+  V value{};                            ///< in its own unit
+  L linear{};                           ///< its derivative: that unit, per unit of the parameter
+  static constexpr CutOff quadratic{};  ///< nothing is known of it
+
+  constexpr Taylor() = default;
+  /// of its coefficients
+  AXIAL_INLINE constexpr Taylor(const V& at_0, const L& first, CutOff = {}) : value(at_0), linear(first) {}
+};
+/// Dual numbers: a value with its derivative along one direction.
+template <class V, class D>
+using Dual = Taylor<V, D, CutOff>;
 
 /// A Taylor number as a number of kernels; constants do not change.
 template <class V, class L, class Q>
@@ -83,14 +105,30 @@ AXIAL_INLINE constexpr const Q& quadratic_of(const Taylor<V, L, Q>& x) {
 }
 ///@}
 
-/// A value with its coefficients; the value alone where both are zero by type.
+/// A value with its coefficients; the value alone where none is there by type.
 template <class V, class L, class Q>
 AXIAL_INLINE constexpr auto with_rates(const V& value, const L& linear, const Q& quadratic) {
-  if constexpr (is_zero_v<L> && is_zero_v<Q>)
+  if constexpr (is_zero_v<L> && (is_zero_v<Q> || std::is_same_v<Q, CutOff>))
     return value;
   else
     return Taylor{value, linear, quadratic};
 }
+
+/// The value and the slope of a dual number, or of any scalar; and both as one number.
+///@{
+template <class X>
+AXIAL_INLINE constexpr const auto& value_of(const X& x) {
+  return value_at_0(x);
+}
+template <class X>
+AXIAL_INLINE constexpr auto slope_of(const X& x) {
+  return linear_of(x);
+}
+template <class V, class D>
+AXIAL_INLINE constexpr auto with_slope(const V& value, const D& slope) {
+  return with_rates(value, slope, CutOff{});
+}
+///@}
 
 namespace detail {
 template <class X>
@@ -103,7 +141,26 @@ template <class A, class B>
 using IfOneIsTaylor = std::enable_if_t<is_taylor_v<A> || is_taylor_v<B>, int>;
 template <class A, class B>
 using IfBothMayMeet = std::enable_if_t<is_number_v<A> && is_number_v<B>, int>;
+template <class A, class B>
+using IfOneIsCutOff = std::enable_if_t<std::is_same_v<A, CutOff> || std::is_same_v<B, CutOff>, int>;
 }  // namespace detail
+
+/// What a coefficient that is cut off enters is cut off.
+///@{
+AXIAL_INLINE constexpr CutOff operator-(CutOff) { return {}; }
+template <class A, class B, detail::IfOneIsCutOff<A, B> = 0>
+AXIAL_INLINE constexpr CutOff operator+(const A&, const B&) {
+  return {};
+}
+template <class A, class B, detail::IfOneIsCutOff<A, B> = 0>
+AXIAL_INLINE constexpr CutOff operator-(const A&, const B&) {
+  return {};
+}
+template <class A, class B, detail::IfOneIsCutOff<A, B> = 0>
+AXIAL_INLINE constexpr CutOff operator*(const A&, const B&) {
+  return {};
+}
+///@}
 
 /// Sum of Taylor numbers, or of one and a plain number.
 template <class A, class B, detail::IfOneIsTaylor<A, B> = 0, detail::IfBothMayMeet<A, B> = 0>

@@ -1,14 +1,44 @@
-// Torque from dynamics with its terms apart: separated once at q, for many velocities and accelerations.
+// Torque from dynamics with its terms apart: separated once at q, for many velocities and accelerations. Coefficients
+// that vanish, as the compiler finds by running the kernel once, are passed over.
 #pragma once
 #include <axial/scalar/language.hpp>
 
 #include <axial/scene/roles.hpp>
-#include <axial/separation/separation_structure.hpp>
+#include <axial/separation/separation.hpp>
 
 #include <axial/options/begin.hpp>
 
 namespace axial {
 namespace separation {
+
+/// Which coefficients of a scene are not zero for every q, and what notes them.
+///@{
+template <class S>
+using Present = Separated<S, bool>;
+template <class S>
+using PresentTerms = const Collected<S, bool, double, Present<S>>;
+///@}
+
+/// Coefficients of drives that joints share: what the joints' and G make of them.
+template <class S>
+constexpr auto driven_present_terms();
+/// Found by types alone, so at any q: the compiler runs the algorithm once over zeros.
+template <class S>
+constexpr auto present_terms() {
+  if constexpr (detail::shares_drives_in<typename scene_of<S>::Robot>) {
+    return driven_present_terms<S>();
+  } else {
+    constexpr auto links = links_of<S, double, BaseParameters>();
+    Present<S> found{};
+    PresentTerms<S> terms{found};
+    run(links, Inputs<S, double>{}, Joints<robot_of<S>, double>{},
+        map_links(links, [&](auto i) { return links.link(i).z(0.0); }), terms);
+    return found;
+  }
+}
+/// Coefficients of a scene that are not zero for every q.
+template <class S>
+inline constexpr auto present = present_terms<S>();
 
 /// A run-time model and a looped scene have tables: there nothing is known of single coefficients.
 template <class S>
@@ -22,19 +52,13 @@ constexpr bool has_inertia() {
   else
     return present<S>.A[I::value][J::value];
 }
-/// Whether a coefficient of qd_j^2 may differ from zero.
-template <class S, class I, class J>
-constexpr bool has_square() {
-  if constexpr (is_table<S>)
-    return true;
-  else
-    return present<S>.C[I::value][J::value];
-}
-/// Whether a coefficient of qd_j qd_k may differ from zero.
-template <class S, class I, class J, class K>
+/// Whether a coefficient of qd_j qd_k, or of qd_j^2, may differ from zero.
+template <class S, class I, class J, class K = J>
 constexpr bool has_product() {
   if constexpr (is_table<S>)
     return true;
+  else if constexpr (std::is_same_v<J, K>)
+    return present<S>.C[I::value][J::value];
   else
     return present<S>.B[I::value][Present<S>::pair(J::value, K::value)];
 }
@@ -90,7 +114,7 @@ AXIAL_INLINE constexpr void add_inertial(const SeparatedA<S, T>& s, const Accele
 template <class S, class T, class I>
 AXIAL_INLINE constexpr void add_products(const Separated<S, T>& s, const RateProducts<S, T>& rates, I i, T& sum) {
   for_each_joint<S>([&](auto j) AXIAL_INLINE {
-    if constexpr (has_square<S, I, decltype(j)>()) sum = sum + s.C[i][j] * rates.squares[j];
+    if constexpr (has_product<S, I, decltype(j)>()) sum = sum + s.C[i][j] * rates.squares[j];
   });
   for_each_pair<S>([&](auto j, auto k) AXIAL_INLINE {
     constexpr auto pair = &SeparatedB<S, T>::pair;

@@ -190,8 +190,8 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
 /// them, or a model whose constants the compiler does not know.
 template <class Scene>
 inline constexpr bool inputs_can_overflow =
-    !detail::is_known<typename Scene::Robot>(0) || Scene::template has<RuntimeGravity> ||
-    Scene::template has<Payload> || Scene::template has<TipWrench> || Scene::template has<ExternalWrenches>;
+    !detail::is_described<typename Scene::Robot> || Scene::template has<RuntimeGravity> || Scene::template has<Payload> ||
+    Scene::template has<TipWrench> || Scene::template has<ExternalWrenches>;
 
 /// What Out has room for.
 template <class Out, class S, class T>
@@ -210,7 +210,7 @@ struct Terms {
       Soundness<typename Links::Scalar> all;
       detail::judge_positions(all, links, in, q);
       if constexpr (inputs_can_overflow<Scene> && is_number_v<typename Links::Scalar>) {
-        const JudgedTerms<decltype(terms), typename Links::Scalar> judged{terms, all};
+        const Collected<S, T, typename Links::Scalar, Out, typename Links::Scalar> judged{out, {all}};
         separation::run(links, in, at, screws, judged);
       } else {
         separation::run(links, in, at, screws, terms);

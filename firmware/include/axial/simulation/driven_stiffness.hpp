@@ -23,7 +23,7 @@ template <class T, int N, class Links, class Input, class Q>
 constexpr Square<T, N> drive_mobility(const Links& links, const Input& in, const Q& u) {
   Square<T, N> a{};
   typename DrivenKernels<Links>::Matrix whole{};
-  DrivenKernels<Links>::matrix_at(links, in, u, whole);
+  execute<crba::CompositeMatrix>(links, in, u, whole);
   for (int j = 0; j < links.drives().size(); ++j) {
     auto m = whole;  // solved in place
     Accelerations<robot_of<typename Links::Scene>, T> column{};

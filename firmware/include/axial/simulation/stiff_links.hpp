@@ -2,7 +2,7 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
-#include <axial/recursion/friction_slope.hpp>
+#include <axial/recursion/drives.hpp>
 #include <axial/recursion/passes.hpp>
 
 #include <axial/options/begin.hpp>

@@ -1,4 +1,4 @@
-// Axial screws that turn and shift in time: what they carry comes out with its first and second derivative.
+// Axial screws that turn and shift in time or along a direction: what they carry comes out with its derivatives.
 #pragma once
 
 #include <axial/scalar/taylor.hpp>
@@ -8,7 +8,7 @@
 
 namespace axial {
 
-/// How the angle of a joint changes.
+/// How the angle of a joint changes; the last two are cut off where no second derivative is asked for.
 template <class L, class Q, class H>
 struct TurnRates {
   L linear{};       ///< rad/s
@@ -31,10 +31,11 @@ struct TaylorScrew : AxialScrew<ZAxis, C, S, L> {
   template <class T>
   AXIAL_INLINE constexpr auto dense() const {
     using V = std::decay_t<decltype(value_at_0(T{}))>;
+    using Q = std::decay_t<decltype(quadratic_of(T{}))>;
     using N = Holding<V>;
-    return TaylorScrew<V, V, T, TurnRates<V, V, V>>{
+    return TaylorScrew<V, V, T, TurnRates<V, Q, Q>>{
         {N::of(this->cos), N::of(this->sin), Holding<T>::of(this->shift)},
-        {N::of(rates.linear), N::of(rates.quadratic), N::of(rates.half_square)}};
+        {N::of(rates.linear), Holding<Q>::of(rates.quadratic), Holding<Q>::of(rates.half_square)}};
   }
 };
 /// Taylor screw of a screw at time 0.

@@ -3,6 +3,7 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/kinematics.hpp>
+#include <axial/recursion/joint_axis.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -21,11 +22,6 @@ constexpr void check_axes() {
   static_assert(!shares_drives_in<typename scene_of<R>::Robot>,
                 "axial: columns of drives are no axes, of which this is; take the Jacobian of JointCoordinates<Robot>");
 }
-// What a wrench exerts on the joint of a Jacobian's column.
-template <class Column, class Wrench>
-AXIAL_INLINE constexpr auto effort_of_wrench(const Column& column, const Wrench& wrench) {
-  return dot(column.angular, wrench.moment) + dot(column.linear, wrench.force);
-}
 template <class T>
 AXIAL_INLINE constexpr auto cross(const Vec3<T>& w, const MotionVector<Vec3<T>, Vec3<T>>& column) {
   return MotionVector<Vec3<T>, Vec3<T>>{axial::cross(w, column.angular), axial::cross(w, column.linear)};
@@ -41,7 +37,7 @@ template <class R, class T>
   detail::check_real<T>();
   WrenchEfforts<R, T> tau{};
   for (int j = 0; j < joint_count<R>; ++j)
-    tau[j] = detail::effort_of_wrench(jacobian[j], wrench);
+    tau[j] = along_motion(jacobian[j], wrench);
   return tau;
 }
 

@@ -118,13 +118,13 @@ struct Bodies {
       const auto scale = seen_from(tree.scale, shift_length(link.x()) + shift_length(screw));
       if constexpr (layout.number[I::value] < 0) {
         constexpr int k = g.drive_of(I::value);
-        const auto r = reflection(joint, link, as_articulated(tree.inertia), tree.force, no_motion(), efforts[k],
-                                  singularity_scale(joint, tree.scale));
+        const auto r = reflection(joint, link, as_articulated(tree.inertia), tree.force,
+                                  MotionVector<ZeroVec3, ZeroVec3>{}, efforts[k], singularity_scale(joint, tree.scale));
         return Kept{whole.hung, PlainJoint{r.gain, r.free, r.singular, r.left},
                     Subtree{on_parent(link, screw, r.inertia), on_parent(link, screw, r.bias), scale, tree.open}};
       } else {
         constexpr int c = layout.number[I::value];
-        const auto force = unit_force_of(joint, tree.inertia);
+        const auto force = crba::unit_force(joint, tree.inertia);
         const auto open = slots<layout.count>([&](auto other) AXIAL_INLINE {
           if constexpr (decltype(other)::value == c)
             return on_parent(link, screw, with_joint<I::value, c>(joint, tree, force));
@@ -135,13 +135,6 @@ struct Bodies {
                     Subtree{on_parent(link, screw, tree.inertia), on_parent(link, screw, tree.force), scale, open}};
       }
     });
-  }
-  /// A structure at rest.
-  AXIAL_INLINE static constexpr MotionVector<ZeroVec3, ZeroVec3> no_motion() { return {}; }
-  /// Force that a unit of the joint's acceleration takes.
-  template <class Joint, class B>
-  AXIAL_INLINE static constexpr auto unit_force_of(Joint joint, const B& body) {
-    return crba::unit_force(joint, body);
   }
   /// A quantity of the link in the parent's frame.
   template <class Link, class Screw, class V>

@@ -61,12 +61,10 @@ struct Passes : private Bodies<R, Driven> {
       return moved_by<I::value>(udd);
     }
   }
-  template <int I, int K = 0, class A>
+  template <int I, class A>
   AXIAL_INLINE static constexpr auto moved_by(const A& udd) {
-    if constexpr (K == g.drives)
-      return Zero{};
-    else
-      return Base::template ratio<I, K>() * udd[K] + moved_by<I, K + 1>(udd);
+    return driven::sum_of<g.drives>(
+        [&](auto k) AXIAL_INLINE { return Base::template ratio<I, decltype(k)::value>() * udd[k]; });
   }
 
   /// Accelerations of the drives of cluster c, whose carrier moves so.
@@ -87,12 +85,9 @@ struct Passes : private Bodies<R, Driven> {
     });
     return {};
   }
-  template <int C, int K, int L = 0, class G, class A>
+  template <int C, int K, class G, class A>
   AXIAL_INLINE static constexpr auto before(const G& gains, const A& udd) {
-    if constexpr (L == K)
-      return Zero{};
-    else
-      return gains[Index<L>{}] * udd[layout.drive[C][L]] + before<C, K, L + 1>(gains, udd);
+    return driven::sum_of<K>([&](auto l) AXIAL_INLINE { return gains[l] * udd[layout.drive[C][decltype(l)::value]]; });
   }
 
   /// Clusters that hang on the base, which is at rest.
@@ -115,7 +110,7 @@ struct Passes : private Bodies<R, Driven> {
     if constexpr (I == R::chain.size)
       return None{};
     else if constexpr (R::chain.parent(I) < 0)
-      return joined(kept[Index<I>{}].on_parent.open[Index<C>{}], of_roots<C, I + 1>(kept));
+      return detail::loaded(kept[Index<I>{}].on_parent.open[Index<C>{}], of_roots<C, I + 1>(kept));
     else
       return of_roots<C, I + 1>(kept);
   }

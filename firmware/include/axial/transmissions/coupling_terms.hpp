@@ -46,21 +46,29 @@ constexpr void each_share_of(const F& f) {
   };
   each_share(Links::matrix, present, f);
 }
-/// Number of shares.
-template <class Links>
-inline constexpr int share_count = [] {
+/// Number of shares that each(f) hands to f.
+template <class Each>
+constexpr int counted(const Each& each) {
   int count = 0;
-  each_share_of<Links>([&](const Share&) { ++count; });
+  each([&](const auto&) { ++count; });
   return count;
-}();
-/// All shares, those of one entry side by side.
-template <class Links>
-inline constexpr auto shares = [] {
-  Row<Share, share_count<Links>> all{};
+}
+/// All of them as a table, those of one entry side by side; a first one ends the last entry.
+template <class S, int count, class Each>
+constexpr auto listed(const Each& each) {
+  Row<S, count + 1> all{};
   int next = 0;
-  each_share_of<Links>([&](const Share& share) { all[next++] = share; });
+  each([&](const S& share) { all[next++] = share; });
+  all[next].first = true;
   return all;
-}();
+}
+/// Number of shares, and all of them.
+///@{
+template <class Links>
+inline constexpr int share_count = counted([](const auto& f) { each_share_of<Links>(f); });
+template <class Links>
+inline constexpr auto shares = listed<Share, share_count<Links>>([](const auto& f) { each_share_of<Links>(f); });
+///@}
 
 /// The sum of shares First to Last - 1.
 template <class Links, int First, int Last, class M>
@@ -78,7 +86,7 @@ AXIAL_INLINE constexpr auto sum_of_shares(const M& joints) {
 template <class Links>
 constexpr int end_of_entry(int first) {
   int end = first + 1;
-  while (end < share_count<Links> && !shares<Links>[end].first)
+  while (!shares<Links>[end].first)
     ++end;
   return end;
 }

@@ -62,8 +62,7 @@ AXIAL_INLINE constexpr auto as_articulated(const RigidInertia<M, H, J>& body) {
   return articulated(body);
 }
 
-/// No joint of a cluster in a subtree.
-struct None {};
+using None = detail::NoLoad;  ///< no joint of a cluster in a subtree
 /// What a subtree leaves to a cluster whose joints are partly in it, a value a drive.
 template <class F, class D, class U, class S>
 struct Open {
@@ -93,22 +92,11 @@ AXIAL_INLINE constexpr auto sum(const Slots<V...>& a, const Slots<W...>& b) {
   return slots<sizeof...(V)>([&](auto k) AXIAL_INLINE { return a[k] + b[k]; });
 }
 /// What two subtrees of one link leave to a cluster.
-///@{
-AXIAL_INLINE constexpr None joined(None, None) { return {}; }
-template <class A>
-AXIAL_INLINE constexpr const A& joined(const A& a, None) {
-  return a;
-}
-template <class B>
-AXIAL_INLINE constexpr const B& joined(None, const B& b) {
-  return b;
-}
 template <class A, class B, class C, class D, class E, class F, class G, class H>
-AXIAL_INLINE constexpr auto joined(const Open<A, B, C, D>& a, const Open<E, F, G, H>& b) {
+AXIAL_INLINE constexpr auto operator+(const Open<A, B, C, D>& a, const Open<E, F, G, H>& b) {
   return Open{sum(a.forces, b.forces), sum(a.inertia, b.inertia), sum(a.actuator_effort, b.actuator_effort),
               sum(a.scales, b.scales)};
 }
-///@}
 /// Two inertias of one frame as one.
 template <class A, class B>
 AXIAL_INLINE constexpr auto both(const A& a, const B& b) {
@@ -134,7 +122,7 @@ Subtree(I, P, R, O) -> Subtree<I, P, R, O>;
 template <class A, class B, class C, class D, class E, class F, class G, class... H>
 AXIAL_INLINE constexpr auto operator+(const Subtree<A, B, C, D>& a, const Subtree<E, F, G, Slots<H...>>& b) {
   return Subtree{both(a.inertia, b.inertia), a.force + b.force, a.scale + b.scale,
-                 slots<sizeof...(H)>([&](auto c) AXIAL_INLINE { return joined(a.open[c], b.open[c]); })};
+                 slots<sizeof...(H)>([&](auto c) AXIAL_INLINE { return detail::loaded(a.open[c], b.open[c]); })};
 }
 
 /// What is kept of a drive of a cluster.

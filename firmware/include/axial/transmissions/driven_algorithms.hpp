@@ -5,11 +5,13 @@
 #include <axial/dynamics/joint_torque.hpp>
 #include <axial/dynamics/momentum.hpp>
 #include <axial/transmissions/clustered_dynamics.hpp>
+#include <axial/transmissions/driven_rotors.hpp>
 
 #include <axial/options/begin.hpp>
 
 namespace axial {
 namespace driven {
+
 template <class Links>
 struct CompositeRigidBodies;
 }  // namespace driven
@@ -17,10 +19,27 @@ struct CompositeRigidBodies;
 /// Efforts of the drives.
 template <class Links>
 struct Execution<rnea::InverseDynamics, Links, IfDriven<Links>> {
-  /// writes them
-  template <class... X>
-  AXIAL_INLINE static constexpr void run(const Links& links, X&&... x) {
-    DrivenKernels<Links>::efforts(links, x...);
+  /// writes them; rates may be NoMotion
+  template <class Input, class Q, class V, class A, class Tau>
+  AXIAL_INLINE static constexpr void run(const Links& links, const Input& in, const Q& u, const V& ud, const A& udd,
+                                         Tau& tau) {
+    const auto& joints = links.joints();
+    const auto q = links.positions(u);
+    const auto qd = links.kernel_rates(ud);
+    const auto qdd = links.kernel_rates(udd);
+    const auto at = joints.read(q);
+    typename Links::JointValues at_joints{};
+    const auto of_rotor =
+        driven::run_joints(links, joints, in, at, joint_screws(joints, in, at), joints.read(qd), joints.read(qdd), ud,
+                           udd, [&](auto i, const auto& effort) AXIAL_INLINE { joints.write(at_joints, i, effort); });
+    const auto actuator_effort = links.actuator_efforts(at_joints);
+    const auto speeds = links.read_drives(ud);
+    const auto accelerations = links.read_drives(udd);
+    links.each_drive([&](auto k) AXIAL_INLINE {
+      const auto drive = links.drives().link(k);
+      links.answer(tau, k, actuator_effort, friction_effort(drive, speeds[k]), drive.rotor() * accelerations[k],
+                   of_rotor(k));
+    });
   }
 };
 /// Effort of one drive.
@@ -30,7 +49,7 @@ struct Execution<rnea::JointEffort<S, T, Drive>, Links, IfDriven<Links>> {
   template <class... X>
   AXIAL_INLINE static constexpr T run(const Links& links, X&&... x) {
     EffortsOf<S, T> effort{};
-    DrivenKernels<Links>::efforts(links, x..., effort);
+    Execution<rnea::InverseDynamics, Links>::run(links, x..., effort);
     return effort[Drive];
   }
 };
@@ -38,9 +57,11 @@ struct Execution<rnea::JointEffort<S, T, Drive>, Links, IfDriven<Links>> {
 template <class Links>
 struct Execution<crba::CompositeMatrix, Links, IfDriven<Links>> {
   /// writes it
-  template <class... X>
-  AXIAL_INLINE static constexpr void run(const Links& links, X&&... x) {
-    DrivenKernels<Links>::matrix_at(links, x...);
+  template <class Input, class Q, class M>
+  AXIAL_INLINE static constexpr void run(const Links& links, const Input& in, const Q& u, M& m) {
+    const auto q = links.positions(u);
+    const auto& at = links.joints();
+    DrivenKernels<Links>::matrix(links, in, joint_screws(at, in, at.read(q)), m);
   }
 };
 /// Accelerations of the drives, by composite bodies.

@@ -42,15 +42,16 @@ struct SlopeShares {
       there = there || (g.is_moved(i, k) && has_half(i, l));
     return there;
   }
-  /// (D G)(I, L), from joint J on.
-  template <int I, int L, int J = 0, class D>
+  /// (D G)(I, L).
+  template <int I, int L, class D>
   AXIAL_INLINE static constexpr auto half(const D& d) {
-    if constexpr (J == n)
-      return Zero{};
-    else if constexpr (is_present(I, J) && g.is_moved(J, L))
-      return literal<T>([] { return g.ratio[J][L]; }) * d(I, J) + half<I, L, J + 1>(d);
-    else
-      return half<I, L, J + 1>(d);
+    return sum_of<n>([&](auto j) AXIAL_INLINE {
+      constexpr int J = decltype(j)::value;
+      if constexpr (is_present(I, J) && g.is_moved(J, L))
+        return literal<T>([] { return g.ratio[J][L]; }) * d(I, J);
+      else
+        return Zero{};
+    });
   }
   /// (G^T D G)(K, L) as one sum, from joints I and J on, where a number system with formats rounds it once.
   template <int K, int L, int I = 0, int J = 0, class D>
@@ -65,15 +66,16 @@ struct SlopeShares {
     else
       return at_once<K, L, I, J + 1>(d);
   }
-  /// (G^T D G)(K, L), from joint I on.
-  template <int K, int L, int I = 0>
+  /// (G^T D G)(K, L).
+  template <int K, int L>
   AXIAL_INLINE static constexpr auto whole(const Half& dg) {
-    if constexpr (I == n)
-      return Zero{};
-    else if constexpr (g.is_moved(I, K) && has_half(I, L))
-      return literal<T>([] { return g.ratio[I][K]; }) * dg[I][L] + whole<K, L, I + 1>(dg);
-    else
-      return whole<K, L, I + 1>(dg);
+    return sum_of<n>([&](auto i) AXIAL_INLINE {
+      constexpr int I = decltype(i)::value;
+      if constexpr (g.is_moved(I, K) && has_half(I, L))
+        return literal<T>([] { return g.ratio[I][K]; }) * dg[I][L];
+      else
+        return Zero{};
+    });
   }
 };
 

@@ -6,7 +6,7 @@
 // section 9.3.
 #pragma once
 
-#include <axial/base/base_solve.hpp>
+#include <axial/base/floating_base.hpp>
 #include <axial/dynamics/base_wrench.hpp>
 #include <axial/dynamics/composite_body.hpp>
 #include <axial/transmissions/driven_links.hpp>
@@ -36,13 +36,6 @@ AXIAL_INLINE constexpr auto at_base(const Bodies& joints, const Screws& screws, 
     }
     return carried;
   }
-}
-
-/// Power of a force at a motion.
-template <class T>
-AXIAL_INLINE constexpr T power(const ForceVector<Vec3<T>, Vec3<T>>& force,
-                               const MotionVector<Vec3<T>, Vec3<T>>& motion) {
-  return dot(force.moment, motion.angular) + dot(force.force, motion.linear);
 }
 
 /// Forward dynamics over the links of drives, on each link's own parameters.
@@ -75,13 +68,13 @@ struct FloatingBaseCoupled {
     Motion gain[Links::capacity] = {};
     links.each_drive([&](auto k) AXIAL_INLINE {
       gain[k] = freed(at[k]).acceleration;
-      udd[k] = udd[k] - power<T>(at[k], alone.acceleration);
+      udd[k] = udd[k] - along_motion(alone.acceleration, at[k]);
     });
     crba::Loss<T, false> loss;
     links.each_drive([&](auto k) AXIAL_INLINE {
       const T whole = m(k, k);
       for (int l = 0; l <= k; ++l)
-        m(k, l) = m(k, l) + power<T>(at[k], gain[l]);
+        m(k, l) = m(k, l) + along_motion(gain[l], at[k]);
       loss.see(whole, reciprocal(m(k, k)));
     });
     auto status = crba::solve(links.drives(), m, udd);

@@ -1,7 +1,6 @@
 // Links of a robot whose joints share drives: joint values on one side, values of drives on the other.
 #pragma once
 
-#include <axial/transmissions/driven_scenes.hpp>
 #include <axial/transmissions/roles.hpp>
 
 #include <axial/options/begin.hpp>
@@ -10,7 +9,7 @@ namespace axial {
 /// What kernels get for a robot whose joints share drives: its joints, its drives, and G between them. Those that know
 /// it (DrivenKernels) read values of drives, compute with joints and answer for drives.
 template <class SceneType, class ScalarType, class Parameters>
-struct DrivenLinks {
+struct DrivenLinks : driven::PlainDrives<ScalarType> {
   using Scene = SceneType;                                         ///< of the drives
   using Scalar = ScalarType;                                       ///< the number
   using Value = ScalarType;                                        ///< as joint values hold it
@@ -52,8 +51,7 @@ struct DrivenLinks {
     each_joint([&](auto i) AXIAL_INLINE { qd[i] = static_cast<Scalar>(row<decltype(i)::value>(ud)); });
     return qd;
   }
-  /// Nothing moves.
-  AXIAL_INLINE static constexpr NoMotion rates(NoMotion) { return {}; }
+  using driven::PlainDrives<ScalarType>::rates;
   /// Rates of the joints that are computed where a kernel reads them: ahead of it they would wait in memory. A common
   /// factor of a row stands outside, from where it goes into a sum.
   template <class U>
@@ -92,12 +90,12 @@ struct DrivenLinks {
     return all;
   }
   /// What drive K feels of values of the joints: column K of G times them.
-  template <int K, int I = 0, class Values>
+  template <int K, class Values>
   AXIAL_INLINE static constexpr auto actuator_effort(const Values& values) {
-    if constexpr (I == size)
-      return Zero{};
-    else
-      return literal<Scalar>([] { return matrix.ratio[I][K]; }) * values[I] + actuator_effort<K, I + 1>(values);
+    return driven::sum_of<size>([&](auto i) AXIAL_INLINE {
+      constexpr int I = decltype(i)::value;
+      return literal<Scalar>([] { return matrix.ratio[I][K]; }) * values[I];
+    });
   }
   /// Overload that takes the drive as an index.
   template <class K, class Values>
@@ -108,21 +106,6 @@ struct DrivenLinks {
   /// G(joint, drive) as a number.
   AXIAL_INLINE static constexpr Scalar ratio(int joint, int drive) {
     return NumberTraits<Scalar>::constant(matrix.ratio[joint][drive]);
-  }
-  /// Values of drives as kernels compute with them.
-  template <class U>
-  AXIAL_INLINE static constexpr const U& read_drives(const U& u) {
-    return u;
-  }
-  /// Writes for drive k what it feels of the joints, and terms of its own.
-  template <class Values, class K, class AtActuators, class... Own>
-  AXIAL_INLINE static constexpr void answer(Values& values, K, const AtActuators& actuator_effort, const Own&... own) {
-    values[K::value] = static_cast<Scalar>((actuator_effort[K::value] + ... + own));
-  }
-  /// values[k] = x.
-  template <class Values, class K, class X>
-  AXIAL_INLINE static constexpr void write(Values& values, K k, const X& x) {
-    values[k] = static_cast<Scalar>(x);
   }
   /// x + y, where a number system with formats waits for the sum's rounding.
   template <class X, class Y>
@@ -191,22 +174,18 @@ struct DrivenLinks {
   struct DriveStep {
     static constexpr RowStep value() { return matrix.drive_step(K); }
   };
-  template <int I, int K = 0, class U>
+  template <int I, class U>
   AXIAL_INLINE static constexpr auto signed_sum(const U& u) {
-    if constexpr (K == capacity)
-      return Zero{};
-    else
-      return literal<Scalar>([] {
-               return matrix.ratio[I][K] > 0.0 ? 1.0 : matrix.ratio[I][K] < 0.0 ? -1.0 : 0.0;
-             }) * u[K] +
-             signed_sum<I, K + 1>(u);
+    return driven::sum_of<capacity>([&](auto k) AXIAL_INLINE {
+      constexpr double ratio = matrix.ratio[I][decltype(k)::value];
+      return literal<Scalar>([] { return ratio > 0.0 ? 1.0 : ratio < 0.0 ? -1.0 : 0.0; }) * u[k];
+    });
   }
-  template <int I, int K = 0, class U>
+  template <int I, class U>
   AXIAL_INLINE static constexpr auto row(const U& u) {
-    if constexpr (K == capacity)
-      return Zero{};
-    else
-      return literal<Scalar>([] { return matrix.ratio[I][K]; }) * u[K] + row<I, K + 1>(u);
+    return driven::sum_of<capacity>([&](auto k) AXIAL_INLINE {
+      return literal<Scalar>([] { return matrix.ratio[I][decltype(k)::value]; }) * u[k];
+    });
   }
   template <class F, int... I>
   AXIAL_INLINE static constexpr void each(const F& f, std::integer_sequence<int, I...>) {

@@ -20,7 +20,7 @@ struct SceneOfModelJoints<Scene<M, Features...>> {
 
 /// What kernels get for it: as DrivenLinks, with G filled at run time.
 template <class SceneType, class ScalarType, class JointLinks, class DriveLinks, int N>
-class DrivenModelLinks {
+class DrivenModelLinks : public driven::PlainDrives<ScalarType> {
  public:
   using Scene = SceneType;                         ///< of the drives
   using Scalar = ScalarType;                       ///< the number
@@ -46,10 +46,6 @@ class DrivenModelLinks {
   constexpr int owner(int k) const { return matrix_.owner[k]; }   ///< index of the joint that owns drive k
   /// G(joint, drive) as a number.
   constexpr Scalar ratio(int joint, int drive) const { return number(matrix_.ratio[joint][drive]); }
-  template <class U>
-  static constexpr const U& read_drives(const U& u) {  ///< values of drives, as they are
-    return u;
-  }
   /// G u + q0.
   template <class U>
   constexpr JointValues positions(const U& u) const {
@@ -67,7 +63,7 @@ class DrivenModelLinks {
         if (matrix_.is_moved(i, k)) qd[i] = qd[i] + number(matrix_.ratio[i][k]) * ud[k];
     return qd;
   }
-  static constexpr NoMotion rates(NoMotion) { return {}; }  ///< nothing moves
+  using driven::PlainDrives<ScalarType>::rates;
   /// What drive k feels of values of the joints.
   template <class Values>
   constexpr Scalar actuator_effort(int k, const Values& values) const {
@@ -88,16 +84,6 @@ class DrivenModelLinks {
   template <class U>
   constexpr auto kernel_rates(const U& ud) const {
     return rates(ud);
-  }
-  /// Writes for drive k what it feels of the joints, and terms of its own.
-  template <class Values, class AtActuators, class... Own>
-  constexpr void answer(Values& values, int k, const AtActuators& actuator_effort, const Own&... own) const {
-    values[k] = static_cast<Scalar>((actuator_effort[k] + ... + own));
-  }
-  /// values[k] = x.
-  template <class Values, class X>
-  static constexpr void write(Values& values, int k, const X& x) {
-    values[k] = static_cast<Scalar>(x);
   }
   /// A component of a Jacobian's column by drive k, from those by joints.
   template <class Get>

@@ -3,6 +3,7 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/derivatives/torque_rates.hpp>
+#include <axial/transmissions/roles.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -19,31 +20,11 @@ struct ElasticFeedforward {
 
 namespace elastic {
 
-/// Whether a feature is of the motor's side: rotor and friction are in front of the elastic element.
-template <class Feature>
-inline constexpr bool of_motor = std::is_same_v<Feature, RotorInertia> || std::is_same_v<Feature, Friction>;
-
-/// The scene that the links see, `Done` with what remains to be looked at: without the motors.
-template <class Done, class... Rest>
-struct LinkSide {
-  using type = Done;  ///< nothing remains
-};
-template <class Robot, class... Done, class Next, class... Rest>
-struct LinkSide<Scene<Robot, Done...>, Next, Rest...>
-    : std::conditional_t<of_motor<Next>, LinkSide<Scene<Robot, Done...>, Rest...>,
-                         LinkSide<Scene<Robot, Done..., Next>, Rest...>> {};
-/// The scene that a scene's links see.
+/// The scene that a scene's links see: rotor and friction are in front of the elastic element.
 template <class S>
 struct WithoutMotors;
 template <class Robot, class... Features>
-struct WithoutMotors<Scene<Robot, Features...>> : LinkSide<Scene<Robot>, Features...> {};
-
-/// Whether a type is a scene, and no bare robot.
-template <class S>
-inline constexpr bool is_scene = false;
-/// A scene is one.
-template <class Robot, class... Features>
-inline constexpr bool is_scene<Scene<Robot, Features...>> = true;
+struct WithoutMotors<Scene<Robot, Features...>> : detail::WithoutDrives<Scene<Robot>, Features...> {};
 
 /// Whether some joint of a robot has a stiffness.
 template <class Robot>
@@ -93,7 +74,7 @@ namespace detail {
 // Scenes and numbers that elastic joints are offered for.
 template <class S, class T>
 constexpr void check_elastic() {
-  static_assert(!elastic::is_scene<S> || scene_of<S>::template has<ElasticJoints>,
+  static_assert(!std::is_same_v<S, scene_of<S>> || scene_of<S>::template has<ElasticJoints>,
                 "axial: elastic_feedforward takes joints as elastic; add ElasticJoints to the scene, or call "
                 "inverse_dynamics for rigid ones");
   static_assert(!scene_of<S>::template has<RotorDynamics>,

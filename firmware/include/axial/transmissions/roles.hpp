@@ -1,8 +1,11 @@
-// Algorithms over joints that share drives, by the roles of their arguments: q = G u + q0, rates and twists by G.
+// Algorithms over joints that share drives, by the roles of their arguments: q = G u + q0, rates and twists by G. The
+// scenes of such a robot: those of its joints and of its clusters.
 #pragma once
 
 #include <axial/links/links.hpp>
+#include <axial/robot/drive_coordinates.hpp>
 #include <axial/scene/roles.hpp>
+#include <axial/scene/scene.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -21,6 +24,34 @@ using IfDriven = std::enable_if_t<is_driven<Links>>;
 namespace driven {
 template <class Links, class By>
 struct SlopeShares;
+/// Values of drives over numbers T without formats, as they are.
+template <class T>
+struct PlainDrives {
+  static constexpr NoMotion rates(NoMotion) { return {}; }  ///< nothing moves
+  template <class U>
+  AXIAL_INLINE static constexpr const U& read_drives(const U& u) {  ///< as kernels compute with them
+    return u;
+  }
+  /// Writes for drive k what it feels of the joints, and terms of its own.
+  template <class Values, class K, class AtActuators, class... Own>
+  AXIAL_INLINE static constexpr void answer(Values& values, K k, const AtActuators& actuator_effort,
+                                            const Own&... own) {
+    values[k] = static_cast<T>((actuator_effort[k] + ... + own));
+  }
+  /// values[k] = x.
+  template <class Values, class K, class X>
+  AXIAL_INLINE static constexpr void write(Values& values, K k, const X& x) {
+    values[k] = static_cast<T>(x);
+  }
+};
+/// term(Index<0>{}) + (term(Index<1>{}) + ...), `count` of them.
+template <int count, int i = 0, class Term>
+AXIAL_INLINE constexpr auto sum_of(const Term& term) {
+  if constexpr (i == count)
+    return Zero{};
+  else
+    return term(Index<i>{}) + sum_of<count, i + 1>(term);
+}
 }  // namespace driven
 ///@}
 /// Stops the compiler where such links reach a kernel without: at once, being a class.
@@ -75,6 +106,50 @@ struct Execution<Actuators, Links, IfDriven<Links>> {
   AXIAL_INLINE static constexpr decltype(auto) run(const Links& links) { return links.drives(); }
 };
 
+namespace detail {
+
+template <class R>
+struct LinksOwner<DriveCoordinates<R>> {
+  using type = JointCoordinates<R>;
+};
+
+template <class Kept, class... Features>
+struct WithoutDrives {
+  using type = Kept;
+};
+template <class R, class... Kept, class First, class... Rest>
+struct WithoutDrives<Scene<R, Kept...>, First, Rest...> {
+  static constexpr bool of_drives = std::is_same_v<First, RotorInertia> || std::is_same_v<First, Friction> ||
+                                    std::is_same_v<First, RotorDynamics> || std::is_same_v<First, SharedDrives>;
+  using type =
+      typename WithoutDrives<std::conditional_t<of_drives, Scene<R, Kept...>, Scene<R, Kept..., First>>, Rest...>::type;
+};
+
+/// The scene of a robot's joints: what belongs to drives is left to them.
+template <class Scene>
+struct SceneOfJoints;
+template <class R, class... Features>
+struct SceneOfJoints<Scene<DriveCoordinates<R>, Features...>> {
+  using type = typename WithoutDrives<Scene<JointCoordinates<R>>, Features...>::type;
+};
+
+/// The scene of a robot's clusters: that of its joints with the rotors that are a joint's alone.
+template <class Scene>
+struct SceneOfClusters;
+template <class R, class... Features>
+struct SceneOfClusters<Scene<DriveCoordinates<R>, Features...>> {
+  using Robot = R;  ///< whose joints share drives
+  using type = std::conditional_t<Scene<DriveCoordinates<R>, Features...>::template has<RotorInertia>,
+                                  typename WithoutDrives<Scene<ClusterCoordinates<R>, RotorInertia>, Features...>::type,
+                                  typename WithoutDrives<Scene<ClusterCoordinates<R>>, Features...>::type>;
+};
+
+template <class R, class... Features>
+constexpr const auto& drive_matrix_of_scene(const Scene<DriveCoordinates<R>, Features...>*) {
+  return drive_matrix<R>;
+}
+
+}  // namespace detail
 }  // namespace axial
 
 #include <axial/options/end.hpp>

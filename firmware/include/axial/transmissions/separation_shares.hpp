@@ -2,7 +2,7 @@
 // compiler.
 #pragma once
 
-#include <axial/separation/separation_structure.hpp>
+#include <axial/separation/separated_torque.hpp>
 #include <axial/transmissions/coupling_terms.hpp>
 
 #include <axial/options/begin.hpp>
@@ -75,33 +75,17 @@ struct TermShares {
 /// Shares as a table: of A, and of B and C.
 ///@{
 template <class Scene>
-inline constexpr int inertia_share_count = [] {
-  int count = 0;
-  TermShares<Scene>::each_inertia([&](const Share&) { ++count; });
-  return count;
-}();
+inline constexpr int inertia_share_count = counted([](const auto& f) { TermShares<Scene>::each_inertia(f); });
 template <class Scene>
-inline constexpr int rate_share_count = [] {
-  int count = 0;
-  TermShares<Scene>::each_rates([&](const RateShare&) { ++count; });
-  return count;
-}();
+inline constexpr int rate_share_count = counted([](const auto& f) { TermShares<Scene>::each_rates(f); });
 template <class Scene>
-inline constexpr auto inertia_shares = [] {
-  Row<Share, inertia_share_count<Scene> + 1> all{};  // a first one ends the last entry
-  int next = 0;
-  TermShares<Scene>::each_inertia([&](const Share& share) { all[next++] = share; });
-  all[next].first = true;
-  return all;
-}();
+inline constexpr auto inertia_shares = listed<Share, inertia_share_count<Scene>>([](const auto& f) {
+  TermShares<Scene>::each_inertia(f);
+});
 template <class Scene>
-inline constexpr auto rate_shares = [] {
-  Row<RateShare, rate_share_count<Scene> + 1> all{};
-  int next = 0;
-  TermShares<Scene>::each_rates([&](const RateShare& share) { all[next++] = share; });
-  all[next].first = true;
-  return all;
-}();
+inline constexpr auto rate_shares = listed<RateShare, rate_share_count<Scene>>([](const auto& f) {
+  TermShares<Scene>::each_rates(f);
+});
 ///@}
 
 }  // namespace driven
@@ -112,15 +96,16 @@ template <class S>
 constexpr auto driven_present_terms() {
   using Shares = driven::TermShares<scene_of<S>>;
   Present<S> found{};
-  Shares::each_inertia([&](const driven::Share& share) { found.inertia(share.k, share.l, true); });
+  PresentTerms<S> terms{found};
+  Shares::each_inertia([&](const driven::Share& share) { terms.inertia(share.k, share.l, true); });
   Shares::each_rates([&](const driven::RateShare& share) {
     if (share.k == share.l)
-      found.square(share.d, share.k, true);
+      terms.square(share.d, share.k, true);
     else
-      found.product(share.d, share.k, share.l, true);
+      terms.product(share.d, share.k, share.l, true);
   });
   for (int k = 0; k < joint_count<S>; ++k)
-    found.inertia(k, k, true), found.rest(k, true);
+    terms.inertia(k, k, true), terms.rest(k, true);
   return found;
 }
 }  // namespace separation

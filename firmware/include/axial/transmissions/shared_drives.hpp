@@ -6,7 +6,6 @@
 #include <axial/transmissions/coupling_terms.hpp>
 #include <axial/transmissions/driven_algorithms.hpp>
 #include <axial/transmissions/driven_floating_base.hpp>
-#include <axial/transmissions/driven_forward_derivatives.hpp>
 #include <axial/transmissions/driven_links.hpp>
 #include <axial/transmissions/driven_model.hpp>
 #include <axial/transmissions/driven_motion.hpp>
@@ -52,29 +51,6 @@ struct DrivenKernels {
   using JointJacobian = Jacobian<typename Links::JointRobot, typename Links::Value>;    ///< by the joints
   using Matrix = MassMatrix<typename Links::Scene::Robot, T>;                           ///< M of the drives
 
-  /// Efforts of the drives; rates may be NoMotion.
-  template <class Input, class Q, class V, class A, class Tau>
-  AXIAL_INLINE static constexpr void efforts(const Links& links, const Input& in, const Q& u, const V& ud, const A& udd,
-                                             Tau& tau) {
-    const auto& joints = links.joints();
-    const auto q = links.positions(u);
-    const auto qd = links.kernel_rates(ud);
-    const auto qdd = links.kernel_rates(udd);
-    const auto at = joints.read(q);
-    typename Links::JointValues at_joints{};
-    const auto of_rotor =
-        driven::run_joints(links, joints, in, at, joint_screws(joints, in, at), joints.read(qd), joints.read(qdd), ud,
-                           udd, [&](auto i, const auto& effort) AXIAL_INLINE { joints.write(at_joints, i, effort); });
-    const auto actuator_effort = links.actuator_efforts(at_joints);
-    const auto speeds = links.read_drives(ud);
-    const auto accelerations = links.read_drives(udd);
-    links.each_drive([&](auto k) AXIAL_INLINE {
-      const auto drive = links.drives().link(k);
-      links.answer(tau, k, actuator_effort, friction_effort(drive, speeds[k]), drive.rotor() * accelerations[k],
-                   of_rotor(k));
-    });
-  }
-
   /// M of the drives.
   template <class Input, class Screws, class M>
   AXIAL_INLINE static constexpr void matrix(const Links& links, const Input& in, const Screws& screws, M& m) {
@@ -91,14 +67,6 @@ struct DrivenKernels {
     else
       links.reduce(joints, m);
   }
-  /// G^T M G and the rotors from values of drives.
-  template <class Input, class Q, class M>
-  AXIAL_INLINE static constexpr void matrix_at(const Links& links, const Input& in, const Q& u, M& m) {
-    const auto q = links.positions(u);
-    const auto& at = links.joints();
-    matrix(links, in, joint_screws(at, in, at.read(q)), m);
-  }
-
   /// Columns of a Jacobian by drives, from those by joints.
   template <class J, class Result>
   AXIAL_INLINE static constexpr void columns(const Links& links, const J& joints, Result& result) {

@@ -55,8 +55,8 @@ struct DrivenSystem {
     const auto motion = links_of<scene_of<S>, T, BaseParameters, recursion::NewtonEuler>();
     const auto bodies = links_of<scene_of<S>, T, BaseParameters, recursion::CompositeBodies>();
     EffortsOf<S, T> bias{};
-    DrivenKernels<decltype(motion)>::efforts(motion, in, u, ud, NoMotion{}, bias);
-    DrivenKernels<decltype(bodies)>::matrix_at(bodies, in, u, m);
+    execute<rnea::InverseDynamics>(motion, in, u, ud, NoMotion{}, bias);
+    execute<crba::CompositeMatrix>(bodies, in, u, m);
     for (int k = 0; k < size; ++k)
       left[k] = std::int64_t{tau[k].raw} - bias[k].raw;
   }

@@ -2,7 +2,7 @@
 // the declared motion, of a drive that is magnified as far as it leaves room.
 #pragma once
 
-#include <axial/dynamics/split_form.hpp>
+#include <axial/dynamics/free_response.hpp>
 #include <axial/fixed/dynamics/drive_scale.hpp>
 #include <axial/fixed/recursion/stages.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <axial/fixed/formats/joint_formats.hpp>
 #include <axial/fixed/words/round.hpp>
-#include <axial/links/inputs.hpp>
+#include <axial/links/plain_values.hpp>
 #include <axial/recursion/tool_pose.hpp>
 
 #include <axial/options/begin.hpp>

@@ -92,12 +92,8 @@ struct CoefficientOf<S, Stored<Word>, Scalar> {
     return stored_at<Format::inertia(I::value, J::value), Scalar>(value);
   }
   template <class I, class J, class K, class V>
-  AXIAL_INLINE static constexpr Stored<Word> product(I, J, K, const V& value) {
+  AXIAL_INLINE static constexpr Stored<Word> rates(I, J, K, const V& value) {
     return stored_at<Format::product(I::value, J::value, K::value), Scalar>(value);
-  }
-  template <class I, class J, class V>
-  AXIAL_INLINE static constexpr Stored<Word> square(I, J, const V& value) {
-    return stored_at<Format::square(I::value, J::value), Scalar>(value);
   }
   template <class I, class V>
   AXIAL_INLINE static constexpr Stored<Word> rest(I, const V& value) {

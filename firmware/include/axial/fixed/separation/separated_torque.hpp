@@ -49,7 +49,7 @@ struct FixedTerms {
   /// C(i, j) qd_j^2, not rounded yet.
   template <int I, int J>
   AXIAL_INLINE constexpr auto square() const {
-    if constexpr (has_square<S, Index<I>, Index<J>>())
+    if constexpr (has_product<S, Index<I>, Index<J>>())
       return words.template at<Format::square(I, J)>(s.C[I][J]) * words.template product<J, J>(qd);
     else
       return Zero{};

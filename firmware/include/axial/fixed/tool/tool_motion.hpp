@@ -26,7 +26,7 @@ constexpr Row<NumberSum, N> wrench_efforts(const JacobianBounds<N>& columns, con
                            detail::anywhere({w.force, 0.0}, w.force_exponent, &r)};
   Row<NumberSum, N> efforts{};
   for (int i = 0; i < N; ++i)
-    efforts[i] = axial::detail::effort_of_wrench(columns.columns[i], wrench);
+    efforts[i] = along_motion(columns.columns[i], wrench);
   return efforts;
 }
 
@@ -83,7 +83,7 @@ constexpr WrenchEfforts<R, Stored<Word>> wrench_efforts(const Jacobian<R, Stored
   const auto write = [&](auto i) AXIAL_INLINE {
     const MotionVector column{in_format<direction_exponent<T> - column_headroom<R>, S>(jacobian[i].angular),
                               in_format<length_exponent<R, T> - column_headroom<R>, S>(jacobian[i].linear)};
-    tau.values[i] = {round_to<WrenchEfforts<R, T>::exponent(i)>(effort_of_wrench(column, wrench)).raw};
+    tau.values[i] = {round_to<WrenchEfforts<R, T>::exponent(i)>(along_motion(column, wrench)).raw};
   };
   (write(Index<I>{}), ...);
   return tau;
