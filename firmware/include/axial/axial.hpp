@@ -43,7 +43,7 @@
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/links/model.hpp>
 #include <axial/scene/consistency.hpp>
-#include <axial/scene/mounted_payload.hpp>
+#include <axial/scene/runtime_tool.hpp>
 #include <axial/scene/status_text.hpp>
 #include <axial/separation/separated_torque.hpp>
 #include <axial/separation/separation.hpp>

@@ -39,11 +39,10 @@
 
 #include <axial/fixed/closed_form/scara.hpp>
 #include <axial/fixed/control/border.hpp>
-#include <axial/fixed/control/collision.hpp>
 #include <axial/fixed/control/encoder.hpp>
 #include <axial/fixed/control/fall_back.hpp>
+#include <axial/fixed/control/momentum_observer.hpp>
 #include <axial/fixed/control/observer_error.hpp>
-#include <axial/fixed/control/payload_border.hpp>
 #include <axial/fixed/control/payload_error.hpp>
 #include <axial/fixed/control/payload_words.hpp>
 #include <axial/fixed/control/tool_border.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
-#include <axial/scene/roles.hpp>
+#include <axial/scene/joints.hpp>
 #include <axial/separation/separation_structure.hpp>
 
 #include <axial/options/begin.hpp>

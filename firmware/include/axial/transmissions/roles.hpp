@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/links/links.hpp>
-#include <axial/scene/roles.hpp>
+#include <axial/scene/joints.hpp>
 
 #include <axial/options/begin.hpp>
 

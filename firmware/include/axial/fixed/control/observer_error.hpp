@@ -2,7 +2,7 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
-#include <axial/fixed/control/collision.hpp>
+#include <axial/fixed/control/momentum_observer.hpp>
 #include <axial/fixed/error_bound.hpp>
 
 #include <axial/options/begin.hpp>

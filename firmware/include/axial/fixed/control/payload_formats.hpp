@@ -1,7 +1,7 @@
 // What the payload estimator rounds to in fixed point: formats from the declared limits.
 #pragma once
 
-#include <axial/control/payload_formats.hpp>
+#include <axial/control/payload_columns.hpp>
 #include <axial/fixed/dynamics/kinematics.hpp>
 #include <axial/fixed/limits/position_check.hpp>
 
