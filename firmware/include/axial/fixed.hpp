@@ -44,7 +44,7 @@
 #include <axial/fixed/control/momentum_observer.hpp>
 #include <axial/fixed/control/observer_error.hpp>
 #include <axial/fixed/control/payload_error.hpp>
-#include <axial/fixed/control/payload_words.hpp>
+#include <axial/fixed/control/payload_estimator.hpp>
 #include <axial/fixed/control/tool_border.hpp>
 #include <axial/fixed/control/tracking.hpp>
 #include <axial/fixed/derivatives/derivative_error.hpp>

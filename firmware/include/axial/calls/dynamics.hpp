@@ -2,7 +2,7 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
-#include <axial/calls/on_arrays.hpp>
+#include <axial/calls/arguments.hpp>
 #include <axial/calls/registry.hpp>
 
 #include <axial/options/begin.hpp>

@@ -3,7 +3,7 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
-#include <axial/control/payload_sums.hpp>
+#include <axial/control/payload_columns.hpp>
 #include <axial/scalar/rounding.hpp>
 #include <axial/scalar/select.hpp>
 #include <axial/scalar/traits.hpp>
@@ -130,7 +130,7 @@ constexpr void learn(PayloadState<S, T>& state, const PayloadRow<T> (&lagged)[jo
 
 }  // namespace detail
 
-/// What is known of a payload. In fixed point T is Scaled; fixed/control/payload_words.hpp makes words of it.
+/// What is known of a payload. In fixed point T is Scaled; payload_words() makes words of it.
 template <class T>
 struct PayloadEstimate {
   T mass{};                ///< kg

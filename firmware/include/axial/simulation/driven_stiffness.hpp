@@ -6,7 +6,7 @@
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/scalar/finite.hpp>
 #include <axial/scalar/math.hpp>
-#include <axial/simulation/stiff_links.hpp>
+#include <axial/simulation/system.hpp>
 #include <axial/transmissions/roles.hpp>
 
 #include <limits>
