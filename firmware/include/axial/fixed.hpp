@@ -31,9 +31,7 @@
 
 #include <axial/calls/arguments.hpp>
 
-#include <axial/calls/dynamics.hpp>
-
-#include <axial/calls/control.hpp>
+#include <axial/calls/on_arrays.hpp>
 
 #include <axial/axial.hpp>
 
