@@ -3,6 +3,5 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/axial.hpp>
-#include <axial/batch/batch_checks.hpp>
 #include <axial/batch/batch_joints.hpp>
 #include <axial/batch/batch_status.hpp>
