@@ -22,7 +22,7 @@ struct HigherDerivatives {
 
 namespace detail {
 
-/// A function of so many joint values, called with more, or with two that a struct holds.
+/// A function of so many joint values, called with more, with two that a struct holds, or with a direction.
 ///@{
 template <int joint_values, class F, class J, class In>
 constexpr auto applied(const F& f, const J& q, [[maybe_unused]] const J& qd, [[maybe_unused]] const J& x,
@@ -35,8 +35,11 @@ constexpr auto applied(const F& f, const J& q, [[maybe_unused]] const J& qd, [[m
     return f(q, qd, x, in);
 }
 template <int joint_values, class F, class J, class D, class In>
-constexpr auto applied(const F& f, const J& q, const J& qd, const J& qdd, const D& higher, const In& in) {
-  return f(q, qd, qdd, higher.q3, higher.q4, in);
+constexpr auto applied(const F& f, const J& q, const J& qd, const J& x, const D& more, const In& in) {
+  if constexpr (joint_values == 5)
+    return f(q, qd, x, more.q3, more.q4, in);
+  else
+    return f(q, qd, x, more, in);
 }
 ///@}
 
@@ -72,27 +75,12 @@ namespace algorithm {
   inline constexpr type value;
 AXIAL_ALGORITHMS(AXIAL_AS_A_VALUE)
 AXIAL_ALGORITHMS_OF_CHOICE(AXIAL_AS_A_VALUE)
+/// With a direction besides.
+///@{
+AXIAL_AS_A_VALUE(inverse_dynamics_along, 3, Motion, EffortsAlong, InverseDynamicsAlong, inverse_dynamics_along)
+AXIAL_AS_A_VALUE(forward_dynamics_along, 3, Driven, AccelerationsAlong, ForwardDynamicsAlong, forward_dynamics_along)
+///@}
 #undef AXIAL_AS_A_VALUE
-
-/// axial::inverse_dynamics_along(): a direction besides.
-struct InverseDynamicsAlong {
-  static constexpr const char* name = "inverse_dynamics_along";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class D, class In>
-  static constexpr auto run(const J& q, const J& qd, const J& qdd, const D& direction, const In& in) {
-    return axial::inverse_dynamics_along<S>(q, qd, qdd, direction, in);
-  }
-};
-
-/// axial::forward_dynamics_along(): a direction besides.
-struct ForwardDynamicsAlong {
-  static constexpr const char* name = "forward_dynamics_along";  ///< in files, tables and JSON
-  /// Runs it for the scene S.
-  template <class S, class J, class D, class In>
-  static constexpr auto run(const J& q, const J& qd, const J& tau, const D& direction, const In& in) {
-    return axial::forward_dynamics_along<S>(q, qd, tau, direction, in);
-  }
-};
 
 /// torque() from terms that are there already.
 struct SeparatedTorque {
@@ -124,8 +112,6 @@ struct ClosedForm {
 
 /// The algorithm of that name, as an argument.
 ///@{
-inline constexpr InverseDynamicsAlong inverse_dynamics_along;
-inline constexpr ForwardDynamicsAlong forward_dynamics_along;
 inline constexpr SeparatedTorque separated_torque;
 inline constexpr ClosedFormSeparation closed_form_separation;
 inline constexpr ClosedForm closed_form;

@@ -24,8 +24,6 @@
 #include <axial/control/collision.hpp>
 #include <axial/control/current_limit.hpp>
 #include <axial/control/fall_back.hpp>
-#include <axial/control/feedforward.hpp>
-#include <axial/control/gravity_compensation.hpp>
 #include <axial/control/position_command.hpp>
 #include <axial/control/tracking.hpp>
 #include <axial/control/two_rate.hpp>
@@ -37,13 +35,12 @@
 #include <axial/dynamics/base_wrench.hpp>
 #include <axial/dynamics/check_finite.hpp>
 #include <axial/dynamics/forward_dynamics.hpp>
-#include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/dynamics/joint_torque.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/links/model.hpp>
 #include <axial/scene/consistency.hpp>
-#include <axial/scene/mounted_payload.hpp>
+#include <axial/scene/runtime_tool.hpp>
 #include <axial/scene/status_text.hpp>
 #include <axial/separation/separated_torque.hpp>
 #include <axial/separation/separation.hpp>
@@ -59,6 +56,4 @@
 
 #include <axial/calls/arguments.hpp>
 
-#include <axial/calls/dynamics.hpp>
-
-#include <axial/calls/control.hpp>
+#include <axial/calls/on_arrays.hpp>

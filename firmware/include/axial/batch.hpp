@@ -3,7 +3,5 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/axial.hpp>
-#include <axial/batch/batch_check_finite.hpp>
-#include <axial/batch/batch_checks.hpp>
 #include <axial/batch/batch_joints.hpp>
-#include <axial/batch/batch_soundness.hpp>
+#include <axial/batch/batch_status.hpp>

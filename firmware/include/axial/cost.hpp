@@ -12,155 +12,129 @@ namespace axial {
 
 namespace detail {
 
-template <class V>
-constexpr void need(const V& values) {
-  for (const auto& value : values)
-    value.need();
-}
-constexpr void need(const Vec3<Counting>& v) { v.x.need(), v.y.need(), v.z.need(); }
-constexpr void need(const WorldPose<Counting>& p) {
-  need(p.rotation.x), need(p.rotation.y), need(p.rotation.z), need(p.position);
-}
-
-template <class S>
-constexpr void need_all(const Joints<S, Counting>& result) {
-  need(result.values);
-}
-template <class S>
-constexpr void need_all(const FloatingDynamics<S, Counting>& result) {
-  need(result.values);
-  need(result.base_acceleration.angular), need(result.base_acceleration.linear);
-}
-constexpr void need_all(const ForceVector<Vec3<Counting>, Vec3<Counting>>& f) { need(f.moment), need(f.force); }
-template <class S>
-constexpr void need_all(const MassMatrix<S, Counting>& result) {
-  need(result.values);
-}
-template <class S>
-constexpr void need_all(const ForwardKinematics<S, Counting>& result) {
-  need(result.tool);
-}
-template <class S>
-constexpr void need_all(const Jacobian<S, Counting>& result) {
-  for (const auto& column : result.columns)
-    need(column.angular), need(column.linear);
-}
-
-template <class S>
-constexpr void need_all(const Separated<S, Counting>& result) {
-  for (int i = 0; i < result.size; ++i)
-    need(result.A[i]), need(result.B[i]), need(result.C[i]);
-  need(result.G);
-}
-
-template <class S, class By>
-constexpr void need_all(const JointMatrix<S, Counting, By>& result) {
-  need(result.values);
-}
-template <class S, class... Wanted>
-constexpr void need_all(const InverseDynamicsDerivatives<S, Counting, Wanted...>& result) {
-  using R = InverseDynamicsDerivatives<S, Counting, Wanted...>;
-  if constexpr (R::template has<with_efforts>) need_all(result.tau);
-  if constexpr (R::template has<with_mass_matrix>) need_all(result.M);
-  if constexpr (R::template has<with_position_jacobian>) need_all(result.dtau_dq);
-  if constexpr (R::template has<with_velocity_jacobian>) need_all(result.dtau_dqd);
-}
-
-template <class S, class... Wanted>
-constexpr void need_all(const ForwardDynamicsDerivatives<S, Counting, Wanted...>& result) {
-  using R = ForwardDynamicsDerivatives<S, Counting, Wanted...>;
-  need_all(result.qdd);
-  if constexpr (R::template has<with_inverse_mass_matrix>) need_all(result.M_inverse);
-  if constexpr (R::template has<with_acceleration_by_position>) need_all(result.dqdd_dq);
-  if constexpr (R::template has<with_acceleration_by_velocity>) need_all(result.dqdd_dqd);
-}
-
-template <class S>
-constexpr void need_all(const TorqueRegressor<S, Counting>& result) {
-  need(result.values);
-}
-template <class S>
-constexpr void need_all(const EffortsAlong<S, Counting>& result) {
-  need_all(result.tau), need_all(result.dtau);
-}
-template <class S>
-constexpr void need_all(const AccelerationsAlong<S, Counting>& result) {
-  need_all(result.qdd), need_all(result.dqdd);
-}
-
-template <class S>
-constexpr void need_all(const MomentumTerms<S, Counting>& result) {
-  need_all(result.momentum), need_all(result.drift);
-}
-template <class S>
-constexpr void need_all(const TorqueRates<S, Counting>& result) {
-  need_all(result.tau), need_all(result.taud), need_all(result.taudd);
-}
-template <class S>
-constexpr void need_all(const ElasticFeedforward<S, Counting>& result) {
-  need_all(result.tau_m), need_all(result.theta), need_all(result.thetad), need_all(result.tau_l);
-}
-
-// Run-time inputs count as such.
-constexpr void traced(Trace& trace, Counting& value) { value = Counting(trace); }
-template <class... Parts>
-constexpr void traced_all(Trace& trace, Parts&... parts);
-constexpr void traced(Trace& trace, Vec3<Counting>& v) { traced_all(trace, v.x, v.y, v.z); }
-constexpr void traced(Trace& trace, Sym3<Counting>& s) { traced_all(trace, s.xx, s.yy, s.zz, s.xy, s.xz, s.yz); }
-constexpr void traced(Trace& trace, ForceVector<Vec3<Counting>, Vec3<Counting>>& f) {
-  traced_all(trace, f.moment, f.force);
-}
-constexpr void traced(Trace& trace, SinCos<Counting>& pair) { traced_all(trace, pair.sin, pair.cos); }
-constexpr void traced(Trace& trace, PayloadBody<Counting>& body) {
-  traced_all(trace, body.mass, body.com, body.inertia_com);
-}
-constexpr void traced(Trace& trace, GivenMotion<Counting>& base) {
-  traced_all(trace, base.angular_velocity, base.angular_acceleration, base.linear_acceleration);
-}
-template <class S, class V>
-constexpr void traced(Trace& trace, Joints<S, V>& joints) {
-  for (auto& value : joints.values)
-    traced(trace, value);
-}
-template <class S>
-constexpr void traced(Trace& trace, MotionDirection<S, Counting>& by) {
-  traced_all(trace, by.dq, by.dqd, by.dqdd);
-}
-template <class S>
-constexpr void traced(Trace& trace, StateDirection<S, Counting>& by) {
-  traced_all(trace, by.dq, by.dqd, by.dtau);
-}
-template <class S>
-constexpr void traced(Trace& trace, HigherDerivatives<S, Counting>& by) {
-  traced_all(trace, by.q3, by.q4);
-}
-template <class S>
-constexpr void traced(Trace& trace, Separated<S, Counting>& s) {
-  for (int i = 0; i < s.size; ++i) {
-    for (int j = 0; j < s.size; ++j)
-      traced_all(trace, s.A[i][j], s.C[i][j]);
-    for (auto& value : s.B[i])
-      traced(trace, value);
-    traced(trace, s.G[i]);
+/// Calls F for every number of what an algorithm takes or answers, whatever holds it.
+template <class F>
+class EachNumber {
+ public:
+  constexpr explicit EachNumber(const F& f) : f_(f) {}
+  template <class... Parts>
+  constexpr void operator()(Parts&... parts) const {
+    (of(parts), ...);
   }
-}
-template <class... Parts>
-constexpr void traced_all(Trace& trace, Parts&... parts) {
-  (traced(trace, parts), ...);
-}
 
+ private:
+  constexpr void of(Counting& value) const { f_(value); }
+  constexpr void of(Vec3<Counting>& v) const { (*this)(v.x, v.y, v.z); }
+  constexpr void of(Sym3<Counting>& s) const { (*this)(s.xx, s.yy, s.zz, s.xy, s.xz, s.yz); }
+  constexpr void of(Mat3<Vec3<Counting>>& rows) const { (*this)(rows.x, rows.y, rows.z); }
+  constexpr void of(ForceVector<Vec3<Counting>, Vec3<Counting>>& f) const { (*this)(f.moment, f.force); }
+  constexpr void of(MotionVector<Vec3<Counting>, Vec3<Counting>>& m) const { (*this)(m.angular, m.linear); }
+  constexpr void of(SinCos<Counting>& pair) const { (*this)(pair.sin, pair.cos); }
+  constexpr void of(PayloadBody<Counting>& body) const { (*this)(body.mass, body.com, body.inertia_com); }
+  constexpr void of(GivenMotion<Counting>& base) const {
+    (*this)(base.angular_velocity, base.angular_acceleration, base.linear_acceleration);
+  }
+  template <class V, std::size_t n>
+  constexpr void of(V (&values)[n]) const {
+    for (auto& value : values)
+      of(value);
+  }
+  /// Of joint values and matrices.
+  template <class V>
+  constexpr auto of(V& held) const -> std::void_t<decltype(held.values)> {
+    of(held.values);
+  }
+  template <class S>
+  constexpr void of(FloatingDynamics<S, Counting>& result) const {
+    (*this)(result.values, result.base_acceleration);
+  }
+  template <class S>
+  constexpr void of(ForwardKinematics<S, Counting>& result) const {
+    (*this)(result.tool.rotation, result.tool.position);
+  }
+  template <class S>
+  constexpr void of(Jacobian<S, Counting>& result) const {
+    of(result.columns);
+  }
+  template <class S>
+  constexpr void of(Separated<S, Counting>& terms) const {
+    (*this)(terms.A, terms.B, terms.C, terms.G);
+  }
+  template <class S, class... Wanted>
+  constexpr void of(InverseDynamicsDerivatives<S, Counting, Wanted...>& result) const {
+    using R = InverseDynamicsDerivatives<S, Counting, Wanted...>;
+    if constexpr (R::template has<with_efforts>) of(result.tau);
+    if constexpr (R::template has<with_mass_matrix>) of(result.M);
+    if constexpr (R::template has<with_position_jacobian>) of(result.dtau_dq);
+    if constexpr (R::template has<with_velocity_jacobian>) of(result.dtau_dqd);
+  }
+  template <class S, class... Wanted>
+  constexpr void of(ForwardDynamicsDerivatives<S, Counting, Wanted...>& result) const {
+    using R = ForwardDynamicsDerivatives<S, Counting, Wanted...>;
+    of(result.qdd);
+    if constexpr (R::template has<with_inverse_mass_matrix>) of(result.M_inverse);
+    if constexpr (R::template has<with_acceleration_by_position>) of(result.dqdd_dq);
+    if constexpr (R::template has<with_acceleration_by_velocity>) of(result.dqdd_dqd);
+  }
+  template <class S>
+  constexpr void of(EffortsAlong<S, Counting>& result) const {
+    (*this)(result.tau, result.dtau);
+  }
+  template <class S>
+  constexpr void of(AccelerationsAlong<S, Counting>& result) const {
+    (*this)(result.qdd, result.dqdd);
+  }
+  template <class S>
+  constexpr void of(MomentumTerms<S, Counting>& result) const {
+    (*this)(result.momentum, result.drift);
+  }
+  template <class S>
+  constexpr void of(TorqueRates<S, Counting>& result) const {
+    (*this)(result.tau, result.taud, result.taudd);
+  }
+  template <class S>
+  constexpr void of(ElasticFeedforward<S, Counting>& result) const {
+    (*this)(result.tau_m, result.theta, result.thetad, result.tau_l);
+  }
+  template <class S>
+  constexpr void of(MotionDirection<S, Counting>& by) const {
+    (*this)(by.dq, by.dqd, by.dqdd);
+  }
+  template <class S>
+  constexpr void of(StateDirection<S, Counting>& by) const {
+    (*this)(by.dq, by.dqd, by.dtau);
+  }
+  template <class S>
+  constexpr void of(HigherDerivatives<S, Counting>& by) const {
+    (*this)(by.q3, by.q4);
+  }
+
+  const F& f_;
+};
+/// Asks for every number of an answer.
+template <class Answer>
+constexpr void need_all(Answer answer) {
+  const auto need = [](const Counting& value) { value.need(); };
+  EachNumber{need}(answer);
+}
+/// Run-time inputs count as such.
+template <class... Given>
+constexpr void trace_all(Trace& trace, Given&... given) {
+  const auto input = [&trace](Counting& value) { value = Counting(trace); };
+  EachNumber{input}(given...);
+}
 template <class S>
 constexpr void trace_inputs(Inputs<S, Counting>& in, Trace& trace) {
   using Scene = scene_of<S>;
-  if constexpr (Scene::template has<axial::RuntimeGravity>) traced(trace, in.gravity);
-  if constexpr (Scene::template has<axial::BaseWrench>) traced(trace, in.base_wrench);
+  if constexpr (Scene::template has<axial::RuntimeGravity>) trace_all(trace, in.gravity);
+  if constexpr (Scene::template has<axial::BaseWrench>) trace_all(trace, in.base_wrench);
   if constexpr (Scene::template has<axial::BaseMotion> || Scene::template has<axial::FloatingBase>)
-    traced(trace, in.base_motion);
-  if constexpr (Scene::template has<axial::VelocityThroughWater>) traced(trace, in.velocity_through_water);
-  if constexpr (Scene::template has<axial::TipWrench>) traced(trace, in.tip_wrench);
-  if constexpr (Scene::template has<axial::ExternalWrenches>) traced(trace, in.wrenches);
-  if constexpr (Scene::template has<axial::Payload>) traced(trace, in.payload);
-  if constexpr (Scene::template has<axial::SineCosines>) traced(trace, in.turns);
+    trace_all(trace, in.base_motion);
+  if constexpr (Scene::template has<axial::VelocityThroughWater>) trace_all(trace, in.velocity_through_water);
+  if constexpr (Scene::template has<axial::TipWrench>) trace_all(trace, in.tip_wrench);
+  if constexpr (Scene::template has<axial::ExternalWrenches>) trace_all(trace, in.wrenches);
+  if constexpr (Scene::template has<axial::Payload>) trace_all(trace, in.payload);
+  if constexpr (Scene::template has<axial::SineCosines>) trace_all(trace, in.turns);
 }
 
 template <class Algorithm, class = void>
@@ -172,7 +146,7 @@ template <class S, class Algorithm, class... Direction>
 constexpr Operations counted(Algorithm, Direction... direction) {
   Trace trace;
   Joints<robot_of<S>, Counting> q{}, qd{}, x{};
-  traced_all(trace, q, qd, x, direction...);
+  trace_all(trace, q, qd, x, direction...);
   Inputs<S, Counting> in{};
   trace_inputs<S>(in, trace);
   need_all(Algorithm::template run<S>(q, qd, x, direction..., in));
@@ -193,27 +167,20 @@ template <class S, class Algorithm>
     return {};  // the message alone
   else if constexpr (detail::takes_higher<Algorithm>)
     return detail::counted<S>(algorithm, HigherDerivatives<S, Counting>{});
+  else if constexpr (std::is_same_v<Algorithm, algorithm::InverseDynamicsAlong>)
+    return detail::counted<S>(algorithm, MotionDirection<robot_of<S>, Counting>{});
+  else if constexpr (std::is_same_v<Algorithm, algorithm::ForwardDynamicsAlong>)
+    return detail::counted<S>(algorithm, StateDirection<robot_of<S>, Counting>{});
   else
     return detail::counted<S>(algorithm);
 }
-/// Overloads for an algorithm along a direction.
-///@{
-template <class S>
-[[nodiscard]] constexpr Operations cost(algorithm::InverseDynamicsAlong algorithm) {
-  return detail::counted<S>(algorithm, MotionDirection<robot_of<S>, Counting>{});
-}
-template <class S>
-[[nodiscard]] constexpr Operations cost(algorithm::ForwardDynamicsAlong algorithm) {
-  return detail::counted<S>(algorithm, StateDirection<robot_of<S>, Counting>{});
-}
-///@}
 /// Overload for a torque whose terms come from a separate() that was paid for before.
 template <class S>
 [[nodiscard]] constexpr Operations cost(algorithm::SeparatedTorque) {
   Trace trace;
   Separated<S, Counting> separated{};
   Joints<robot_of<S>, Counting> qd{}, qdd{};
-  detail::traced_all(trace, separated, qd, qdd);
+  detail::trace_all(trace, separated, qd, qdd);
   detail::need_all(algorithm::SeparatedTorque::run(separated, qd, qdd));
   return trace.operations();
 }

@@ -20,6 +20,12 @@ constexpr bool same_layout(int count) {
   static_assert(alignof(T) == alignof(E), "axial: an Eigen map needs the alignment of its number");
   return sizeof(T) == static_cast<std::size_t>(count) * sizeof(E);
 }
+/// The numbers of what is `Held`, from the first on, as a matrix.
+template <class Held, class Matrix, class T>
+auto mapped(T* first) {
+  static_assert(same_layout<Held, std::remove_const_t<T>>(Matrix::SizeAtCompileTime));
+  return Eigen::Map<std::conditional_t<std::is_const_v<T>, const Matrix, Matrix>>(first);
+}
 
 /// Entry (i, j) of a mass matrix, as Eigen asks for it.
 template <class S, class T>
@@ -32,38 +38,31 @@ struct EntryOf {
 /// Joint values as a column vector, to read and to write. In floating point; fixed point has words, not numbers.
 template <class S, class T>
 [[nodiscard]] auto as_eigen(Joints<S, T>& values) {
-  constexpr int n = Joints<S, T>::size;
-  static_assert(detail::same_layout<Joints<S, T>, T>(n));
-  return Eigen::Map<Eigen::Matrix<T, n, 1>>(values.values);
+  return detail::mapped<Joints<S, T>, Eigen::Matrix<T, Joints<S, T>::size, 1>>(values.values);
 }
 /// Overload for values to read alone.
 template <class S, class T>
 [[nodiscard]] auto as_eigen(const Joints<S, T>& values) {
-  constexpr int n = Joints<S, T>::size;
-  static_assert(detail::same_layout<Joints<S, T>, T>(n));
-  return Eigen::Map<const Eigen::Matrix<T, n, 1>>(values.values);
+  return detail::mapped<Joints<S, T>, Eigen::Matrix<T, Joints<S, T>::size, 1>>(values.values);
 }
 
 /// A vector, such as the position of a pose.
 template <class T>
 [[nodiscard]] auto as_eigen(const Vec3<T, T, T>& v) {
-  static_assert(detail::same_layout<Vec3<T, T, T>, T>(3));
-  return Eigen::Map<const Eigen::Matrix<T, 3, 1>>(&v.x);
+  return detail::mapped<Vec3<T, T, T>, Eigen::Matrix<T, 3, 1>>(&v.x);
 }
 
 /// A rotation matrix, such as that of a pose; rows follow one another.
 template <class T>
 [[nodiscard]] auto as_eigen(const Mat3<Vec3<T>>& m) {
-  static_assert(detail::same_layout<Mat3<Vec3<T>>, T>(9));
-  return Eigen::Map<const Eigen::Matrix<T, 3, 3, Eigen::RowMajor>>(&m.x.x);
+  return detail::mapped<Mat3<Vec3<T>>, Eigen::Matrix<T, 3, 3, Eigen::RowMajor>>(&m.x.x);
 }
 
 /// The 6 x N Jacobian, angular part first.
 template <class S, class T>
 [[nodiscard]] auto as_eigen(const Jacobian<S, T>& jacobian) {
-  constexpr int n = joint_count<S>;
-  static_assert(detail::same_layout<decltype(jacobian.columns), T>(6 * n));
-  return Eigen::Map<const Eigen::Matrix<T, 6, n>>(&jacobian.columns[0].angular.x);
+  return detail::mapped<decltype(jacobian.columns), Eigen::Matrix<T, 6, joint_count<S>>>(
+      &jacobian.columns[0].angular.x);
 }
 
 /// The mass matrix as an N x N expression that reads the stored triangle; `m` must outlive it. Assign it to an

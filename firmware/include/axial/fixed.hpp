@@ -31,21 +31,18 @@
 
 #include <axial/calls/arguments.hpp>
 
-#include <axial/calls/dynamics.hpp>
-
-#include <axial/calls/control.hpp>
+#include <axial/calls/on_arrays.hpp>
 
 #include <axial/axial.hpp>
 
 #include <axial/fixed/closed_form/scara.hpp>
 #include <axial/fixed/control/border.hpp>
-#include <axial/fixed/control/collision.hpp>
 #include <axial/fixed/control/encoder.hpp>
 #include <axial/fixed/control/fall_back.hpp>
+#include <axial/fixed/control/momentum_observer.hpp>
 #include <axial/fixed/control/observer_error.hpp>
-#include <axial/fixed/control/payload_border.hpp>
 #include <axial/fixed/control/payload_error.hpp>
-#include <axial/fixed/control/payload_words.hpp>
+#include <axial/fixed/control/payload_estimator.hpp>
 #include <axial/fixed/control/tool_border.hpp>
 #include <axial/fixed/control/tracking.hpp>
 #include <axial/fixed/derivatives/derivative_error.hpp>

@@ -4,7 +4,7 @@
 
 #include <axial/derivatives/forward_dynamics_derivatives.hpp>
 #include <axial/derivatives/inverse_dynamics_along.hpp>
-#include <axial/scene/roles.hpp>
+#include <axial/scene/joints.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <axial/base/floating_base.hpp>
 #include <axial/dynamics/inverse_dynamics.hpp>
-#include <axial/scene/roles.hpp>
+#include <axial/scene/joints.hpp>
 
 #include <axial/options/begin.hpp>
 

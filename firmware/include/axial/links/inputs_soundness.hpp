@@ -4,7 +4,7 @@
 
 #include <axial/links/links.hpp>
 #include <axial/links/soundness.hpp>
-#include <axial/scene/roles.hpp>
+#include <axial/scene/joints.hpp>
 #include <axial/scene/runtime_tool.hpp>
 
 #include <axial/options/begin.hpp>

@@ -3,7 +3,7 @@
 
 #include <axial/links/links.hpp>
 #include <axial/scalar/select.hpp>
-#include <axial/scene/decisions.hpp>
+#include <axial/scene/status.hpp>
 
 #include <axial/options/begin.hpp>
 

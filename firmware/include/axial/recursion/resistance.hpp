@@ -3,7 +3,7 @@
 
 #include <axial/links/link_view.hpp>
 #include <axial/recursion/composite_scale.hpp>
-#include <axial/scene/decisions.hpp>
+#include <axial/scene/status.hpp>
 
 #include <axial/options/begin.hpp>
 

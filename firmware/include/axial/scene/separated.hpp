@@ -1,8 +1,8 @@
 // Dynamics with its terms apart: what the Automatic Separation Method and the closed forms return.
 #pragma once
 
-#include <axial/scene/decisions.hpp>
 #include <axial/scene/joints.hpp>
+#include <axial/scene/status.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
-#include <axial/scene/roles.hpp>
+#include <axial/scene/joints.hpp>
 #include <axial/separation/separation.hpp>
 
 #include <axial/options/begin.hpp>

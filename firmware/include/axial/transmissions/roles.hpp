@@ -4,7 +4,7 @@
 
 #include <axial/links/links.hpp>
 #include <axial/robot/drive_coordinates.hpp>
-#include <axial/scene/roles.hpp>
+#include <axial/scene/joints.hpp>
 #include <axial/scene/scene.hpp>
 
 #include <axial/options/begin.hpp>

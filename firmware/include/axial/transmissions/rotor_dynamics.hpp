@@ -10,7 +10,7 @@
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/links/rotors.hpp>
-#include <axial/scene/roles.hpp>
+#include <axial/scene/joints.hpp>
 
 #include <axial/options/begin.hpp>
 

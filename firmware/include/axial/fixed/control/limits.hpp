@@ -26,30 +26,22 @@ template <class S, class Word>
 struct LimitsFor<S, Stored<Word>> {
   using T = Stored<Word>;
   using Joint = typename FixedLimits<S, Word>::Joint;
-  /// Limits of joint i.
   static constexpr const Joint& joint(int i) { return fixed_limits_of<S, Word>.joints[i]; }
 
-  /// Whether a position is one that the joint reaches.
   static constexpr bool reaches(const Joint& l, const Fixed32& q) { return l.reaches(q); }
-  /// The nearest position that the joint reaches.
   static constexpr Fixed32 nearest_position(const Joint& l, const Fixed32& q) {
     return static_cast<const PositionRange&>(l).nearest(q);
   }
-  /// What is wrong with a position that is not reached.
   static constexpr Status::Code position_violation(const Joint&, const Fixed32&) {
     return Status::Code::position_limit;
   }
-  /// Whether a speed, an acceleration or an effort is within what it may be in either direction.
   static constexpr bool allows(const RawMost<Word>& most, const T& x) { return most.allows(x); }
-  /// Clamps x to what is allowed; -1 where it was outside, else 0.
   static constexpr int clamp(const RawMost<Word>& most, T& x) {
     const int outside = static_cast<int>(most.outside(x));
     x = most.nearest(x);
     return outside;
   }
-  /// The nearest value that is allowed.
   static constexpr T nearest(const RawMost<Word>& most, const T& x) { return most.nearest(x); }
-  /// What is wrong with run-time inputs.
   static constexpr Status check_inputs(const Inputs<S, T>& in) { return {inputs_outside<S>(in), -1}; }
   /// What is wrong with a state: beyond its limits formats wrap.
   static constexpr Status check_state(const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd) {

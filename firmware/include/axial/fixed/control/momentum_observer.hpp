@@ -1,13 +1,14 @@
-// The momentum observer in fixed point: residuals as words, in integers.
+// The momentum observer in fixed point: residuals as words, in integers, and a collision's thresholds in their formats.
 #pragma once
 
-#include <axial/control/momentum_observer.hpp>
+#include <axial/control/collision.hpp>
 #include <axial/fixed/control/limits.hpp>
 #include <axial/fixed/dynamics/momentum.hpp>
 
 #include <axial/options/begin.hpp>
 
 namespace axial {
+
 namespace detail {
 
 /// Exponents of the words that pass an observer's lag as one number; an effort may be missing.
@@ -117,7 +118,18 @@ struct ResidualStep<S, Stored<Word>, Tuning> {
   }
 };
 
+template <class S, class Word, class Tuning>
+struct ResidualValue<S, Stored<Word>, Tuning> {
+  using T = Stored<Word>;
+  static constexpr T of(double x, int i) { return {raw_limit<Word>(x, Residuals<S, T, Tuning>::exponent(i))}; }
+  AXIAL_INLINE static constexpr bool beyond(const T& x, const T& most) {
+    const Word sign = static_cast<Word>(x.raw >> (8 * static_cast<int>(sizeof(Word)) - 1));
+    return is_less(most.raw, std::int64_t{x.raw ^ sign} - sign);
+  }
+};
+
 }  // namespace detail
+
 }  // namespace axial
 
 #include <axial/options/end.hpp>

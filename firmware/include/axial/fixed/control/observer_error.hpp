@@ -2,7 +2,7 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
-#include <axial/fixed/control/collision.hpp>
+#include <axial/fixed/control/momentum_observer.hpp>
 #include <axial/fixed/error_bound.hpp>
 
 #include <axial/options/begin.hpp>
@@ -102,11 +102,10 @@ constexpr double residual_error(int i, double momentum_error, double drift_error
 template <class S, class T = Fixed32, class Tuning>
 [[nodiscard]] constexpr auto error_bound(algorithm::MomentumObserver<Tuning>) {
   const auto momenta = error_bound<S, T>(algorithm::Momentum{}), drifts = error_bound<S, T>(algorithm::MomentumDrift{});
-  ErrorBound<joint_count<S>> all;
-  for (int i = 0; i < all.size; ++i)
-    all.of[i] = detail::residual_error<S, typename T::Word, Tuning>(i, momenta[i], drifts[i]) *
-                WordRounding::ulp(Residuals<S, T, Tuning>::exponent(i));
-  return all;
+  return detail::bounds_of(detail::row_of<joint_count<S>>([&](int i) {
+    return detail::residual_error<S, typename T::Word, Tuning>(i, momenta[i], drifts[i]) *
+           WordRounding::ulp(Residuals<S, T, Tuning>::exponent(i));
+  }));
 }
 /// Error bounds of a detector's comparison, N m or N: a residual in real numbers that is so far from its threshold is
 /// on the same side of it in words.

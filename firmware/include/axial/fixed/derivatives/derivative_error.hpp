@@ -25,25 +25,22 @@ class DrivenSlopeErrors {
   using Word = typename T::Word;
   using Errors = DriveErrors<S, T>;
   using Sizes = DriveSizes<S, Word>;
-  using Terms = bounds::TermsOf<Sizes::joints * Sizes::joints + 1>;
+  using Sum = RatioSum<Sizes::joints * Sizes::joints + 1>;
   static constexpr int size = joint_count<S>;
 
   template <class By, class Exponent, class Own>
   static constexpr bounds::EntryBounds<size> jacobian(By by, const bounds::EntryBounds<Sizes::joints>& joints,
                                                       const Own& own, const Exponent& exponent) {
     bounds::EntryBounds<size> all;
-    Terms terms[size * size] = {};
+    Sum sums[size * size] = {};
     DrivenSlopeSizes<S, Word>::each_share(by, [&](int k, int l, int i, int j, double factor) {
-      const Ball& entry = joints(i, j);
-      Terms& sum = terms[k * size + l];
-      all(k, l).error += magnitude(factor) * entry.error;
-      SharedDrives<S, T>::add(sum, factor, own(i, j), entry.largest());
+      sums[k * size + l].add(factor, own(i, j), joints(i, j));
     });
     for (int k = 0; k < size; ++k)
       for (int l = 0; l < size; ++l) {
-        Terms& sum = terms[k * size + l];
-        if (k == l && std::is_same_v<By, by::Velocity> && Sizes::viscous(k) > 0.0) sum.add_literal();
-        all(k, l).error += sum.rounding(exponent(k, l), SharedDrives<S, T>::rounding);
+        Sum& sum = sums[k * size + l];
+        if (k == l && std::is_same_v<By, by::Velocity> && Sizes::viscous(k) > 0.0) sum.terms.add_literal();
+        all(k, l).error = sum.rounded(exponent(k, l), SharedDrives<S, T>::rounding);
       }
     return all;
   }

@@ -2,8 +2,8 @@
 // makes of the answer and of an approximate inverse.
 #pragma once
 
-#include <axial/fixed/dynamics/certified_answer.hpp>
 #include <axial/fixed/dynamics/driven_forward_dynamics.hpp>
+#include <axial/fixed/dynamics/enclosure.hpp>
 #include <axial/fixed/limits/state_check.hpp>
 #include <axial/fixed/transmissions/driven_forward_error.hpp>
 

@@ -7,7 +7,7 @@
 #include <axial/fixed/formats/joint_formats.hpp>
 #include <axial/fixed/words/divide.hpp>
 #include <axial/links/links.hpp>
-#include <axial/scene/fixed_features.hpp>
+#include <axial/scene/features.hpp>
 #include <axial/spatial/inertia.hpp>
 
 #include <axial/options/begin.hpp>

@@ -22,19 +22,8 @@ class DrivenTermErrors {
   static constexpr int n = joint_count<S>;
   static constexpr const WordRounding& rounding = SharedDrives<S, T>::rounding;
 
-  // A coefficient of the drives on its way to its word.
-  struct Share {
-    Ball bound{};
-    bounds::TermsOf<driven::inertia_share_count<Scene> + driven::rate_share_count<Scene> + Sizes::joints + 4> terms{};
-
-    constexpr void add(double factor, const bounds::Number& of) {
-      bound.size += magnitude(factor) * of.bound.size, bound.error += magnitude(factor) * of.bound.error;
-      SharedDrives<S, T>::add(terms, factor, of.exponent, of.bound.largest());
-    }
-    constexpr bounds::Number stored(int exponent) const {
-      return bounds::word_of({bound.size, bound.error + terms.rounding(exponent, rounding)}, exponent);
-    }
-  };
+  /// A coefficient of the drives on its way to its word.
+  using Share = RatioSum<driven::inertia_share_count<Scene> + driven::rate_share_count<Scene> + Sizes::joints + 4>;
 
  public:
   /// Coefficients as they are stored.
@@ -53,14 +42,14 @@ class DrivenTermErrors {
       Share rest{};
       for (int i = 0; i < Sizes::joints; ++i)
         if (Shares::g.is_moved(i, d)) rest.add(Shares::g.ratio[i][d], joints.G[i]);
-      all.G[d] = rest.stored(Exponents::rest(d));
+      all.G[d] = rest.stored(Exponents::rest(d), rounding);
       if (Sizes::rotor(d) > 0.0) inertias[d][d].bound.size += Sizes::rotor(d), inertias[d][d].terms.add_literal();
       for (int k = 0; k <= d; ++k)
-        all.A[d][k] = all.A[k][d] = inertias[d][k].stored(Exponents::inertia(d, k));
+        all.A[d][k] = all.A[k][d] = inertias[d][k].stored(Exponents::inertia(d, k), rounding);
       for (int k = 0; k < n; ++k) {
-        all.C[d][k] = rates[(d * n + k) * n + k].stored(Exponents::square(d, k));
+        all.C[d][k] = rates[(d * n + k) * n + k].stored(Exponents::square(d, k), rounding);
         for (int l = k + 1; l < n; ++l)
-          all.B[d][all.pair(k, l)] = rates[(d * n + k) * n + l].stored(Exponents::product(d, k, l));
+          all.B[d][all.pair(k, l)] = rates[(d * n + k) * n + l].stored(Exponents::product(d, k, l), rounding);
       }
     }
     return all;
@@ -116,10 +105,7 @@ class BoundsOfTerms {
     const BoundedTorqueWords<typename scene_of<S>::Robot, A> words{rounding};
     Row<bounds::Number, n> tau{};
     sum_terms<S, T>(start.links, words, s, start.at.qd, start.at.qdd, tau);
-    Row<double, n> errors{};
-    for (int i = 0; i < n; ++i)
-      errors[i] = tau[i].bound.error;
-    return errors;
+    return detail::row_of<n>([&](int i) { return tau[i].bound.error; });
   }
 
  private:

@@ -25,11 +25,10 @@ class DrivenForwardError {
   /// rad/s^2 or m/s^2, where efforts are within the declared ones.
   static constexpr auto accelerations() {
     DrivenForwardError found;
-    Row<double, size> errors{};
-    for (int k = 0; k < size; ++k)
-      errors[k] =
-          found.known() ? Sizes::mobility(k) * found.energy() + WordRounding::ulp(Answers::exponent(k)) : unknown_size;
-    return errors;
+    return row_of<size>([&](int k) {
+      return found.known() ? Sizes::mobility(k) * found.energy() + WordRounding::ulp(Answers::exponent(k))
+                           : unknown_size;
+    });
   }
 
  private:

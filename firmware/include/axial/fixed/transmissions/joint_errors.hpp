@@ -8,6 +8,15 @@
 
 namespace axial::detail {
 
+/// A number of each joint or drive: of(i).
+template <int N, class Of>
+constexpr Row<double, N> row_of(const Of& of) {
+  Row<double, N> row{};
+  for (int i = 0; i < N; ++i)
+    row[i] = of(i);
+  return row;
+}
+
 /// Where each joint has a drive of its own: joint values are off by `word` units of their words.
 template <class S, class T>
 struct OwnDrives {
@@ -36,10 +45,7 @@ struct OwnDrives {
   /// What drives answer in the words of a role is what joints do.
   template <class Role, class Of>
   static constexpr auto answers(const Of& of, double) {
-    Row<double, joint_count<S>> errors{};
-    for (int i = 0; i < joint_count<S>; ++i)
-      errors[i] = Ball(of(i)).error;
-    return errors;
+    return row_of<joint_count<S>>([&](int i) { return Ball(of(i)).error; });
   }
 };
 
@@ -113,10 +119,7 @@ struct JointErrors {
   /// Errors of the origins of the links' frames, m.
   static constexpr auto origins() {
     const auto found = joint_ranges(recursion::Kinematics{});
-    Row<double, joints> errors{};
-    for (int i = 0; i < joints; ++i)
-      errors[i] = found.range[i].length.error;
-    return errors;
+    return row_of<joints>([&](int i) { return found.range[i].length.error; });
   }
   /// Errors of the tool's pose.
   static constexpr auto tool() {
@@ -130,10 +133,7 @@ struct JointErrors {
   static constexpr auto columns() { return columns_of(jacobian()); }
   template <int N>
   static constexpr auto columns_of(const bounds::JacobianBounds<N>& all) {
-    Row<double, N> errors{};
-    for (int i = 0; i < N; ++i)
-      errors[i] = all.columns[i].linear.bound.whole.error;
-    return errors;
+    return row_of<N>([&](int i) { return all.columns[i].linear.bound.whole.error; });
   }
   static constexpr int length_format() { return ranges<recursion::Kinematics, Full>.format[0].length; }
   /// Bounds of separated terms as the joints have them.

@@ -8,6 +8,40 @@
 
 namespace axial::detail {
 
+/// A sum of up to `most` words times constants, in bounds, before it is rounded once.
+template <int most>
+struct RatioSum {
+  Ball bound{};                   ///< of the sum
+  bounds::TermsOf<most> terms{};  ///< of its rounding
+
+  /// A word at an exponent, of such a size and off by `error`.
+  constexpr void add(double ratio, int exponent, double size, double error) {
+    bound.size += magnitude(ratio) * size, bound.error += magnitude(ratio) * error;
+    add_term(ratio, exponent, size);
+  }
+  constexpr void add(double ratio, int exponent, const Ball& of) {
+    bound.size += magnitude(ratio) * of.size, bound.error += magnitude(ratio) * of.error;
+    add_term(ratio, exponent, of.largest());
+  }
+  constexpr void add(double ratio, const bounds::Number& of) { add(ratio, of.exponent, of.bound); }
+  /// The sum as a word at an exponent.
+  [[nodiscard]] constexpr bounds::Number stored(int exponent, const WordRounding& r) const {
+    return bounds::word_of({bound.size, rounded(exponent, r)}, exponent);
+  }
+  /// How far it is off then.
+  [[nodiscard]] constexpr double rounded(int exponent, const WordRounding& r) const {
+    return bound.error + terms.rounding(exponent, r);
+  }
+
+ private:
+  constexpr void add_term(double ratio, int exponent, double size) {
+    if (magnitude(ratio) < 1.0 || magnitude(ratio) > 1.0)
+      terms.add_scaled(ratio, exponent, size);
+    else
+      terms.add_word(exponent);
+  }
+};
+
 /// Where joints share drives: what G makes of words of drives, and of words of joints.
 template <class S, class T>
 class SharedDrives {
@@ -23,45 +57,36 @@ class SharedDrives {
   static constexpr WordRounding rounding = rounding_in<Joint, ArithmeticOf<scene_of<S>, Word>>();
 
   // A sum of words: as many as joints, or as pairs of them, and a drive's own.
-  using Terms = bounds::TermsOf<joints*(joints + 1) / 2 + 4>;
-  template <class AnyTerms>
-  static constexpr void add(AnyTerms& terms, double ratio, int exponent, double size) {
-    if (magnitude(ratio) < 1.0 || magnitude(ratio) > 1.0)
-      terms.add_scaled(ratio, exponent, size);
-    else
-      terms.add_word(exponent);
-  }
+  using Sum = RatioSum<joints*(joints + 1) / 2 + 4>;
 
  private:
   // Row i of G over words of drives, rounded as a joint's word.
   template <class From, class To>
   static constexpr double of_rates(int i, double LinkParameters::*limit, double word) {
-    Terms terms;
-    double given = 0.0;
+    Sum sum;
     for (int k = 0; k < drives; ++k)
       if (g.is_moved(i, k)) {
         const int exponent = From::exponent(k);
-        add(terms, g.ratio[i][k], exponent, Sizes::drive(k).*limit);
-        given += magnitude(g.ratio[i][k]) * word * WordRounding::ulp(exponent);
+        sum.add(g.ratio[i][k], exponent, Sizes::drive(k).*limit, word * WordRounding::ulp(exponent));
       }
-    return given + terms.rounding(To::exponent(i), rounding);
+    return sum.rounded(To::exponent(i), rounding);
   }
   static constexpr double of_position(int i, double word) {
     constexpr WordRounding whole{32, true, false, 0.0};  // in any word
     const bool turns = JointRobot::chain.links[i].type == JointType::revolute;
     const double unit = turns ? bam_per_radian : 1.0;
-    Terms terms;
+    Sum sum;
     double given = 0.0;
     for (int k = 0; k < drives; ++k)
       if (g.is_moved(i, k)) {
         const double low = magnitude(Sizes::drive(k).position_min), high = magnitude(Sizes::drive(k).position_max);
         const int exponent = Positions<S, T>::exponent(k);
-        add(terms, unit * g.ratio[i][k], exponent, low > high ? low : high);
+        sum.add(unit * g.ratio[i][k], exponent, low > high ? low : high, 0.0);
         given += magnitude(g.ratio[i][k]) * word * WordRounding::ulp(exponent);
       }
     const bool offset = magnitude(g.offset[i]) > 0.0;
-    if (offset && !turns) terms.add_literal();
-    const double own = terms.rounding(Positions<JointRobot, T>::exponent(i), whole) + (offset && turns ? 0.5 : 0.0);
+    if (offset && !turns) sum.terms.add_literal();
+    const double own = sum.rounded(Positions<JointRobot, T>::exponent(i), whole) + (offset && turns ? 0.5 : 0.0);
     return given + own / unit;
   }
 
@@ -83,10 +108,7 @@ class SharedDrives {
   /// What each drive makes of joints, `of(i)` a Ball of a word of a role: with its own rotor, and its friction.
   template <class Role, class Of>
   static constexpr Row<double, drives> answers(const Of& of, double word) {
-    Row<double, drives> errors{};
-    for (int k = 0; k < drives; ++k)
-      errors[k] = answer<Role>(k, of, word);
-    return errors;
+    return row_of<drives>([&](int k) { return answer<Role>(k, of, word); });
   }
 
  private:
@@ -94,14 +116,11 @@ class SharedDrives {
   static constexpr double answer(int k, const Of& of, double word) {
     constexpr bool is_momentum = std::is_same_v<Role, role::Momentum>;
     using Rates = std::conditional_t<is_momentum, Velocities<S, T>, Accelerations<S, T>>;
-    Terms terms;
-    double error = 0.0;
+    Sum sum;
     for (int i = 0; i < joints; ++i)
-      if (g.is_moved(i, k)) {
-        const Ball own = of(i);
-        add(terms, g.ratio[i][k], exponents_of<Joint, Word, Role>.of[i], own.largest());
-        error += magnitude(g.ratio[i][k]) * own.error;
-      }
+      if (g.is_moved(i, k)) sum.add(g.ratio[i][k], exponents_of<Joint, Word, Role>.of[i], Ball(of(i)));
+    auto& terms = sum.terms;
+    double& error = sum.bound.error;
     if (!std::is_same_v<Role, role::MomentumRate> && Sizes::rotor(k) > 0.0) {
       const LinkParameters& drive = Sizes::drive(k);
       terms.add_scaled(Sizes::rotor(k), Rates::exponent(k), is_momentum ? drive.speed_limit : drive.acceleration_limit);
@@ -116,7 +135,7 @@ class SharedDrives {
       const int effort = EffortsOf<S, T>::exponent(k);
       terms.add_word(effort), error += 0.5 * WordRounding::ulp(effort);
     }
-    return error + terms.rounding(exponents_of<S, Word, Role>.of[k], rounding);
+    return sum.rounded(exponents_of<S, Word, Role>.of[k], rounding);
   }
 };
 
@@ -126,7 +145,7 @@ struct DriveErrors : JointErrors<S, T, SharedDrives<S, T>> {
   using Shared = SharedDrives<S, T>;
   using Joints = JointErrors<S, T, Shared>;
   using Sizes = DriveSizes<S, typename T::Word>;
-  using Terms = typename Shared::Terms;
+  using Sum = typename Shared::Sum;
   using Joints::joints;
   using Joints::rounding;
   using typename Joints::Joint;
@@ -146,18 +165,15 @@ struct DriveErrors : JointErrors<S, T, SharedDrives<S, T>> {
     Row<Row<double, drives>, drives> errors{};
     for (int k = 0; k < drives; ++k)
       for (int l = 0; l <= k; ++l) {
-        Terms terms;
-        double error = 0.0;
+        Sum sum;
         driven::each_share_of<Links>([&](const driven::Share& share) {
           if (share.k != k || share.l != l) return;
-          const double own = off(share.i, share.j);
-          const double size =
-              power_of_two(rounding.bits - 1 - joint_exponent(share.i, share.j));  // no more fits the word
-          error += magnitude(share.factor) * own;
-          Shared::add(terms, share.factor, joint_exponent(share.i, share.j), size);
+          const int exponent = joint_exponent(share.i, share.j);
+          const double size = power_of_two(rounding.bits - 1 - exponent);  // no more fits the word
+          sum.add(share.factor, exponent, size, off(share.i, share.j));
         });
-        if (k == l && Sizes::rotor(k) > 0.0) terms.add_literal();
-        errors[k][l] = error + terms.rounding(MassMatrixOf<S, T>::exponent(k, l), rounding);
+        if (k == l && Sizes::rotor(k) > 0.0) sum.terms.add_literal();
+        errors[k][l] = sum.rounded(MassMatrixOf<S, T>::exponent(k, l), rounding);
       }
     return errors;
   }
@@ -174,16 +190,11 @@ struct DriveErrors : JointErrors<S, T, SharedDrives<S, T>> {
   /// columns; of a vector `components` is the square root of their number.
   template <class Of>
   static constexpr Ball at_actuator(int k, int exponent, double components, const WordRounding& r, const Of& of) {
-    Terms terms;
-    Ball whole{};
+    Sum sum;
     for (int i = 0; i < joints; ++i)
-      if (g.is_moved(i, k)) {
-        const Ball own = of(i);
-        whole.size += magnitude(g.ratio[i][k]) * own.size, whole.error += magnitude(g.ratio[i][k]) * own.error;
-        Shared::add(terms, g.ratio[i][k], exponent, own.largest());
-      }
-    whole.error += components * terms.rounding(exponent - column_headroom<S>, r);
-    return whole;
+      if (g.is_moved(i, k)) sum.add(g.ratio[i][k], exponent, Ball(of(i)));
+    sum.bound.error += components * sum.terms.rounding(exponent - column_headroom<S>, r);
+    return sum.bound;
   }
   /// Bounds of the Jacobian's columns by drives, from those by joints; `lengths` is the exponent of the latter.
   static constexpr bounds::JacobianBounds<drives> by_drives(const bounds::JacobianBounds<joints>& found, int lengths,
