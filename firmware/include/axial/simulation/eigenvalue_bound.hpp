@@ -2,8 +2,8 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
-#include <axial/scalar/finite.hpp>
 #include <axial/scalar/math.hpp>
+#include <axial/scalar/traits.hpp>
 
 #include <limits>
 

@@ -2,8 +2,8 @@
 // about the axis keeps all three, where a box of components would grow at every joint.
 #pragma once
 
+#include <axial/fixed/balls/ball.hpp>
 #include <axial/fixed/balls/number.hpp>
-#include <axial/fixed/balls/split_ball.hpp>
 #include <axial/spatial/branch_screw.hpp>
 
 #include <axial/options/begin.hpp>

@@ -3,7 +3,7 @@
 
 #include <axial/control/payload_formats.hpp>
 #include <axial/fixed/dynamics/kinematics.hpp>
-#include <axial/fixed/limits/position_check.hpp>
+#include <axial/fixed/limits/state_check.hpp>
 
 #include <axial/options/begin.hpp>
 
