@@ -4,7 +4,7 @@
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/links/differentiated_links.hpp>
 #include <axial/recursion/friction_slope.hpp>
-#include <axial/spatial/dual_screw.hpp>
+#include <axial/spatial/moving_screws.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/links/differentiated_links.hpp>
-#include <axial/spatial/taylor_screw.hpp>
+#include <axial/spatial/moving_screws.hpp>
 
 #include <axial/options/begin.hpp>
 
