@@ -51,25 +51,19 @@ constexpr double longest(const Mechanism<N>& m) {
   return most;
 }
 
-template <int N>
-constexpr double largest_rotor(const Mechanism<N>& m) {
+/// The largest of what `get` has for each row, 0 of none.
+template <class Rows, class Get>
+constexpr double largest_of(const Rows& rows, const Get& get) {
   double most = 0.0;
-  for (const auto& c : m.links)
-    most = m.loads.rotors ? larger(most, magnitude(c.rotor)) : 0.0;
-  return most;
-}
-
-template <int N>
-constexpr double largest_viscous(const Mechanism<N>& m) {
-  double most = 0.0;
-  for (const auto& drive : m.drives)
-    most = m.loads.friction ? larger(most, drive.viscous) : 0.0;
+  for (const auto& row : rows)
+    most = larger(most, get(row));
   return most;
 }
 
 template <int N>
 constexpr ColumnExponents column_exponents(const Mechanism<N>& m, const WordRounding& r, const LinkFormat& format) {
-  return {format, r.bits - 2, fitting_exponent(largest_rotor(m), r.capacity())};
+  const auto rotor = [&m](const auto& link) { return m.loads.rotors ? magnitude(link.rotor) : 0.0; };
+  return {format, r.bits - 2, fitting_exponent(largest_of(m.links, rotor), r.capacity())};
 }
 
 /// A robot whose links share the formats of an analysis of it.
@@ -79,7 +73,7 @@ constexpr Mechanism<N> sharing(Mechanism<N> m, const WordRounding& r, const Rang
   s.shared = true;
   s.format = coarsest(apart.format);
   s.format.length = smaller(s.format.length, r.exponent(longest(m)));
-  s.viscous = largest_viscous(m);
+  if (m.loads.friction) s.viscous = largest_of(m.drives, [](const auto& drive) { return drive.viscous; });
   return m;
 }
 
