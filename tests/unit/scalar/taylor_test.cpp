@@ -1,6 +1,6 @@
 // Taylor numbers: Leibniz's rule on polynomials, and what does not change by type.
 #include <gtest/gtest.h>
-#include <axial/scalar/taylor.hpp>
+#include <axial/scalar/series.hpp>
 
 using namespace axial;
 

@@ -1,8 +1,7 @@
 // Axial screws that turn and shift along a direction, or in time: what they carry comes out with its derivatives.
 #pragma once
 
-#include <axial/scalar/dual.hpp>
-#include <axial/scalar/taylor.hpp>
+#include <axial/scalar/series.hpp>
 #include <axial/spatial/screw.hpp>
 
 #include <axial/options/begin.hpp>

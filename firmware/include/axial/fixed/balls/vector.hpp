@@ -4,7 +4,7 @@
 
 #include <axial/fixed/balls/ball.hpp>
 #include <axial/fixed/balls/number.hpp>
-#include <axial/spatial/branch_screw.hpp>
+#include <axial/spatial/congruence.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <axial/fixed/dynamics/drive_solve.hpp>
 #include <axial/fixed/dynamics/inverse_dynamics.hpp>
-#include <axial/fixed/recursion/drives.hpp>
+#include <axial/fixed/recursion/steps.hpp>
 #include <axial/transmissions/shared_drives.hpp>
 
 #include <axial/options/begin.hpp>

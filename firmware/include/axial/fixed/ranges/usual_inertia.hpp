@@ -6,7 +6,7 @@
 #include <axial/recursion/reflection.hpp>
 #include <axial/scalar/sincos.hpp>
 #include <axial/spatial/articulated_congruence.hpp>
-#include <axial/spatial/branch_screw.hpp>
+#include <axial/spatial/congruence.hpp>
 
 #include <axial/options/begin.hpp>
 
