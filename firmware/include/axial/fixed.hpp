@@ -55,7 +55,7 @@
 #include <axial/fixed/dynamics/mass_matrix.hpp>
 #include <axial/fixed/dynamics/momentum.hpp>
 #include <axial/fixed/error_bound.hpp>
-#include <axial/fixed/limits/position_check.hpp>
+#include <axial/fixed/limits/state_check.hpp>
 #include <axial/fixed/separation/separated_error.hpp>
 #include <axial/fixed/separation/separated_torque.hpp>
 #include <axial/fixed/tool/tool_motion.hpp>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <axial/spatial/articulated_congruence.hpp>
-#include <axial/spatial/branch_screw.hpp>
+#include <axial/spatial/congruence.hpp>
 
 #include <array>
 

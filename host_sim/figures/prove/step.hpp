@@ -4,7 +4,7 @@
 
 #include <host_sim/figures/prove/arm.hpp>
 
-#include <axial/fixed/bounds/newton_euler.hpp>
+#include <axial/fixed/bounds/dynamics.hpp>
 
 namespace prove {
 

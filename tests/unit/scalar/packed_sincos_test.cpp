@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <axial/scalar/packed_sincos.hpp>
+#include <axial/scalar/sincos.hpp>
 #include <cmath>
 #include <random>
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <axial/scalar/counting.hpp>
 #include <axial/spatial/articulated_congruence.hpp>
-#include <axial/spatial/branch_screw.hpp>
+#include <axial/spatial/congruence.hpp>
 #include <cmath>
 
 using namespace axial;

@@ -3,7 +3,7 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/scalar/batch.hpp>
-#include <axial/scalar/transposition.hpp>
+#include <axial/scalar/lanes.hpp>
 #include <axial/scene/joints.hpp>
 
 #include <axial/options/begin.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/links/inputs_soundness.hpp>
-#include <axial/scalar/finite.hpp>
+#include <axial/scalar/traits.hpp>
 #include <axial/scene/joints.hpp>
 #include <axial/transmissions/driven_links.hpp>
 

@@ -4,7 +4,7 @@
 #include <axial/derivatives/derivative_rounding.hpp>
 #include <axial/links/doubled_moments.hpp>
 #include <axial/spatial/articulated_congruence.hpp>
-#include <axial/spatial/branch_screw.hpp>
+#include <axial/spatial/congruence.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -6,7 +6,7 @@
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/dynamics/momentum.hpp>
-#include <axial/scalar/finite.hpp>
+#include <axial/scalar/traits.hpp>
 #include <axial/scene/status.hpp>
 
 #include <axial/options/begin.hpp>

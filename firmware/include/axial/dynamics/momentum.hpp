@@ -148,7 +148,7 @@ AXIAL_INLINE constexpr void run(const Holding& at_rest, Arguments&&... arguments
 /// The status, which costs nothing where nobody reads it: not_finite where something that goes in or comes out is NaN
 /// or infinite, angle_range where sines are not exact, about no joint. In fixed point it names positions, speeds and
 /// inputs beyond what is declared (position_limit, speed_limit, payload_limit, input_limit); inside, nothing overflows
-/// (formats: fixed/bounds/momentum.hpp). Cost: doc/guides/observer.md, less than one inverse_dynamics().
+/// (formats: fixed/bounds/dynamics.hpp). Cost: doc/guides/observer.md, less than one inverse_dynamics().
 template <class S, class T>
 [[nodiscard]] constexpr MomentumTerms<S, T> momentum_terms(const Positions<robot_of<S>, T>& q,
                                                            const Velocities<robot_of<S>, T>& qd,

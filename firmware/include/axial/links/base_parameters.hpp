@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/links/link_constants.hpp>
-#include <axial/spatial/branch_screw.hpp>
+#include <axial/spatial/congruence.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -78,7 +78,7 @@ constexpr bool has_axial_mass(const TreeLinkConstants<double>* links, int size, 
 
 /// Regroups the parameters of a chain in place, from the tips to the base (links sorted so that parents come first).
 /// What a body gives up acts on its parent as it did on itself, so no joint torque changes; on a base with given motion
-/// say so, because first moments of slides stay there. Where algorithms know axial masses (spatial/axial_mass.hpp), a
+/// say so, because first moments of slides stay there. Where algorithms know axial masses (spatial/inertia.hpp), a
 /// slide that moves apart from all else gives its mass up too. Source: Khalil and Dombre 2002, chapter 9; Gautier and
 /// Khalil 1990, in closed form for each joint.
 constexpr void regroup(TreeLinkConstants<double>* links, int size, bool moving_base = true, bool axial_masses = false) {

@@ -5,7 +5,7 @@
 #include <axial/links/link_constants.hpp>
 #include <axial/scalar/rounding.hpp>
 #include <axial/scene/joints.hpp>
-#include <axial/spatial/branch_screw.hpp>
+#include <axial/spatial/congruence.hpp>
 
 #include <utility>
 

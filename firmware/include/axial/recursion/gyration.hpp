@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/scalar/rounding.hpp>
-#include <axial/spatial/branch_screw.hpp>
+#include <axial/spatial/congruence.hpp>
 
 #include <axial/options/begin.hpp>
 

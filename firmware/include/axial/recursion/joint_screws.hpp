@@ -3,7 +3,7 @@
 
 #include <axial/links/run_time_model.hpp>
 #include <axial/recursion/passes.hpp>
-#include <axial/scalar/packed_sincos.hpp>
+#include <axial/scalar/sincos.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -89,26 +89,11 @@ class Trace {
     return size_ - 1;
   }
   constexpr void tally(Operations& total, int i, const bool (&live)[capacity]) const {
-    switch (nodes_[i].kind) {
-      case Kind::mul:
-        ++total.mul;
-        break;
-      case Kind::add:
-      case Kind::sub:
-        ++total.add;
-        break;
-      case Kind::div:
-        ++total.div;
-        break;
-      case Kind::cosine:
-        ++total.sincos;
-        break;
-      case Kind::sine:
-        total.sincos += pair_is_needed(i, live) ? 0 : 1;
-        break;
-      default:
-        break;
-    }
+    const Kind kind = nodes_[i].kind;
+    total.mul += kind == Kind::mul ? 1 : 0;
+    total.add += kind == Kind::add || kind == Kind::sub ? 1 : 0;
+    total.div += kind == Kind::div ? 1 : 0;
+    total.sincos += kind == Kind::cosine || (kind == Kind::sine && !pair_is_needed(i, live)) ? 1 : 0;
   }
   // A sine whose cosine is needed too costs nothing more.
   constexpr bool pair_is_needed(int sine, const bool (&live)[capacity]) const {

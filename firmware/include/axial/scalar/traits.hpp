@@ -30,6 +30,16 @@ struct NumberTraits<T, std::enable_if_t<std::is_floating_point_v<T>>> {
 template <class T>
 inline constexpr bool is_number_v = NumberTraits<T>::is_number;
 
+/// True for numbers, false for NaN and infinities; looks at the bits, so no compiler flag can optimise it away.
+template <class T>
+[[nodiscard]] constexpr bool is_finite(const T& x) {
+  static_assert(std::numeric_limits<T>::is_iec559 && (sizeof(T) == 4 || sizeof(T) == 8));
+  if constexpr (sizeof(T) == 4)
+    return (__builtin_bit_cast(std::uint32_t, x) & 0x7F800000u) != 0x7F800000u;
+  else
+    return (__builtin_bit_cast(std::uint64_t, x) & 0x7FF0000000000000u) != 0x7FF0000000000000u;
+}
+
 /// One of the numbers that a T holds: T itself, but for a batch (batch.hpp), which holds several.
 template <class T>
 struct LaneOf {

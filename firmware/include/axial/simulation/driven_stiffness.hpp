@@ -4,7 +4,7 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/forward_dynamics.hpp>
-#include <axial/scalar/finite.hpp>
+#include <axial/scalar/traits.hpp>
 #include <axial/scalar/math.hpp>
 #include <axial/simulation/system.hpp>
 #include <axial/transmissions/roles.hpp>

@@ -4,7 +4,7 @@
 
 #include <axial/dynamics/forward_dynamics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
-#include <axial/recursion/friction_slope.hpp>
+#include <axial/recursion/drives.hpp>
 #include <axial/recursion/passes.hpp>
 #include <axial/simulation/motion.hpp>
 #include <axial/transmissions/roles.hpp>

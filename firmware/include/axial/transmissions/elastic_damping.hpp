@@ -2,8 +2,8 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
-#include <axial/scalar/finite.hpp>
 #include <axial/scalar/select.hpp>
+#include <axial/scalar/traits.hpp>
 #include <axial/transmissions/elastic_feedforward.hpp>
 
 #include <axial/options/begin.hpp>

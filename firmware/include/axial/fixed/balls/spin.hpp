@@ -2,7 +2,7 @@
 // U's nine entries.
 #pragma once
 
-#include <axial/fixed/balls/body.hpp>
+#include <axial/fixed/balls/composite.hpp>
 #include <axial/fixed/balls/screws.hpp>
 
 #include <axial/options/begin.hpp>

@@ -2,9 +2,9 @@
 // about the axis keeps all three, where a box of components would grow at every joint.
 #pragma once
 
+#include <axial/fixed/balls/ball.hpp>
 #include <axial/fixed/balls/number.hpp>
-#include <axial/fixed/balls/split_ball.hpp>
-#include <axial/spatial/branch_screw.hpp>
+#include <axial/spatial/congruence.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <axial/derivatives/inverse_dynamics_derivatives.hpp>
+#include <axial/fixed/bounds/dynamics.hpp>
 #include <axial/fixed/bounds/flow.hpp>
-#include <axial/fixed/bounds/newton_euler.hpp>
 
 #include <axial/options/begin.hpp>
 

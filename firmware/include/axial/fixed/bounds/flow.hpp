@@ -2,7 +2,7 @@
 #pragma once
 
 #include <axial/derivatives/derivative_columns.hpp>
-#include <axial/fixed/bounds/joints.hpp>
+#include <axial/fixed/bounds/links.hpp>
 
 #include <axial/options/begin.hpp>
 

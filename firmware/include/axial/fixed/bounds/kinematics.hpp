@@ -3,7 +3,7 @@
 #pragma once
 
 #include <axial/dynamics/kinematics.hpp>
-#include <axial/fixed/bounds/joints.hpp>
+#include <axial/fixed/bounds/links.hpp>
 
 #include <axial/options/begin.hpp>
 

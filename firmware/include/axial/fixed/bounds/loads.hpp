@@ -1,7 +1,7 @@
 // Payload and wrench at the tip in bounds: as large as the robot declares them, in whatever direction.
 #pragma once
 
-#include <axial/fixed/balls/body.hpp>
+#include <axial/fixed/balls/composite.hpp>
 #include <axial/fixed/bounds/mechanism.hpp>
 
 #include <axial/options/begin.hpp>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <axial/derivatives/derivative_rounding.hpp>
-#include <axial/fixed/balls/split_ball.hpp>
+#include <axial/fixed/balls/ball.hpp>
 #include <axial/fixed/balls/terms.hpp>
 #include <axial/links/link_view.hpp>
 

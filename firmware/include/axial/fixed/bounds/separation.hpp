@@ -1,9 +1,8 @@
 // Sizes, formats and errors of the separated terms: their kernel, run on bounds.
 #pragma once
 
+#include <axial/fixed/bounds/dynamics.hpp>
 #include <axial/fixed/bounds/kinematics.hpp>
-#include <axial/fixed/bounds/mass_matrix.hpp>
-#include <axial/fixed/bounds/newton_euler.hpp>
 #include <axial/separation/separation.hpp>
 
 #include <axial/options/begin.hpp>

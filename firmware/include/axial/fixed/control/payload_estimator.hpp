@@ -5,7 +5,7 @@
 #include <axial/control/payload_estimator.hpp>
 #include <axial/fixed/control/momentum_observer.hpp>
 #include <axial/fixed/dynamics/kinematics.hpp>
-#include <axial/fixed/limits/position_check.hpp>
+#include <axial/fixed/limits/state_check.hpp>
 #include <axial/fixed/words/scaled.hpp>
 
 #include <axial/options/begin.hpp>

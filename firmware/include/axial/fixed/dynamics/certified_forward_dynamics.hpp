@@ -8,7 +8,7 @@
 #include <axial/fixed/dynamics/forward_dynamics.hpp>
 #include <axial/fixed/dynamics/inverse_dynamics.hpp>
 #include <axial/fixed/error_bound.hpp>
-#include <axial/fixed/recursion/stages.hpp>
+#include <axial/fixed/recursion/steps.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -5,7 +5,7 @@
 #include <axial/fixed/dynamics/inverse_dynamics.hpp>
 #include <axial/fixed/dynamics/mass_matrix.hpp>
 #include <axial/fixed/formats/drive_units.hpp>
-#include <axial/fixed/recursion/drives.hpp>
+#include <axial/fixed/recursion/steps.hpp>
 #include <axial/fixed/words/wide_words.hpp>
 #include <axial/transmissions/shared_drives.hpp>
 

@@ -6,7 +6,7 @@
 #include <axial/fixed/dynamics/driven_forward_dynamics.hpp>
 #include <axial/fixed/dynamics/split_answer.hpp>
 #include <axial/fixed/limits/state_check.hpp>
-#include <axial/fixed/recursion/resistance.hpp>
+#include <axial/fixed/recursion/steps.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -4,5 +4,4 @@
 
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/fixed/links/fixed_links.hpp>
-#include <axial/fixed/recursion/drives.hpp>
-#include <axial/fixed/recursion/joint_screws.hpp>
+#include <axial/fixed/recursion/steps.hpp>

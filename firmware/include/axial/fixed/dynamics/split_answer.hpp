@@ -4,7 +4,7 @@
 
 #include <axial/dynamics/free_response.hpp>
 #include <axial/fixed/dynamics/drive_scale.hpp>
-#include <axial/fixed/recursion/stages.hpp>
+#include <axial/fixed/recursion/steps.hpp>
 
 #include <axial/options/begin.hpp>
 

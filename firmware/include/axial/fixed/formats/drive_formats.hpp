@@ -2,7 +2,7 @@
 // answer can be.
 #pragma once
 
-#include <axial/fixed/bounds/mass_matrix.hpp>
+#include <axial/fixed/bounds/dynamics.hpp>
 #include <axial/fixed/formats/joint_formats.hpp>
 #include <axial/fixed/ranges/drive_mobility.hpp>
 

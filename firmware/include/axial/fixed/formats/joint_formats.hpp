@@ -1,7 +1,7 @@
 // Joint values in fixed point: integers, and the exponents that the robot's declared limits give them.
 #pragma once
 
-#include <axial/fixed/bounds/momentum.hpp>
+#include <axial/fixed/bounds/dynamics.hpp>
 #include <axial/fixed/ranges/forward_error.hpp>
 #include <axial/scene/joints.hpp>
 #include <axial/transmissions/driven_links.hpp>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <axial/fixed/bounds/account.hpp>
-#include <axial/fixed/bounds/newton_euler.hpp>
+#include <axial/fixed/bounds/dynamics.hpp>
 #include <axial/fixed/ranges/composite_bodies.hpp>
 #include <axial/fixed/ranges/usual_inertia.hpp>
 

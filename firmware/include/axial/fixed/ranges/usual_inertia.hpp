@@ -3,9 +3,10 @@
 #pragma once
 
 #include <axial/fixed/bounds/account.hpp>
+#include <axial/recursion/reflection.hpp>
 #include <axial/scalar/sincos.hpp>
 #include <axial/spatial/articulated_congruence.hpp>
-#include <axial/spatial/branch_screw.hpp>
+#include <axial/spatial/congruence.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -35,19 +36,14 @@ constexpr PlainInertia own_inertia(const TreeLinkConstants<double>& c) {
 
 /// I - U U^T / D, U the column of the joint's axis; D is what the joint feels.
 constexpr PlainInertia reflected_inertia(const PlainInertia& i, bool slides, double d) {
-  const auto& h = i.coupling;
-  const Vec3<double> n =
-      slides ? Vec3<double>{h.x.z, h.y.z, h.z.z} : Vec3<double>{i.angular.xz, i.angular.yz, i.angular.zz};
-  const Vec3<double> f = slides ? Vec3<double>{i.linear.xz, i.linear.yz, i.linear.zz} : h.z;
+  const auto u = slides ? joint_column(Prismatic{}, i) : joint_column(Revolute{}, i);
   const double s = d > 0.0 ? 1.0 / d : 0.0;
-  const auto less = [s](const Sym3<double>& m, const Vec3<double>& v) {
-    return Sym3<double>{m.xx - s * v.x * v.x, m.yy - s * v.y * v.y, m.zz - s * v.z * v.z,
-                        m.xy - s * v.x * v.y, m.xz - s * v.x * v.z, m.yz - s * v.y * v.z};
-  };
-  const auto row = [s, &f](const Vec3<double>& r, double u) {
-    return Vec3<double>{r.x - s * u * f.x, r.y - s * u * f.y, r.z - s * u * f.z};
-  };
-  return {less(i.angular, n), {row(h.x, n.x), row(h.y, n.y), row(h.z, n.z)}, less(i.linear, f)};
+  const MotionVector k{s * u.angular, s * u.linear};
+  const auto row = [&u](const Vec3<double>& r, double along) { return r - along * u.linear; };
+  const Mat3<Vec3<double>>& h = i.coupling;
+  return {reduced(Plain{}, quantity::RotationalInertia{}, i.angular, k.angular, u.angular),
+          {row(h.x, k.angular.x), row(h.y, k.angular.y), row(h.z, k.angular.z)},
+          reduced(Plain{}, quantity::Mass{}, i.linear, k.linear, u.linear)};
 }
 
 /// A link's inertia in the parent's frame, the joint at `angle` (rad) and `along` (m).

@@ -3,7 +3,7 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/fixed/links/separated_terms.hpp>
-#include <axial/fixed/recursion/drives.hpp>
+#include <axial/fixed/recursion/steps.hpp>
 #include <axial/separation/separated_torque.hpp>
 
 #include <axial/options/begin.hpp>

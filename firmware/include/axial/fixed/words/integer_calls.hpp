@@ -53,6 +53,22 @@ AXIAL_INLINE inline std::uint64_t call(std::uint64_t sum, std::int32_t a, std::i
   return result;
 }
 
+/// a b, sum + a b and sum - a b. 4 instructions more than in place.
+///@{
+template <bool narrow>
+AXIAL_INLINE inline std::uint64_t product_by_assembler(std::int32_t a, std::int32_t b) {
+  return call<add_product>(0, a, b);
+}
+template <bool narrow>
+AXIAL_INLINE inline std::uint64_t sum_by_assembler(std::uint64_t sum, std::int32_t a, std::int32_t b) {
+  return call<add_product>(sum, a, b);
+}
+template <bool narrow>
+AXIAL_INLINE inline std::uint64_t difference_by_assembler(std::uint64_t sum, std::int32_t a, std::int32_t b) {
+  return call<subtract_product>(sum, a, b);
+}
+///@}
+
 }  // namespace axial::integer::detail
 
 #include <axial/options/end.hpp>

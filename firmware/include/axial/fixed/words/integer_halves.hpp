@@ -80,6 +80,7 @@ AXIAL_INLINE constexpr bool compiler_does_better(std::int32_t a, std::int32_t b)
       : [a] "+l"(a), [b] "+l"(b), [t] "=&l"(t), [u] "=&l"(u), [v] "=&l"(v) : : "cc"); \
   return b
 
+#if !defined(AXIAL_MULTIPLY_BY_CALL) || AXIAL_MULTIPLY_BY_CALL == 0
 /// a b. 17 instructions; narrow: 14.
 template <bool narrow>
 AXIAL_INLINE inline std::uint64_t product_by_assembler(std::int32_t a, std::int32_t b) {
@@ -110,6 +111,7 @@ AXIAL_INLINE inline std::uint64_t difference_by_assembler(std::uint64_t sum, std
                      AXIAL_MIXED("subs", "sbcs", "%[low]", "%[high]", "%[u]", "%[v]"));
   }
 }
+#endif
 /// floor(a b / 2^32). 17 instructions; narrow: 14.
 template <bool narrow>
 AXIAL_INLINE inline std::int32_t high_word_by_assembler(std::int32_t a, std::int32_t b) {

@@ -16,15 +16,16 @@
 #endif
 #endif
 
-#if AXIAL_LONG_MULTIPLY == 0
-#include <axial/fixed/words/integer_halves.hpp>
-#endif
-
 /// 1 for exact products by a call each, on a Cortex-M0 alone: a third of the flash, a fifth more instructions.
 #ifndef AXIAL_MULTIPLY_BY_CALL
 #define AXIAL_MULTIPLY_BY_CALL 0
-#elif AXIAL_MULTIPLY_BY_CALL && defined(__ARM_ARCH_6M__)
+#endif
+
+#if AXIAL_LONG_MULTIPLY == 0
+#include <axial/fixed/words/integer_halves.hpp>
+#if AXIAL_MULTIPLY_BY_CALL && defined(__ARM_ARCH_6M__)
 #include <axial/fixed/words/integer_calls.hpp>
+#endif
 #endif
 
 #include <axial/options/begin.hpp>
@@ -39,40 +40,13 @@ namespace detail {
 
 AXIAL_INLINE constexpr std::uint64_t as_unsigned(std::int64_t a) { return static_cast<std::uint64_t>(a); }
 
-#if AXIAL_LONG_MULTIPLY == 0 && defined(__ARM_ARCH_6M__)
-template <bool narrow>
-AXIAL_INLINE inline std::uint64_t product_in_assembler(std::int32_t a, std::int32_t b) {
-#if AXIAL_MULTIPLY_BY_CALL
-  return call<add_product>(0, a, b);
-#else
-  return product_by_assembler<narrow>(a, b);
-#endif
-}
-template <bool narrow>
-AXIAL_INLINE inline std::uint64_t sum_in_assembler(std::uint64_t sum, std::int32_t a, std::int32_t b) {
-#if AXIAL_MULTIPLY_BY_CALL
-  return call<add_product>(sum, a, b);
-#else
-  return sum_by_assembler<narrow>(sum, a, b);
-#endif
-}
-template <bool narrow>
-AXIAL_INLINE inline std::uint64_t difference_in_assembler(std::uint64_t sum, std::int32_t a, std::int32_t b) {
-#if AXIAL_MULTIPLY_BY_CALL
-  return call<subtract_product>(sum, a, b);
-#else
-  return difference_by_assembler<narrow>(sum, a, b);
-#endif
-}
-#endif
-
 template <Factors factors>
 AXIAL_INLINE constexpr std::uint64_t product(std::int32_t a, std::int32_t b) {
 #if AXIAL_LONG_MULTIPLY
   return as_unsigned(static_cast<std::int64_t>(a) * b);
 #else
 #ifdef __ARM_ARCH_6M__
-  if (!compiler_does_better(a, b)) return product_in_assembler<factors == Factors::narrow>(a, b);
+  if (!compiler_does_better(a, b)) return product_by_assembler<factors == Factors::narrow>(a, b);
 #endif
   return product_by_halves(a, b);
 #endif
@@ -92,7 +66,7 @@ AXIAL_INLINE constexpr std::int64_t accumulate(std::int64_t sum, std::int32_t a,
 #if AXIAL_LONG_MULTIPLY == 0 && defined(__ARM_ARCH_6M__)
   if (!detail::compiler_does_better(a, b))
     return static_cast<std::int64_t>(
-        detail::sum_in_assembler<factors == Factors::narrow>(detail::as_unsigned(sum), a, b));
+        detail::sum_by_assembler<factors == Factors::narrow>(detail::as_unsigned(sum), a, b));
 #endif
   return static_cast<std::int64_t>(detail::as_unsigned(sum) + detail::product<factors>(a, b));
 }
@@ -103,7 +77,7 @@ AXIAL_INLINE constexpr std::int64_t deduct(std::int64_t sum, std::int32_t a, std
 #if AXIAL_LONG_MULTIPLY == 0 && defined(__ARM_ARCH_6M__)
   if (!detail::compiler_does_better(a, b))
     return static_cast<std::int64_t>(
-        detail::difference_in_assembler<factors == Factors::narrow>(detail::as_unsigned(sum), a, b));
+        detail::difference_by_assembler<factors == Factors::narrow>(detail::as_unsigned(sum), a, b));
 #endif
   return static_cast<std::int64_t>(detail::as_unsigned(sum) - detail::product<factors>(a, b));
 }

@@ -8,17 +8,11 @@
 
 namespace axial::detail {
 
+/// The form of a float or double.
 template <class T>
-struct Ieee;
-template <>
-struct Ieee<float> {
-  using Bits = std::uint32_t;
-  static constexpr int digits = 24, bias = 127;
-};
-template <>
-struct Ieee<double> {
-  using Bits = std::uint64_t;
-  static constexpr int digits = 53, bias = 1023;
+struct Ieee {
+  using Bits = typename BitsOf<T>::type;
+  static constexpr int digits = std::numeric_limits<T>::digits, bias = std::numeric_limits<T>::max_exponent - 1;
 };
 
 /// A real number as (-1)^negative significand 2^exponent.
