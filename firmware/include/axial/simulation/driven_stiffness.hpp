@@ -4,8 +4,8 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/forward_dynamics.hpp>
-#include <axial/scalar/traits.hpp>
 #include <axial/scalar/math.hpp>
+#include <axial/scalar/traits.hpp>
 #include <axial/simulation/system.hpp>
 #include <axial/transmissions/roles.hpp>
 
