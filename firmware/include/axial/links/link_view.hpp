@@ -61,14 +61,11 @@ using BranchMember = T BranchConstants<T>::*;
 
 // Whether a link of a robot declares this; a run-time model may.
 template <class Robot, class T, DriveMember<T> M>
-constexpr auto any_drive_has(int) -> decltype(Robot::chain.links, true) {
-  for (const auto& drive : robot_drives<Robot, T>.links)
-    if (drive.*M < T(Zero{}) || drive.*M > T(Zero{})) return true;
-  return false;
-}
-template <class Robot, class T, DriveMember<T> M>
-constexpr bool any_drive_has(...) {
-  return true;
+constexpr bool any_drive_has() {
+  if constexpr (is_described<Robot>)
+    for (const auto& drive : robot_drives<Robot, T>.links)
+      if (drive.*M < T(Zero{}) || drive.*M > T(Zero{})) return true;
+  return !is_described<Robot>;
 }
 
 // A joint's position as the kind of the joint reads it.
@@ -190,6 +187,8 @@ class LinkAccess {
 /// Link I of a scene's robot: every constant that is 0 or +-1 is a type, the rest are literals of T.
 template <class SceneType, int I, class T, class Parameters, class Rounder = Plain>
 class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Parameters, Rounder>, double>, public Rounder {
+  static constexpr const auto& own = detail::robot_constants<typename SceneType::Robot, Parameters>.links[I];
+
  public:
   using Scene = SceneType;                ///< what the link belongs to
   using Scalar = T;                       ///< the number, or what a number system computes by
@@ -206,16 +205,14 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
   /// A constant of the link, as a type or a literal.
   template <detail::Member<double> M>
   AXIAL_INLINE static constexpr auto get() {
-    return detail::literal_of_bits<T, detail::bits_of(
-                                          detail::robot_constants<typename Scene::Robot, Parameters>.links[I].*M)>();
+    return detail::literal_of_bits<T, detail::bits_of(own.*M)>();
   }
   /// whether it has a branch's z-screw
-  static constexpr bool branches = detail::robot_constants<typename Scene::Robot, Parameters>.links[I].branches();
+  static constexpr bool branches = own.branches();
   /// A constant of the link's branch, as a type or a literal.
   template <detail::BranchMember<double> M>
   AXIAL_INLINE static constexpr auto branch() {
-    return detail::literal_of_bits<
-        T, detail::bits_of(detail::robot_constants<typename Scene::Robot, Parameters>.links[I].branch.*M)>();
+    return detail::literal_of_bits<T, detail::bits_of(own.branch.*M)>();
   }
   /// A constant of the link's drive, as a type or a literal.
   template <detail::DriveMember<double> M>
@@ -226,24 +223,22 @@ class StaticLink : public detail::LinkAccess<StaticLink<SceneType, I, T, Paramet
   /// A joint's binary angle with the constant part of its turn.
   template <class Q>
   AXIAL_INLINE static constexpr auto with_offset(const Q& q) {
-    return turned_by(q, [] { return detail::robot_constants<typename Scene::Robot, Parameters>.links[I].theta; });
+    return turned_by(q, [] { return own.theta; });
   }
   /// Whether a constant turn is nearer to a quarter turn than to none, as a type.
   template <detail::Member<double> Sine>
   AXIAL_INLINE static constexpr auto beyond_45_degrees() {
-    constexpr double sine = detail::robot_constants<typename Scene::Robot, Parameters>.links[I].*Sine;
-    return std::bool_constant<(sine * sine > 0.5)>{};
+    return std::bool_constant<(own.*Sine * own.*Sine > 0.5)>{};
   }
   /// Whether a branch's constant turn is nearer to a quarter turn than to none, as a type.
   template <detail::BranchMember<double> Sine>
   AXIAL_INLINE static constexpr auto branch_beyond_45_degrees() {
-    constexpr double sine = detail::robot_constants<typename Scene::Robot, Parameters>.links[I].branch.*Sine;
-    return std::bool_constant<(sine * sine > 0.5)>{};
+    return std::bool_constant<(own.branch.*Sine * own.branch.*Sine > 0.5)>{};
   }
   /// Calls f with the kind of this joint.
   template <class F>
   AXIAL_INLINE static constexpr auto on_joint(const F& f) {
-    if constexpr (detail::robot_constants<typename Scene::Robot, Parameters>.links[I].prismatic)
+    if constexpr (own.prismatic)
       return f(Prismatic{});
     else
       return f(Revolute{});

@@ -155,7 +155,7 @@ class TableLink : public detail::TableRow<TableLink<SceneType, T, Source, Column
   /// A constant of the drive; zero by type where no link of the robot has any.
   template <detail::DriveMember<Source> M>
   AXIAL_INLINE constexpr auto drive() const {
-    if constexpr (detail::any_drive_has<typename Scene::Robot, Source, M>(0))
+    if constexpr (detail::any_drive_has<typename Scene::Robot, Source, M>())
       return number<M>(this->drives->*M);
     else
       return Zero{};

@@ -33,9 +33,9 @@ using TaylorCopy = CopiedAsBytes;
 /// Stands for a coefficient that is cut off: so is all that it enters.
 struct CutOff {
   constexpr CutOff() = default;
-  /// Whatever it would be.
+  /// of what it would be
   template <class X>
-  AXIAL_INLINE constexpr CutOff(const X&) {}  // NOLINT(google-explicit-constructor)
+  AXIAL_INLINE constexpr CutOff(const X&) {}  // NOLINT(google-explicit-constructor): as any number
 };
 
 /// value + linear t + quadratic t^2, cut off behind: the second derivative is twice `quadratic`, which saves products a

@@ -21,7 +21,7 @@ template <class T>
 struct UnknownTurn {
   static constexpr T value() { return NumberTraits<T>::constant(std::numeric_limits<double>::quiet_NaN()); }
 };
-// Whose values are one per link: the robot's, or its joints' where they share drives (transmissions/driven_scenes.hpp).
+// Whose values are one per link: the robot's, or its joints' where they share drives (transmissions/roles.hpp).
 template <class Robot>
 struct LinksOwner {
   using type = Robot;
