@@ -120,8 +120,10 @@ inline constexpr bool is_product<role::Product<A, B>> = true;
 /// doc/guides/ranges.md. Also for bias and gravity, the closed form, forward dynamics (rad/s^2 or m/s^2), the mass
 /// matrix (a bound per row), and for poses and Jacobians the positions (m) of a link's frame. Source: the recursions of
 /// doc/guides/ranges.md.
-template <class S, class T = Fixed32>
-[[nodiscard]] constexpr auto error_bound(algorithm::InverseDynamics) {
+template <class S, class T = Fixed32, class Algorithm,
+          std::enable_if_t<
+              detail::is_one_of<Algorithm, algorithm::InverseDynamics, algorithm::Bias, algorithm::Gravity>, int> = 0>
+[[nodiscard]] constexpr auto error_bound(Algorithm) {
   static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
   return detail::bounds_of(detail::ErrorsOf<S, T>::efforts(0.0));
 }
@@ -132,18 +134,6 @@ template <class S, class T = Fixed32, class Algorithm,
 [[nodiscard]] constexpr auto error_bound(Algorithm) {
   static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
   return detail::bounds_of(detail::errors_of_role<S, T>(Role{}));
-}
-/// Error bounds of the bias torque, N m or N.
-template <class S, class T = Fixed32>
-[[nodiscard]] constexpr auto error_bound(algorithm::Bias) {
-  static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
-  return detail::bounds_of(detail::ErrorsOf<S, T>::efforts(0.0));
-}
-/// Error bounds of the gravity torque, N m or N.
-template <class S, class T = Fixed32>
-[[nodiscard]] constexpr auto error_bound(algorithm::Gravity) {
-  static_assert((detail::check_bound<S, recursion::NewtonEuler>(), true));
-  return detail::bounds_of(detail::ErrorsOf<S, T>::efforts(0.0));
 }
 /// Error bounds of the torque of a real request, N m or N: its conversion into words is in it. The request is inside
 /// the declared limits, as declared.
