@@ -1,0 +1,4 @@
+// Kept for who includes it: scene/features.hpp.
+#pragma once
+
+#include <axial/scene/features.hpp>
