@@ -26,25 +26,13 @@ LAYERS |= {
 }
 MOST_HEADERS, LONGEST_PAGE = 20, 70  # of a folder; of its README.md, in lines
 HOST_ROOMS = ("tools", "robots", "boards", "plants", "figures")  # of host_sim; each may include itself and what stands in front of it
-# What users included before its header had a room of its own, or stood in another: one line, which includes that header and which no other header includes.
+# What users included before its header had a room of its own: one line, which includes that header and which no other header includes.
 OLD_PATHS = {
-    "batch/batch_check_finite.hpp": "batch/batch_status.hpp",
-    "batch/batch_checks.hpp": "batch/batch_status.hpp",
-    "calls/control.hpp": "calls/on_arrays.hpp",
-    "calls/dynamics.hpp": "calls/on_arrays.hpp",
-    "control/effort_ramp.hpp": "control/gravity_compensation.hpp",
     "dynamics/elastic_damping.hpp": "transmissions/elastic_damping.hpp",
     "dynamics/rotor_dynamics.hpp": "transmissions/rotor_dynamics.hpp",
     "dynamics/shared_drives.hpp": "transmissions/shared_drives.hpp",
     "dynamics/water.hpp": "base/water.hpp",
-    "fixed/control/collision.hpp": "fixed/control/momentum_observer.hpp",
-    "fixed/control/payload_border.hpp": "fixed/control/tool_border.hpp",
-    "fixed/control/payload_words.hpp": "fixed/control/payload_estimator.hpp",
-    "fixed/simulation/step.hpp": "fixed/simulation/motion.hpp",
     "links/driven_model.hpp": "transmissions/driven_model.hpp",
-    "scene/fixed_features.hpp": "scene/features.hpp",
-    "scene/mounted_payload.hpp": "scene/runtime_tool.hpp",
-    "simulation/stiff_links.hpp": "simulation/system.hpp",
 }
 PLUG_IN = "fixed"
 NUMBERLESS = {"spatial", *KERNELS[KERNELS.index("links"):], "simulation"}

@@ -1,4 +1,0 @@
-// Kept for who includes it: fixed/control/momentum_observer.hpp.
-#pragma once
-
-#include <axial/fixed/control/momentum_observer.hpp>

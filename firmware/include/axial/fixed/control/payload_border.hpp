@@ -1,4 +1,0 @@
-// Kept for who includes it: fixed/control/tool_border.hpp.
-#pragma once
-
-#include <axial/fixed/control/tool_border.hpp>

@@ -1,4 +1,0 @@
-// Kept for who includes it: scene/features.hpp.
-#pragma once
-
-#include <axial/scene/features.hpp>

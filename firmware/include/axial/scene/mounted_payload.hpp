@@ -1,4 +1,0 @@
-// Kept for who includes it: scene/runtime_tool.hpp.
-#pragma once
-
-#include <axial/scene/runtime_tool.hpp>

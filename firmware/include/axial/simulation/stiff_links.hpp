@@ -1,4 +1,0 @@
-// Kept for who includes it: simulation/system.hpp.
-#pragma once
-
-#include <axial/simulation/system.hpp>
