@@ -190,8 +190,8 @@ AXIAL_INLINE constexpr void run(const Links& links, const Input& in, const Q& q,
 /// them, or a model whose constants the compiler does not know.
 template <class Scene>
 inline constexpr bool inputs_can_overflow =
-    !detail::is_described<typename Scene::Robot> || Scene::template has<RuntimeGravity> || Scene::template has<Payload> ||
-    Scene::template has<TipWrench> || Scene::template has<ExternalWrenches>;
+    !detail::is_described<typename Scene::Robot> || Scene::template has<RuntimeGravity> ||
+    Scene::template has<Payload> || Scene::template has<TipWrench> || Scene::template has<ExternalWrenches>;
 
 /// What Out has room for.
 template <class Out, class S, class T>
