@@ -1,0 +1,4 @@
+// Kept for who includes it: scalar/taylor.hpp.
+#pragma once
+
+#include <axial/scalar/taylor.hpp>
