@@ -28,7 +28,6 @@ MOST_HEADERS, LONGEST_PAGE = 20, 70  # of a folder; of its README.md, in lines
 HOST_ROOMS = ("tools", "robots", "boards", "plants", "figures")  # of host_sim; each may include itself and what stands in front of it
 # What users included before its header had a room of its own or stood in another: one line, which includes that header and which no other header includes.
 OLD_PATHS = {
-    "control/effort_ramp.hpp": "control/gravity_compensation.hpp",
     "dynamics/elastic_damping.hpp": "transmissions/elastic_damping.hpp",
     "dynamics/rotor_dynamics.hpp": "transmissions/rotor_dynamics.hpp",
     "dynamics/shared_drives.hpp": "transmissions/shared_drives.hpp",

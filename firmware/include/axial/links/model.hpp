@@ -6,7 +6,7 @@
 #include <axial/links/rotors.hpp>
 #include <axial/links/run_time_model.hpp>
 #include <axial/links/water_constants.hpp>
-#include <axial/robot/link.hpp>
+#include <axial/robot/base_body.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -4,11 +4,11 @@
 
 #include <axial/robot/malformed.hpp>  // first: few lines of includes before what the compiler quotes of it
 
+#include <axial/robot/base_body.hpp>
 #include <axial/robot/chain_parameters.hpp>
 #include <axial/robot/couplings.hpp>
 #include <axial/robot/description_checks.hpp>
 #include <axial/robot/drive_coordinates.hpp>
-#include <axial/robot/link.hpp>
 
 #include <utility>
 
