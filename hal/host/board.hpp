@@ -148,7 +148,10 @@ struct HostBoard {
   static void restart() { ++state.restarts; }
 
   static bool measure_stack(std::uint32_t& bytes) {
-    return state.stack_looks == 0 ? (bytes = state.stack_bytes, true) : (--state.stack_looks, false);
+    bytes = state.stack_bytes;
+    if (state.stack_looks == 0) return true;
+    --state.stack_looks;
+    return false;
   }
   static void print(const char* text) { state.printed += text; }
   static void exit(int code) {
