@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# summary: runs the essence of the tests in about ten minutes, with --deep the rest: on the host, under sanitizers, on emulated boards
+# summary: runs the essence of the tests in about eleven minutes, with --deep the rest: on the host, under sanitizers, on emulated boards
 # group: maintain
 
 usage() {
