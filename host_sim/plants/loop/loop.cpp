@@ -159,7 +159,7 @@ class Plant : public Arm {
   std::int32_t angle(double q) {
     const double turns = q / (2.0 * pi);
     const auto counts = static_cast<std::int64_t>(std::llround(std::ldexp(turns, bits_) + noise()));
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(counts << (32 - bits_)));
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::uint64_t>(counts) << (32 - bits_)));
   }
   std::int32_t slide(double q) {
     const double step = std::max(1.0, std::round(std::ldexp(1.0 / slide_count, -bits_)));
