@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <axial/control/payload_estimator.hpp>
+#include <axial/control/payload_equations.hpp>
 #include <cmath>
 
 using axial::detail::Equations;

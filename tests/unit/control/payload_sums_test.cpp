@@ -1,6 +1,6 @@
 // How much a sample counts, and how it is forgotten.
 #include <gtest/gtest.h>
-#include <axial/control/payload_columns.hpp>
+#include <axial/control/payload_sums.hpp>
 #include <axial/robot/chain.hpp>
 #include <cmath>
 
