@@ -40,7 +40,7 @@ def facts_of(listing):
 
 def is_malformed(fact):
     pieces = f" {fact.words} ".split(" ... ")
-    return not (fact.page and fact.what and all(map(str.strip, pieces)) and len(" ".join(pieces).split()) >= FEWEST_WORDS)
+    return not (fact.page and all(map(str.strip, pieces)) and len(" ".join(pieces).split()) >= FEWEST_WORDS)
 
 
 def twice(facts):
@@ -93,7 +93,7 @@ class Checker(unittest.TestCase):
             return list(problems(pathlib.Path(folder), listing))
 
     def test_reads_over_line_breaks_and_marks(self):
-        self.assertEqual(self.found("# said\ndoc/guides/drives.md\n  0 is off | torque of 0 is no torque (why)\n\n  a gap | A torque ... Never NaN\n"), [])
+        self.assertEqual(self.found("doc/guides/drives.md\n# said\n  0 is off | torque of 0 is no torque (why)\n\n  a gap | A torque ... Never NaN\n"), [])
 
     def test_names_page_and_fact_that_is_gone(self):
         listing = "doc/guides/drives.md\n  0 is off | of 0 is no torque\n  never NaN | Never NaN.\n"
