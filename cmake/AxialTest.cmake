@@ -154,8 +154,10 @@ endfunction()
 # take the compiler less time together. cmake/testing/join.py says which can not be.
 function(axial_joined_sources name count variable)
   set(join ${PROJECT_SOURCE_DIR}/cmake/testing/join.py)
+  set(made ${${variable}})
+  list(FILTER made EXCLUDE REGEX "[.]cpp$")  # headers that are written first
+  list(FILTER ${variable} INCLUDE REGEX "[.]cpp$")
   list(LENGTH ${variable} all)
-  set(made)
   set(from 0)
   foreach(part RANGE 1 ${count})
     math(EXPR to "${all} * ${part} / ${count}")
