@@ -1,13 +1,15 @@
 # shellcheck shell=bash
 # A user's robot: a header, or the name of one in robots/. Programs and images that are about it include build/<preset>/own/robot.hpp.
 
-# own_header HEADER|NAME: its file; nothing where there is none.
+# own_header HEADER|NAME: its file, of robots/ or the gallery where it is a name; nothing where there is none.
 own_header() {
-  if [[ -f $1 ]]; then
-    realpath "$1"
-  elif [[ -f $AXIAL_ROOT/robots/$1.hpp ]]; then
-    echo "$AXIAL_ROOT/robots/$1.hpp"
-  fi
+  local kept
+  for kept in "$1" "$AXIAL_ROOT/robots/$1.hpp" "$AXIAL_ROOT"/robots/gallery/*/"$1.hpp"; do
+    if [[ -f $kept ]]; then
+      realpath "$kept"
+      return
+    fi
+  done
 }
 
 # take_own_robot HEADER|NAME [TYPE]: sets OWN_HEADER, OWN_TYPE and OWN_NAME, or says what is missing.

@@ -115,6 +115,18 @@ HeadersThatDoNotCompileAreSaid() {
   rm -rf "$folder"
 }
 
+# A robot of robots/ or of its gallery is known by its name, and by the way to its header.
+RobotsAreFoundByName() {
+  local robots root
+  root=$(dirname "$AXIAL")
+  robots=$(cd "$root/robots" && ls gallery/*/*.hpp puma560.hpp)
+  bash -c 'AXIAL_ROOT=$1; . "$1/cmake/driver/own.sh"; cd "$1/robots"
+    for header in $2; do
+      for name in "$(basename "$header" .hpp)" "$header"; do [[ $(own_header "$name") == "$1/robots/$header" ]] || echo "$name"; done
+    done
+    own_header nobody; own_header "puma5*"' - "$root" "$robots" | { ! grep .; } || fail "not found, or found and should not be"
+}
+
 # The struct of a header is found in whatever namespaces and structs it stands.
 StructsOfHeadersAreFound() {
   local header found
