@@ -1,5 +1,6 @@
 """Robots that boards integrate: how many joints fit a tick, what of the promises is met, which rows pass."""
 
+import argparse
 import json
 import pathlib
 import sys
@@ -62,6 +63,50 @@ class Tables(unittest.TestCase):
         rows = [second("nrf51", robot, "float", "runge_kutta_4", us, cycles_high=200) for robot, us in (("scara", 90.0), ("puma560", 400.0), ("panda", 600.0))]
         self.assertIn("| nrf51 | runge kutta 4 | 6 |", self.made(rows, plant_tables.joints))
         self.assertIn("90.0 to 180.0 (exact)", self.made(rows, plant_tables.boards))
+
+
+class Robots(unittest.TestCase):
+    """Rows of other robots: kept from a commit, shown by the worse end."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.kept, self.made = self.folder / "plant_robots.json", self.folder / "rows.json"
+
+    def call(self, does, robot, commit="c1"):
+        does(argparse.Namespace(kept=self.kept, commit=commit, robot=robot, board="stm32f405", rows=self.made))
+
+    def has(self, robot, commit="c1"):
+        with self.assertRaises(SystemExit) as ended:
+            self.call(on_board.has, robot, commit)
+        return ended.exception.code == 0
+
+    def keep(self, robot, commit="c1", **changes):
+        row = {**second("stm32f405", robot, "float", "runge_kutta_4", 50.0), "pass": True, "real_time_factor_low": 12.5, **changes}
+        self.made.write_text(json.dumps([row]), encoding="utf-8")
+        self.call(on_board.keep, robot, commit)
+
+    def test_what_this_commit_measured_is_kept_and_what_another_did_is_not(self):
+        self.assertFalse(self.has("so101"))
+        self.keep("so101")
+        self.keep("ur3e")
+        self.assertTrue(self.has("so101") and self.has("ur3e"))
+        self.assertFalse(self.has("so101", "c2"))
+        self.keep("so101", "c2")
+        self.assertTrue(self.has("so101", "c2") and self.has("ur3e"))
+        self.assertEqual(len(json.loads(self.kept.read_text(encoding="utf-8"))), 2)
+
+    def test_what_was_not_made_is_shown_as_such(self):
+        self.keep("so101")
+        self.made.unlink()
+        self.call(on_board.keep, "iiwa14")
+        self.keep("drawn", **{"pass": False})
+        shown = plant_tables.robots(self.folder)
+        self.assertIn("| so101 | 1e-07 | 12.5 |", shown)
+        self.assertIn("| iiwa14 | does not fit |", shown)
+        self.assertIn("| drawn | 1e-07 | 12.5, MISSED |", shown)
+        self.assertEqual(plant_tables.robots_provenance(self.folder), "Commit `c1`.\n")
 
 
 class Gates(unittest.TestCase):

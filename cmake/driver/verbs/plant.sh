@@ -13,7 +13,8 @@ becomes of its energy, beside gates (doc/measurements/plant.md).
                       Besides the error: instructions and microseconds of the dearest step by the core's model, times real time,
                       whether the board has the host's bits, a picture
 With a board:
-  --robot ROBOT|HEADER  puma560 (default), scara, panda by a second of their cycles; a robot header by a second of a smooth motion inside its limits
+  --robot ROBOT|HEADER  puma560 (default), scara, panda by a second of their cycles; any other of robots/ or the gallery, or a header, by a second
+                      of a smooth motion inside its limits
   --type NAME         the header's struct, as ./axial run takes it
   --number float|fixed32...  float (with compensated sums), fixed32; default both
   --method runge_kutta_4|semi_implicit...  default runge_kutta_4
@@ -24,6 +25,8 @@ Exits non-zero when a gate is missed: 1e-5 of the travel in float and 1e-4 in fi
 fixed32 the host's bits.
 maintainers:
   --documents         alone: writes doc/data/plant.json, plant_boards.json, the picture and the tables of doc/measurements/plant.md
+  --documents-robots  alone: nineteen robots of the gallery and one that the commit draws on two boards: plant_robots.json and its table of
+                      that page. What was measured at this commit is not measured again
 END_OF_USAGE
 }
 
@@ -31,6 +34,8 @@ run() {
   local json
   if [[ ${1:-} == --documents ]]; then
     write_plant_documents
+  elif [[ ${1:-} == --documents-robots ]]; then
+    write_plant_robots
   elif [[ -n $(option_of --board '' "$@") ]]; then
     plant_on_board "$@"
   else
@@ -88,6 +93,34 @@ write_plant_documents() {
   plant_py documents "$(plant_program plant_board)" "$doc/data/plant_boards.json" "$AXIAL_ROOT/output/plant"
   cp "$AXIAL_ROOT/output/plant/puma560-stm32f405.png" "$doc/pictures/plant.png"
   /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/plant_tables.py" "$doc/data" "$doc/measurements/plant.md"
+}
+
+# Of the gallery: arms of six and seven joints, from desks, of factories, legs, a finger, a SCARA.
+readonly GALLERY_PLANTS=(so101 koch openarm wx250s piper z1 arx_l5 ur3e ur10e xarm6 lite6 fr3 iiwa14 gen3 rizon4 go2_leg spot_arm allegro_finger m1_pro)
+readonly DRAWN_PLANT=$AXIAL_ROOT/output/plant/drawn.hpp
+
+write_plant_robots() {
+  local doc=$AXIAL_ROOT/doc robot
+  mkdir -p "$AXIAL_ROOT/output/plant"
+  /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/robots/commissioning/drawn_logs.py" "$(git -C "$AXIAL_ROOT" rev-parse --short=8 HEAD)" "${DRAWN_PLANT%.hpp}.json"
+  "$AXIAL_ROOT/axial" import "${DRAWN_PLANT%.hpp}.json" --output "$DRAWN_PLANT"
+  for robot in "${GALLERY_PLANTS[@]}" "$DRAWN_PLANT"; do
+    write_plant_robot "$robot" stm32f405 float,fixed32
+    write_plant_robot "$robot" rp2040_ram fixed32
+  done
+  /usr/bin/python3 -E "$AXIAL_ROOT/host_sim/figures/pages/plant_tables.py" "$doc/data" "$doc/measurements/plant.md"
+}
+
+# write_plant_robot ROBOT BOARD NUMBER,...: its rows into plant_robots.json, unless they are there from this commit. In a shell of its own, so that
+# one that does not fit ends no other.
+write_plant_robot() {
+  local kept=$AXIAL_ROOT/doc/data/plant_robots.json commit rows=$AXIAL_ROOT/output/plant/rows.json
+  commit=$("$AXIAL_ROOT/host_sim/tools/system/commit.sh")
+  if ! plant_py has "$kept" "$commit" "$(basename "${1%.hpp}")" "$2"; then
+    rm -f "$rows"
+    (plant_on_board --robot "$1" --board "$2" --number "$3" --json "$rows") || say "not as promised: $1 on $2"
+    plant_py keep "$kept" "$commit" "$(basename "${1%.hpp}")" "$2" "$rows"
+  fi
 }
 
 # An arm that is too large for a board has no image there, which the table says.

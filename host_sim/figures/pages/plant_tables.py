@@ -110,12 +110,35 @@ def joints(folder):
     return markdown(["board", "method", *NUMBERS], found)
 
 
+COLUMNS = (("stm32f405", "float"), ("stm32f405", "fixed32"), ("rp2040_ram", "fixed32"))
+
+
+def robots(folder):
+    """Of the gallery, one drawn: error and times real time, the worse end, of each column's board and number."""
+    measured = load(folder / "plant_robots.json")
+    found = []
+    for name in dict.fromkeys(row["machine"] for row in measured):
+        cells = [name]
+        for column in COLUMNS:
+            row = next((row for row in measured if (row["machine"], row["board"], row.get("scalar")) == (name, *column)), None)
+            cells += ["does not fit", ""] if row is None else [number(row["error"]), factor(row["real_time_factor_low"]) + ("" if row["pass"] else ", MISSED")]
+        found.append(cells)
+    heads = [head for board, kind in COLUMNS for head in (f"{board}, {kind}: error over travel", "times real time, at worst")]
+    return markdown(["robot", *heads], found)
+
+
+def robots_provenance(folder):
+    commits = sorted({row["commit"] for row in load(folder / "plant_robots.json")})
+    return f"Commit {', '.join(f'`{commit}`' for commit in commits)}.\n"
+
+
 def provenance(folder):
     made = load(folder / "plant_provenance.json")
     return f"Commit `{made['commit']}`. On the host: {made['compiler']}, `{made['flags']}`; images of Arm boards: {made['boards']}, flags of hal/toolchains.\n"
 
 
-TABLES = {"plant": rows, "plant_boards": boards, "plant_promises": promises, "plant_joints": joints, "plant_provenance": provenance}
+TABLES = {"plant": rows, "plant_boards": boards, "plant_promises": promises, "plant_joints": joints, "plant_provenance": provenance,
+          "plant_robots": robots, "plant_robots_provenance": robots_provenance}
 
 
 if __name__ == "__main__":

@@ -3,6 +3,8 @@
 usage: on_board.py run PROGRAM BOARD ROBOT [--name NAME] [--number N,N] [--method M,M] [--steps-per-tick N,N] [--swing] [--json FILE] [--picture STEM]
        on_board.py targets ROBOT [--number N,N]
        on_board.py documents PROGRAM FILE FOLDER     all rows of doc/measurements/plant.md; PROGRAM without -<robot>; the picture goes to FOLDER
+       on_board.py has KEPT COMMIT ROBOT BOARD       exits with 0 where KEPT has that robot's rows from that commit
+       on_board.py keep KEPT COMMIT ROBOT BOARD ROWS    the rows that run --json wrote into KEPT; without ROWS, that there are none
 PROGRAM is the host's plant_board-<robot>. Prints a table, of which --json has the rows; the picture shows where each motion goes and what it is off.
 """
 
@@ -215,6 +217,25 @@ def documents(options):
     sys.exit(0 if all(row["pass"] for row in rows if row.get("gate")) and all(row.get("same_bits", True) for row in rows) else 1)
 
 
+def kept_rows(path):
+    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else []
+
+
+def is_of(row, options):
+    return (row["machine"], row["board"]) == (options.robot, options.board)
+
+
+def has(options):
+    rows = [row for row in kept_rows(options.kept) if is_of(row, options)]
+    sys.exit(0 if rows and all(row["commit"] == options.commit for row in rows) else 1)
+
+
+def keep(options):
+    made = kept_rows(options.rows) or [{"board": options.board, "fits": False, "pass": False}]
+    others = [row for row in kept_rows(options.kept) if not is_of(row, options)]
+    write(options.kept, others + [{"machine": options.robot, "commit": options.commit, **row} for row in made])
+
+
 def write(path, rows):
     pathlib.Path(path).write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
 
@@ -269,6 +290,13 @@ def parse():
     sub = subs.add_parser("documents")
     for name in ("program", "file", "folder"):
         sub.add_argument(name)
+    for name in ("has", "keep"):
+        sub = subs.add_parser(name)
+        sub.add_argument("kept", type=pathlib.Path)
+        for each in ("commit", "robot", "board"):
+            sub.add_argument(each)
+        if name == "keep":
+            sub.add_argument("rows", type=pathlib.Path)
     for name in ("targets", "run"):
         sub = subs.add_parser(name)
         if name == "run":
@@ -290,4 +318,4 @@ if __name__ == "__main__":
     if chosen.action == "targets":
         print(*(image_name(chosen.robot, each) for each in chosen.number))
     else:
-        {"run": run, "documents": documents}[chosen.action](chosen)
+        {"run": run, "documents": documents, "has": has, "keep": keep}[chosen.action](chosen)

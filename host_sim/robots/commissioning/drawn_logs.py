@@ -2,11 +2,14 @@
 
 Robots of robots/, imported ones (tests/data/descriptions), drawn ones of the shapes that mislead. Friction is not the header's, and lessens while an
 arm is held; drives differ in noise; encoders count.
+
+usage: drawn_logs.py SEED FILE.json    the table of an arm that SEED, hexadecimal, draws, for ./axial import
 """
 
 import dataclasses
 import json
 import pathlib
+import sys
 
 import numpy as np
 
@@ -24,9 +27,9 @@ WIRES = ("torques exchanged", "positions exchanged", "drives exchanged", "torque
 FAULTS = (*WIRES, "zero", "scale", "offset", "tilt", "sides negated", "mass")
 
 
-def table(shape):
+def table(shape, seed=31):
     """An arm of that shape that nobody has seen."""
-    random, joints = np.random.default_rng([DRAWN.index(shape), 31]), 4 if shape == "planar" else 6
+    random, joints = np.random.default_rng([DRAWN.index(shape), seed]), 4 if shape == "planar" else 6
     links = [_link(shape, i, joints, random) for i in range(joints)]
     gravity = [0.0, -9.81, 0.0] if shape in ("wall", "planar") else [0.0, 0.0, -9.81]
     return {"name": shape, "convention": "modified", "gravity": gravity, "tool": {"xyz": [0.0, 0.0, 0.08] if shape == "symmetric_wrist" else [0.03, 0.0, 0.08]},
@@ -170,3 +173,10 @@ def recorded(statics, base, fault, random):
     for each in fault.mistakes():
         columns = planted(each, columns)
     return np.column_stack([rows.mass, columns[2], columns[0], columns[1]])
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    drawn = int(sys.argv[1], 16)
+    pathlib.Path(sys.argv[2]).write_text(json.dumps({**table(DRAWN[drawn % len(DRAWN)], drawn), "name": "drawn"}) + "\n", encoding="utf-8")
