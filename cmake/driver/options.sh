@@ -121,7 +121,7 @@ check_value() {
       N) [[ $3 =~ ^[0-9]+$ ]] && return ;;
       NUMBER) [[ $3 =~ ^-?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?$ ]] && return ;;
       IN_FILE) [[ -f $3 || -n ${AXIAL_PARSE_ONLY:-} ]] && return ;;
-      HEADER) [[ -f $3 || (${AXIAL_PARSE_ONLY:-} && $3 == *.hpp) ]] && return ;;
+      HEADER) [[ -n $(own_header "$3") || (${AXIAL_PARSE_ONLY:-} && $3 == *.hpp) ]] && return ;;
       *)
         mapfile -t -O "${#known[@]}" known < <(words_of "$kind")
         [[ $kind =~ ^[A-Z] && ${#known[@]} == 0 || " ${known[*]} " == *" $3 "* ]] && return

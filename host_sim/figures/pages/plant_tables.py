@@ -113,6 +113,13 @@ def joints(folder):
 COLUMNS = (("stm32f405", "float"), ("stm32f405", "fixed32"), ("rp2040_ram", "fixed32"))
 
 
+def robot_cells(row):
+    if row is None:
+        return ["does not fit", ""]
+    verdict = "" if row["pass"] else ", MISSED" if row["made"] else ", refused where it left its limits"
+    return [number(row["error"]), factor(row["real_time_factor_low"]) + verdict]
+
+
 def robots(folder):
     """Of the gallery, one drawn: error and times real time, the worse end, of each column's board and number."""
     measured = load(folder / "plant_robots.json")
@@ -120,8 +127,7 @@ def robots(folder):
     for name in dict.fromkeys(row["machine"] for row in measured):
         cells = [name]
         for column in COLUMNS:
-            row = next((row for row in measured if (row["machine"], row["board"], row.get("scalar")) == (name, *column)), None)
-            cells += ["does not fit", ""] if row is None else [number(row["error"]), factor(row["real_time_factor_low"]) + ("" if row["pass"] else ", MISSED")]
+            cells += robot_cells(next((row for row in measured if (row["machine"], row["board"], row.get("scalar")) == (name, *column)), None))
         found.append(cells)
     heads = [head for board, kind in COLUMNS for head in (f"{board}, {kind}: error over travel", "times real time, at worst")]
     return markdown(["robot", *heads], found)

@@ -19,7 +19,7 @@ using namespace host_sim::real_time;
 using axial::apps::Robot;
 
 /// A second of the robot's pick-and-place cycle; of a header's of a smooth motion inside its limits, from where every
-/// joint turns back, at rest.
+/// joint turns back, at rest, on which a controller kept the arm.
 DrivenSecond<Robot> second() {
   constexpr int ticks = 1000;
   if (AXIAL_HAS_CYCLE != 0) return {};
@@ -33,7 +33,7 @@ DrivenSecond<Robot> second() {
     }
     course.q.push_back(q), course.qd.push_back(qd), course.qdd.push_back(qdd);
   }
-  return {driven_along<Robot>(course)};
+  return {driven_near<Robot>(course)};
 }
 
 struct Request {
