@@ -83,7 +83,7 @@ class Robots(unittest.TestCase):
         return ended.exception.code == 0
 
     def keep(self, robot, commit="c1", **changes):
-        row = {**second("stm32f405", robot, "float", "runge_kutta_4", 50.0), "pass": True, "real_time_factor_low": 12.5, "made": True, **changes}
+        row = {**second("stm32f405", robot, "float", "runge_kutta_4", 50.0), "pass": True, "real_time_factor_low": 12.5, "made": True, "growth": 2.6, **changes}
         self.made.write_text(json.dumps([row]), encoding="utf-8")
         self.call(on_board.keep, robot, commit)
 
@@ -104,16 +104,16 @@ class Robots(unittest.TestCase):
         self.keep("drawn", **{"pass": False})
         self.keep("openarm", **{"pass": False, "made": False})
         shown = plant_tables.robots(self.folder)
-        self.assertIn("| so101 | 1e-07 | 12.5 |", shown)
-        self.assertIn("| iiwa14 | does not fit |", shown)
-        self.assertIn("| drawn | 1e-07 | 12.5, MISSED |", shown)
-        self.assertIn("| openarm | 1e-07 | 12.5, refused where it left its limits |", shown)
+        self.assertIn("| so101 | 2.6 | 1e-07 | 12.5 |", shown)
+        self.assertIn("| iiwa14 |  | does not fit |", shown)
+        self.assertIn("| drawn | 2.6 | 1e-07 | 12.5, MISSED |", shown)
+        self.assertIn("| openarm | 2.6 | 1e-07 | 12.5, refused where it left its limits |", shown)
         self.assertEqual(plant_tables.robots_provenance(self.folder), "Commit `c1`.\n")
 
 
 class Gates(unittest.TestCase):
     def passes(self, gate=1e-5, **changes):
-        return on_board.judged({**second("nrf51", "scara", "fixed32", "runge_kutta_4", 300.0), "made": True, **changes}, gate)["pass"]
+        return on_board.judged({**second("nrf51", "scara", "fixed32", "runge_kutta_4", 300.0), "made": True, "growth": 2.6, **changes}, gate)["pass"]
 
     def test_words_have_the_hosts_bits(self):
         self.assertTrue(self.passes())

@@ -125,12 +125,12 @@ def robots(folder):
     measured = load(folder / "plant_robots.json")
     found = []
     for name in dict.fromkeys(row["machine"] for row in measured):
-        cells = [name]
+        cells = [name, number(next((row["growth"] for row in measured if row["machine"] == name and row.get("growth")), None))]
         for column in COLUMNS:
             cells += robot_cells(next((row for row in measured if (row["machine"], row["board"], row.get("scalar")) == (name, *column)), None))
         found.append(cells)
     heads = [head for board, kind in COLUMNS for head in (f"{board}, {kind}: error over travel", "times real time, at worst")]
-    return markdown(["robot", *heads], found)
+    return markdown(["robot", "growth", *heads], found)
 
 
 def robots_provenance(folder):

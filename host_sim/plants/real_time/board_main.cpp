@@ -65,6 +65,7 @@ nlohmann::json driven_answer(const Request& request) {
   if (judged.errors.empty()) throw std::runtime_error("no state after a whole tick was reported");
   auto answer = json_of(judged);
   answer["error"] = judged.errors.back();
+  answer["growth"] = growth_of(motion.motion);
   answer["way"] = {{"positions", judged.positions}, {"errors", judged.errors}};
   return answer;
 }

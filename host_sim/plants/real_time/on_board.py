@@ -135,7 +135,7 @@ class Plant:
     def known(self, motion, made, verdict):
         """What a row has of any motion."""
         return {"board": self.board, "robot": self.name, "scalar": self.number, "method": self.method, "motion": motion, "step_s": TICK / self.per_tick,
-                "error": verdict.get("error"), "energy_drift": verdict.get("energy_drift"), "same_bits": verdict["same_bits"],
+                "error": verdict.get("error"), "growth": verdict.get("growth"), "energy_drift": verdict.get("energy_drift"), "same_bits": verdict["same_bits"],
                 "difference": verdict["difference"], "made": made}
 
     def second(self):
@@ -248,8 +248,8 @@ def draw(ways, stem):
 
 
 def print_table(rows):
-    lines = [["number", "method", "step, ms", "motion", "error", "energy drift", "instructions", "us per step", "times real time", "host's bits", "verdict"]]
-    lines += [[row["scalar"], row["method"].replace("_", " "), f"{1e3 * row['step_s']:g}", row["motion"], number(row["error"]), number(row["energy_drift"]),
+    lines = [["number", "method", "step, ms", "motion", "error", "growth", "energy drift", "instructions", "us per step", "times real time", "host's bits", "verdict"]]
+    lines += [[row["scalar"], row["method"].replace("_", " "), f"{1e3 * row['step_s']:g}", row["motion"], number(row["error"]), number(row["growth"]), number(row["energy_drift"]),
                *span(row), bits(row), "ok" if row["pass"] else "MISSED"] for row in rows]
     widths = [max(map(len, column)) for column in zip(*lines)]
     for line in lines:
@@ -275,7 +275,7 @@ def run(options):
     model = measure.timing.Model(board)
     print(f"{rows[0]['robot']} integrated on {options.board} ({board['cpu']}, {model.clock_Hz / 1e6:g} MHz), in {measure.emulator(options.board)}:\n")
     print_table(rows)
-    print(f"\nError: after the second, from 0.1 ms Runge-Kutta steps in double on the host, over each joint's travel. Time: of the dearest step; {model.core.kind}\n"
+    print(f"\nError: after the second, from 0.1 ms Runge-Kutta steps in double on the host, over each joint's travel. Growth: what the\nmotion makes of any small error at its start. Time: of the dearest step; {model.core.kind}\n"
           f"({model.core.says}). Never measured on silicon.")
     if options.json:
         write(options.json, rows)
