@@ -105,7 +105,7 @@ class Robots(unittest.TestCase):
         self.keep("openarm", **{"pass": False, "made": False})
         shown = plant_tables.robots(self.folder)
         self.assertIn("| so101 | 2.6 | 1e-07 | 12.5 |", shown)
-        self.assertIn("| iiwa14 |  | does not fit |", shown)
+        self.assertIn("| iiwa14 |  | no image |", shown)
         self.assertIn("| drawn | 2.6 | 1e-07 | 12.5, MISSED |", shown)
         self.assertIn("| openarm | 2.6 | 1e-07 | 12.5, refused where it left its limits |", shown)
         self.assertEqual(plant_tables.robots_provenance(self.folder), "Commit `c1`.\n")
@@ -113,7 +113,7 @@ class Robots(unittest.TestCase):
 
 class Gates(unittest.TestCase):
     def passes(self, gate=1e-5, **changes):
-        return on_board.judged({**second("nrf51", "scara", "fixed32", "runge_kutta_4", 300.0), "made": True, "growth": 2.6, **changes}, gate)["pass"]
+        return on_board.judged({**second("nrf51", "scara", "fixed32", "runge_kutta_4", 300.0), "made": True, **changes}, gate)["pass"]
 
     def test_words_have_the_hosts_bits(self):
         self.assertTrue(self.passes())

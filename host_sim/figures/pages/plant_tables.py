@@ -115,7 +115,7 @@ COLUMNS = (("stm32f405", "float"), ("stm32f405", "fixed32"), ("rp2040_ram", "fix
 
 def robot_cells(row):
     if row is None:
-        return ["does not fit", ""]
+        return ["no image", ""]
     verdict = "" if row["pass"] else ", MISSED" if row["made"] else ", refused where it left its limits"
     return [number(row["error"]), factor(row["real_time_factor_low"]) + verdict]
 
