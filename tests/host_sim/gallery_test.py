@@ -174,10 +174,21 @@ class Kept(unittest.TestCase):
 
     def test_only_what_is_missing_is_to_be_measured(self):
         store.keep(cell(), [row()])
+        self.assertEqual(self.to_be_measured(board="nrf51,rp2040", number="float"), [f"host float {ROOT / ARM}", f"rp2040 float {ROOT / ARM}"])
+
+    def test_lanes_share_all_cells_out_and_no_place_is_in_two(self):
+        everything = self.to_be_measured(board=None, number=None)
+        lanes = [self.to_be_measured(board=None, number=None, lane=f"{lane}/4") for lane in range(4)]
+        self.assertEqual(sorted(sum(lanes, [])), sorted(everything))
+        places = [{line.split()[0] for line in lane} for lane in lanes]
+        self.assertEqual(sum(map(len, places)), len(set.union(*places)))
+        self.assertTrue(all(lanes))
+
+    def to_be_measured(self, lane="0/1", **choice):
         said = io.StringIO()
         with contextlib.redirect_stdout(said), unittest.mock.patch.object(gallery, "Store", self.known):
-            gallery.run_cells(argparse.Namespace(robot="ur5e", board="nrf51,rp2040", number="float"))
-        self.assertEqual(said.getvalue().splitlines(), [f"host float {ROOT / ARM}", f"rp2040 float {ROOT / ARM}"])
+            gallery.run_cells(argparse.Namespace(robot="ur5e", lane=lane, **choice))
+        return said.getvalue().splitlines()
 
 
 LOG = """[1/9] Building

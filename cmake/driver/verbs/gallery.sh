@@ -42,8 +42,20 @@ run() {
 
 gallery_py() { /usr/bin/python3 -E -B "$AXIAL_ROOT/host_sim/figures/gallery/gallery.py" "$@"; }
 
-# measure_cells MINUTES CHOICE...: each in a shell of its own, so that one that ends it leaves the others.
+# measure_cells MINUTES CHOICE...: in as many lanes as there are processors; a place's build belongs to one lane.
 measure_cells() {
+  local minutes=$1 place lane lanes
+  shift
+  while read -r place; do ensure_runner "$place"; done < <(gallery_py cells "$@" | cut -d ' ' -f 1 | sort -u)
+  lanes=$(nproc)
+  for ((lane = 0; lane < lanes; ++lane)); do
+    measure_lane "$minutes" --lane "$lane/$lanes" "$@" &
+  done
+  wait
+}
+
+# measure_lane MINUTES CHOICE...: each cell in a shell of its own, so that one that ends it leaves the others.
+measure_lane() {
   local minutes=$1 cells cell place number header count=0
   shift
   mapfile -t cells < <(gallery_py cells "$@")

@@ -12,6 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 BOARDS = ("stm32f405", "stm32f100", "nrf51", "rp2040", "rp2350_riscv")
 NUMBERS = ("float", "fixed32")
 HOST = "host"  # instead of a board: where errors are computed
+PLACES = (HOST, *BOARDS)
 INCLUDED = re.compile(r'#include [<"](robots/[\w/]+\.hpp)[>"]')
 NAME = re.compile(r'const char\* name = "(\w+)"')
 # What a cell's figures depend on, besides the robot's header and the board's own folder.

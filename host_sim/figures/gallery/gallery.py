@@ -1,6 +1,7 @@
 """What every robot costs on every board: robots, boards and number systems as cells, each measured once.
 
-usage: gallery.py cells [choice]                         a line for each cell that is to be measured: place, number, header
+usage: gallery.py cells [choice] [--lane K/N]            a line for each cell that is to be measured: place, number, header; those of lane K,
+                                                         where N measure at once: what is built for one place is never in two lanes
        gallery.py targets BOARD NUMBER                   the build's targets of a cell
        gallery.py measure BOARD NUMBER HEADER TYPE       of the images that are built
        gallery.py errors NUMBER HEADER PROGRAM           PROGRAM: errors-own_gallery-<number> of the host
@@ -18,7 +19,7 @@ import subprocess
 import sys
 
 import page
-from catalogue import BOARDS, HOST, NUMBERS, ROOT, Cell, cells, chosen, of_header
+from catalogue import BOARDS, HOST, NUMBERS, PLACES, ROOT, Cell, cells, chosen, of_header
 from store import Store, keep
 
 sys.path += [str(ROOT / "host_sim/boards/cost"), str(ROOT / "host_sim/boards/size")]
@@ -55,8 +56,9 @@ def measured(cell, probe):
 
 def run_cells(options):
     store = Store()
+    lane, lanes = map(int, options.lane.split("/"))
     for cell in choice(options):
-        if not store.is_current(cell):
+        if PLACES.index(cell.place) % lanes == lane and not store.is_current(cell):
             print(cell.place, cell.number, ROOT / cell.robot.header)
 
 
@@ -159,6 +161,8 @@ def parse():
         sub = subs.add_parser(action)
         for name in names.split() or ["--robot", "--board", "--number", "--json", "--html"]:
             sub.add_argument(name)
+        if action == "cells":
+            sub.add_argument("--lane", default="0/1")
     return parser.parse_args()
 
 
