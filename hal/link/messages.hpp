@@ -29,7 +29,8 @@ enum class MessageType : std::uint8_t {
   derivatives =
       11,         ///< host: third and fourth derivative of the motion, for images that take them; before the set-point
   encoders = 12,  ///< a board that stands in for an arm: the answer to a torque, with its sequence number
-  arm_command = 13  ///< host, to such a board
+  arm_command = 13,  ///< host, to such a board
+  arm_load = 14      ///< host, to such a board: what the arm carries from now on
 };
 
 enum class Mode : std::uint8_t {
@@ -195,6 +196,14 @@ struct ArmCommand {
   std::uint8_t action;  ///< see ArmAction
 };
 
+/// What the last link carries besides, in its frame; none where all is 0.
+struct ArmLoad {
+  static constexpr MessageType type = MessageType::arm_load;
+  float mass;                    ///< kg
+  std::array<float, 3> com;      ///< m
+  std::array<float, 6> inertia;  ///< kg m^2 about com: xx, yy, zz, xy, xz, yz
+};
+
 template <class Archive, class Array>
 void each(Archive& archive, Array& values, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i)
@@ -287,6 +296,11 @@ void layout(Archive& a, Encoders& m) {
 template <class Archive>
 void layout(Archive& a, ArmCommand& m) {
   each(a, m.values, m.joints), a(m.action);
+}
+
+template <class Archive>
+void layout(Archive& a, ArmLoad& m) {
+  a(m.mass), each(a, m.com, m.com.size()), each(a, m.inertia, m.inertia.size());
 }
 
 constexpr std::size_t set_point_size(std::size_t joints) { return 12 * joints; }

@@ -4,7 +4,7 @@ import struct
 import zlib
 
 HELLO, SET_POINT, TORQUE, ERROR, STATS_REQUEST, STATS, SHUTDOWN, START, MEASUREMENT, INJECTION = range(1, 11)
-ENCODERS, ARM_COMMAND = 12, 13
+ENCODERS, ARM_COMMAND, ARM_LOAD = 12, 13, 14
 PLACE, PUSH, BLIND, STOP, GO = range(5)
 LOCK_STEP, FREE_RUNNING = 0, 1
 OK, NOT_FINITE, OUTSIDE_LIMITS, EFFORT_LIMITED, WATCHDOG, DISABLED, NOT_MEASURED = range(7)
@@ -113,6 +113,11 @@ def encoders(payload):
 
 def arm_command(action, values):
     return struct.pack(f"<{len(values)}fB", *values, action)
+
+
+def arm_load(mass, com=(0, 0, 0), inertia=(0,) * 6):
+    """kg, m in the last link's frame, kg m^2 about com: xx, yy, zz, xy, xz, yz."""
+    return struct.pack("<10f", mass, *com, *inertia)
 
 
 def error(payload):

@@ -15,6 +15,9 @@ an arm in double on this host. Prints both tracking errors, writes JSON, CSV and
   --number float|fixed32  what the controller computes in; default float
   --plant-number float|fixed32  what the arm is integrated in; default float
   --seconds NUMBER    of motion; default 2 (some hundred ticks a second run)
+  --carry KG          taken by the arm at a quarter of the motion and put down at three; its Mechanics name a payload
+  --controller-port DEVICE[:BAUD]  the controller's board is on the desk, at this serial port, with its image in it; 2 Mbit/s where none is named
+  --plant-port DEVICE[:BAUD]       likewise the arm's
   --faults            besides, eleven faults of the line between them, and whether each ends as doc/guides/faults.md says: a minute
   --type NAME         the header's struct, as ./axial run takes it
   --output FOLDER     where the files go; default output/hil
@@ -60,7 +63,14 @@ two_boards() {
   build "$controller" "$(hil_image tracking "$(option_of --number float "$@")")-$robot"
   build "$plant" "$(hil_image arm "$(option_of --plant-number float "$@")")-$robot"
   build "$HOST_PRESET" "hil-$robot"
+  say_image "$controller" tracking "$robot" "$(option_of --number float "$@")" "$(option_of --controller-port '' "$@")"
+  say_image "$plant" arm "$robot" "$(option_of --plant-number float "$@")" "$(option_of --plant-port '' "$@")"
   "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/plants/two_boards/hil-$robot" "$@"
+}
+
+# say_image BOARD APP ROBOT NUMBER PORT: what a board on the desk has to run.
+say_image() {
+  [[ -z $5 ]] || say "at ${5%:*} the board has to run build/$1/images/$(hil_image "$2" "$4")-$3.elf"
 }
 
 # hil_board OPTION ARGUMENT...: the board that an option names.

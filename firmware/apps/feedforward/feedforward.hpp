@@ -37,11 +37,11 @@ template <class Controller>
 inline constexpr bool takes_derivatives<Controller, std::void_t<decltype(&Controller::take)>> = true;
 
 /// Whether it is no controller but an arm: it takes torques and answers encoders (LinkRequest, LinkAnswer), and has
-/// choose(mode), pass(numbers), command(command).
+/// choose(mode), pass(numbers), command(command), and where it `carries` command(load).
 template <class Controller, class = void>
 inline constexpr bool stands_for_arm = false;
 template <class Controller>
-inline constexpr bool stands_for_arm<Controller, std::void_t<decltype(&Controller::command)>> = true;
+inline constexpr bool stands_for_arm<Controller, std::void_t<decltype(Controller::carries)>> = true;
 
 /// What is asked for, and answered.
 ///@{
@@ -122,8 +122,11 @@ class Feedforward {
   void handle(const link::FrameView& frame) {
     if constexpr (takes_derivatives<Controller>)
       if (frame.type == static_cast<std::uint8_t>(link::MessageType::derivatives)) return take_derivatives(frame);
-    if constexpr (stands_for_arm<Controller>)
+    if constexpr (stands_for_arm<Controller>) {
       if (frame.type == static_cast<std::uint8_t>(link::MessageType::arm_command)) return take_command(frame);
+      if constexpr (Controller::carries)
+        if (frame.type == static_cast<std::uint8_t>(link::MessageType::arm_load)) return obey<link::ArmLoad>(frame);
+    }
     switch (static_cast<link::MessageType>(frame.type)) {
       case Request::type:
         return take_request(frame);
@@ -170,8 +173,13 @@ class Feedforward {
 
   void take_command(const link::FrameView& frame) {
     if (frame.length != link::arm_command_size(Controller::joints)) return tally_.refuse(link::Fault::bad_payload);
+    obey<link::ArmCommand>(frame);
+  }
+  /// What happens to an arm; the answer is what its encoders say now.
+  template <class Command>
+  void obey(const link::FrameView& frame) {
     if (!in_session(frame)) return tally_.refuse(link::Fault::no_session);
-    with<link::ArmCommand>(frame, [&](auto& m) {
+    with<Command>(frame, [&](auto& m) {
       if (!controller_.command(m)) return tally_.refuse(link::Fault::bad_payload);
       Answer now{};
       controller_.store_exerted(now);

@@ -7,25 +7,26 @@
 
 #include "encoders.hpp"
 #include "input.hpp"
+#include "noise.hpp"
 
 namespace axial::apps::plant {
 
 /// `substeps`: steps of the integrator a tick of 1 ms.
 template <class R, class Number = float, int substeps = 1>
-class Arm {
+class Arm : GivenInputs<ArmSceneOf<R>, Number> {
   using S = ArmSceneOf<R>;
+  using M = MechanicsOf<R>;
   using Method = typename ArmMethod<R, Number, substeps>::type;
   using X = std::conditional_t<is_stored_v<Number>, Motion<S, Number>, CompensatedMotion<S, Number>>;
   using Tau = EffortsOf<S, Number>;
   using Values = std::array<float, hal::link::max_joints>;
   using Status = hal::link::TorqueStatus;
-  static_assert(!detail::shares_drives_in<typename scene_of<R>::Robot>,
-                "an arm whose joints share drives has no image yet that stands in for it");
 
  public:
   static constexpr std::size_t joints = static_cast<std::size_t>(joint_count<R>);
   static constexpr const char* name = R::name;
   static constexpr std::uint32_t ticks_a_second = 1000;
+  static constexpr bool carries = has_payload<M>;  ///< whether it takes a load on command
 
   // --- what the main job asks
 
@@ -76,7 +77,7 @@ class Arm {
     answer.status = static_cast<std::uint8_t>(told_), answer.joint = joint_;
   }
   void store_exerted(hal::link::Encoders& answer) const {
-    const auto speed = real(x_.qd);
+    const auto speed = real(encoders_.speeds(x_));
     answer.joints = joints;
     for (std::size_t i = 0; i < joints; ++i) {
       const int k = static_cast<int>(i);
@@ -103,6 +104,15 @@ class Arm {
       case ArmAction::go:
         stopped_ = static_cast<ArmAction>(wanted.action) == ArmAction::stop;
         return true;
+    }
+    return false;
+  }
+  /// What it carries from now on. False, and nothing changes, where that is no body, or beyond the declared limit.
+  bool command(const hal::link::ArmLoad& load) {
+    if constexpr (carries) {
+      const auto& c = load.com;
+      const auto& j = load.inertia;
+      return carry({load.mass, {c[0], c[1], c[2]}, {j[0], j[1], j[2], j[3], j[4], j[5]}});
     }
     return false;
   }
@@ -170,7 +180,23 @@ class Arm {
     }
     x_ = there;
     encoders_.place(x_);
+    noise_.restart();
     return true;
+  }
+  bool carry(const PayloadBody<float>& body) {
+    if constexpr (is_stored_v<Number>) {
+      const auto kept = to_fixed_payload<S, typename Number::Word>(body);
+      if (kept.status.ok()) this->in_.payload = kept.load;
+      return kept.status.ok();
+    } else {
+      const bool carried = check_payload<S>(body).ok();
+      const auto& [mass, com, j] = body;
+      const auto n = [](float x) { return static_cast<Number>(x); };
+      if (carried)
+        this->in_.payload = {
+            n(mass), {n(com.x), n(com.y), n(com.z)}, {n(j.xx), n(j.yy), n(j.zz), n(j.xy), n(j.xz), n(j.yz)}};
+      return carried;
+    }
   }
   bool push(const Values& values) {
     if constexpr (is_stored_v<Number>) {
@@ -191,8 +217,8 @@ class Arm {
     return true;
   }
 
-  /// What acts now: the drives' share of what was asked for, and a hand's push.
-  Tau acting() const {
+  /// What acts now: the drives' share of what was asked for, their noise, and a hand's push.
+  Tau acting() {
     Tau sum{};
     const std::uint32_t share = phases_.enabled() ? phases_.share(times_) : 0;
     for (int i = 0; i < static_cast<int>(joints); ++i) {
@@ -204,19 +230,19 @@ class Arm {
         sum[i] = asked_[i] * (static_cast<Number>(share) * Number(1.0F / 65536.0F)) + pushed_[i];
       }
     }
+    if (phases_.enabled()) noise_.add(sum);
     return sum;
   }
 
   /// 1 ms. A step that is not made leaves the arm where it was, and is told.
   void move() {
     if (stopped_) return;
-    const Held<S, Number> held{acting(), {}};
+    const Held<S, Number> held{acting(), this->in_};
     for (int k = 0; k < substeps; ++k)
       tell(step(held));
     encoders_.follow(x_);
   }
   axial::Status step(const Held<S, Number>& held) {
-    using M = MechanicsOf<R>;
     constexpr double seconds = 1e-3 / substeps;
     if constexpr (knows_its_step<Method>) {
       return axial::advance<Method>(x_, held);
@@ -231,6 +257,7 @@ class Arm {
 
   X x_{};
   ArmEncoders<R, Number> encoders_{};
+  NoiseOf<S, Number, M> noise_{};
   Tau wanted_{}, asked_{}, pushed_{};
   DrivePhases phases_{};
   FallBackTimes times_{};

@@ -1,6 +1,7 @@
 #pragma once
-/// What an arm's encoders count, as a measurement has it: 2^-32 turns, or 0.1 um on a slide; as coarse as they are, and
-/// with the play between motor and joint. By integers, for a float has 24 bits of a count of 32.
+/// What an arm's encoders count, as a measurement has it: 2^-32 turns, or 0.1 um on a slide; as coarse and as late as
+/// they are, and with the play between motor and joint. By integers, for a float has 24 bits of a count of 32. Where
+/// joints share drives, encoders are the drives'.
 
 #include <firmware/apps/tracking/encoders.hpp>
 
@@ -8,11 +9,34 @@
 
 namespace axial::apps::plant {
 
+/// What was some ticks ago.
+template <class Value, int ticks>
+class Delay {
+ public:
+  void fill(const Value& value) {
+    for (Value& each : past_)
+      each = value;
+  }
+  Value after(const Value& now) {
+    const Value then = past_[oldest_];
+    past_[oldest_] = now;
+    oldest_ = oldest_ + 1 == ticks ? 0 : oldest_ + 1;
+    return then;
+  }
+
+ private:
+  Value past_[ticks] = {};
+  int oldest_ = 0;
+};
+
 template <class R, class Number>
 class ArmEncoders {
   using M = MechanicsOf<R>;
+  using Values = typename scene_of<R>::Robot;
   static constexpr int n = joint_count<R>;
-  static constexpr bool slides(int i) { return R::chain.links[i].type == JointType::prismatic; }
+  static constexpr int delay = encoder_delay<M>;
+  static_assert(delay >= 0 && delay <= 100, "encoder_delay is from 0 to 100 ticks of 1 ms");
+  static constexpr bool slides(int i) { return Values::chain.links[i].type == JointType::prismatic; }
   static constexpr double counts_a_unit(int i) {
     return slides(i) ? slide_counts : 4294967296.0 / 6.283185307179586477;
   }
@@ -22,6 +46,7 @@ class ArmEncoders {
   template <class X>
   void place(const X& x) {
     each([&](auto i) { motor_[i] = joint<i>(x); });
+    if constexpr (delay > 0) read(x), past_.fill(seen_);
   }
   template <class X>
   void follow(const X& x) {
@@ -32,10 +57,38 @@ class ArmEncoders {
       else
         motor_[i] = counts;
     });
+    if constexpr (delay > 0) read(x), seen_ = past_.after(seen_);
   }
-  std::int32_t counts(int i) const { return coarse(motor_[i], slides(i)); }
+  std::int32_t counts(int i) const {
+    if constexpr (delay > 0)
+      return coarse(seen_.position[i], slides(i));
+    else
+      return coarse(motor_[i], slides(i));
+  }
+  /// rad/s or m/s
+  template <class X>
+  const Velocities<R, Number>& speeds(const X& x) const {
+    if constexpr (delay > 0)
+      return seen_.speed;
+    else
+      return x.qd;
+  }
 
  private:
+  struct Reading {
+    std::int32_t position[n] = {};
+    Velocities<R, Number> speed{};
+  };
+  struct Nothing {};
+  using History = Delay<Reading, (delay > 0 ? delay : 1)>;
+
+  template <class X>
+  void read(const X& x) {
+    for (int i = 0; i < n; ++i)
+      seen_.position[i] = motor_[i];
+    seen_.speed = x.qd;
+  }
+
   template <class F>
   static void each(const F& f) {
     each(f, std::make_integer_sequence<int, n>{});
@@ -102,6 +155,8 @@ class ArmEncoders {
   }
 
   std::int32_t motor_[n] = {};
+  std::conditional_t<(delay > 0), Reading, Nothing> seen_{};
+  std::conditional_t<(delay > 0), History, Nothing> past_{};
 };
 
 }  // namespace axial::apps::plant

@@ -8,7 +8,10 @@
 ///       static constexpr bool friction = true;                // as the chain declares it: dry friction sticks
 ///       static constexpr bool springs = true;                 // likewise; as stiff as you like
 ///       static constexpr axial::EndStops stops{1e5, 30.0};    // N m/rad and N m s/rad, beyond its position limits
+///       static constexpr bool payload = true;                 // taken and put down on command
+///       static constexpr double torque_noise[] = {0.1, 0, 0}; // N m or N, standard deviation, drawn anew each ms
 ///       static constexpr int encoder_bits = 14;               // a turn; on slides steps of a metre over 2^bits
+///       static constexpr int encoder_delay = 1;               // ms until positions and speeds are answered
 ///       static constexpr double backlash[] = {1e-3, 0, 0};    // rad or m between a motor's encoder and its joint
 ///     };
 ///   };
@@ -55,6 +58,16 @@ template <class M>
 inline constexpr bool has_stops<M, std::void_t<decltype(M::stops)>> = true;
 
 template <class M, class = void>
+inline constexpr bool has_payload = false;
+template <class M>
+inline constexpr bool has_payload<M, std::void_t<decltype(M::payload)>> = M::payload;
+
+template <class M, class = void>
+inline constexpr bool has_noise = false;
+template <class M>
+inline constexpr bool has_noise<M, std::void_t<decltype(M::torque_noise)>> = true;
+
+template <class M, class = void>
 inline constexpr bool has_backlash = false;
 template <class M>
 inline constexpr bool has_backlash<M, std::void_t<decltype(M::backlash)>> = true;
@@ -63,27 +76,33 @@ template <class M, class = void>
 inline constexpr int encoder_bits = 32;
 template <class M>
 inline constexpr int encoder_bits<M, std::void_t<decltype(M::encoder_bits)>> = M::encoder_bits;
+
+template <class M, class = void>
+inline constexpr int encoder_delay = 0;
+template <class M>
+inline constexpr int encoder_delay<M, std::void_t<decltype(M::encoder_delay)>> = M::encoder_delay;
 ///@}
 
-/// The scene of a robot that has these.
-template <class R, bool friction, bool springs>
+/// The scene of a robot and of what it names.
+///@{
+template <class S, bool named, class Feature>
+struct WithFeature {
+  using type = S;
+};
+template <class R, class... Features, class Feature>
+struct WithFeature<Scene<R, Features...>, true, Feature> {
+  using type = Scene<R, Features..., Feature>;
+};
+template <class R, class M = MechanicsOf<R>>
 struct ArmScene {
-  using type = Scene<R, Gravity, RotorInertia>;
+  using Rigid = Scene<R, Gravity, RotorInertia>;
+  using Rubbing = typename WithFeature<Rigid, has_friction<M>, Friction>::type;
+  using Sprung = typename WithFeature<Rubbing, has_springs<M>, JointSprings>::type;
+  using type = typename WithFeature<Sprung, has_payload<M>, Payload>::type;
 };
 template <class R>
-struct ArmScene<R, true, false> {
-  using type = Scene<R, Gravity, RotorInertia, Friction>;
-};
-template <class R>
-struct ArmScene<R, false, true> {
-  using type = Scene<R, Gravity, RotorInertia, JointSprings>;
-};
-template <class R>
-struct ArmScene<R, true, true> {
-  using type = Scene<R, Gravity, RotorInertia, Friction, JointSprings>;
-};
-template <class R>
-using ArmSceneOf = typename ArmScene<R, has_friction<MechanicsOf<R>>, has_springs<MechanicsOf<R>>>::type;
+using ArmSceneOf = typename ArmScene<R>::type;
+///@}
 
 /// Springs of the robot alone, by `substeps` steps a tick of 1 ms.
 template <class R, int substeps>

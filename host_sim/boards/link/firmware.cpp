@@ -51,11 +51,26 @@ constexpr bool is_numbered = Answer::type == link::MessageType::torque || Answer
 
 }  // namespace
 
-Firmware::Firmware(SerialLine& line) : line_(line) {
-  hello_ = wait_for<link::Hello>(start_limit, "hello");
+Firmware::Firmware(SerialLine& line, Runs runs) : line_(line) {
+  if (runs == Runs::already) {
+    ask_for_session();
+  } else {
+    hello_ = wait_for<link::Hello>(start_limit, "hello");
+    check_version();
+    use_session();
+    open_session();
+  }
+}
+
+void Firmware::ask_for_session() {
+  int tries = 0;
+  while (!try_session(std::chrono::milliseconds(500)))
+    if (++tries == 5)
+      throw std::runtime_error(
+          "nothing says hello: does the board run an image of axial, at this rate, and do its two wires cross?");
+  while (look_for<link::Hello>(std::chrono::milliseconds(200))) {
+  }  // one for each start that was sent, and what it said of itself
   check_version();
-  use_session();
-  open_session();
 }
 
 void Firmware::check_version() const {
@@ -109,6 +124,11 @@ link::Encoders Firmware::move(const link::Torque& efforts) {
 link::Encoders Firmware::command(const link::ArmCommand& command) {
   send(command, sequence_);
   return wait_for<link::Encoders>(answer_limit, "encoders after a command");
+}
+
+link::Encoders Firmware::command(const link::ArmLoad& load) {
+  send(load, sequence_);
+  return wait_for<link::Encoders>(answer_limit, "encoders after a load");
 }
 
 std::optional<link::Torque> Firmware::try_torque(const std::optional<link::Measurement>& measurement,

@@ -18,8 +18,11 @@ namespace link = axial::hal::link;
 /// Every member throws std::runtime_error when the answer is late, broken or not the expected one.
 class Firmware {
  public:
-  /// Waits for the hello frame and opens a session in lock-step.
-  explicit Firmware(SerialLine& line);
+  /// Whether a board starts now and says hello of itself, or has run for long.
+  enum class Runs { from_now, already };
+
+  /// Waits for the hello frame, or asks for it, and opens a session in lock-step.
+  explicit Firmware(SerialLine& line, Runs runs = Runs::from_now);
 
   const link::Hello& hello() const { return hello_; }
 
@@ -33,6 +36,7 @@ class Firmware {
   /// A tick of an image that stands in for an arm, by a controller's torque.
   link::Encoders move(const link::Torque& efforts);
   link::Encoders command(const link::ArmCommand& command);
+  link::Encoders command(const link::ArmLoad& load);
 
   // --- where the line may fail: what did not come in time is none, and all else that came is passed over
 
@@ -51,6 +55,7 @@ class Firmware {
  private:
   void check_version() const;
   void open_session();
+  void ask_for_session();
   void use_session();
   template <class Answer>
   Answer wait_for(std::chrono::milliseconds limit, const std::string& what);

@@ -121,7 +121,9 @@ link::Torque Both::answer(const link::Measurement& measurement, const link::SetP
   const link::Torque theirs = board_.answer(measurement, wanted), ours = host_.answer(measurement, wanted);
   for (std::size_t i = 0; i < theirs.joints; ++i)
     worst = std::max(worst, last_places(theirs.tau[i], ours.tau[i]));
-  if (theirs.status != ours.status) throw std::runtime_error("board and host give different statuses");
+  if (theirs.status != ours.status)
+    throw std::runtime_error("board and host give different statuses: " + std::to_string(theirs.status) + " and " +
+                             std::to_string(ours.status));
   least = std::min(least, theirs.count), most = std::max(most, theirs.count);
   return theirs;
 }

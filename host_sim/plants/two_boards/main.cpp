@@ -31,11 +31,16 @@ constexpr std::uint32_t most_places = 4;      // of float between a board and th
 constexpr std::size_t drawn_ticks = 4000;
 constexpr bool own = AXIAL_HAS_CYCLE == 0;
 constexpr const char* image_name = own ? "own" : Robot::name;
-constexpr auto joints = static_cast<std::size_t>(Robot::chain.size);
+constexpr int count = axial::joint_count<Robot>;  // of joints, or of drives that they share
+constexpr auto joints = static_cast<std::size_t>(count);
+constexpr bool rigid = std::is_same_v<axial::apps::plant::MechanicsOf<Robot>, axial::apps::plant::NoMechanics>;
+constexpr bool shares_drives = axial::detail::shares_drives_in<axial::scene_of<Robot>::Robot>;
 
 struct Options {
   std::string controller = "stm32f405", plant = "stm32f405", number = "float", plant_number = "float", output, json;
+  std::string controller_port, plant_port;  ///< of boards on the desk
   double seconds = 2.0;
+  double carried = 0.0;  ///< kg, through the second and third quarter of the motion
   bool faults = false;
 };
 
@@ -47,7 +52,7 @@ Trajectory course() {
   Trajectory all;
   for (int k = 0; k < ticks; ++k) {
     SetPoint point;
-    for (int i = 0; i < Robot::chain.size; ++i) {
+    for (int i = 0; i < count; ++i) {
       const auto m = axial::apps::run::motion<Robot>(i, 0.5 * pi / axial::apps::run::rate(i) + k * loop::control_tick);
       point.q.push_back(m.q), point.qd.push_back(m.qd), point.qdd.push_back(m.qdd);
     }
@@ -56,7 +61,7 @@ Trajectory course() {
   return all;
 }
 
-simulation::Model model() {
+[[maybe_unused]] simulation::Model model() {
   simulation::Model m;
   for (int i = 0; i < Robot::chain.size; ++i) {
     auto link = Robot::chain.links[i];
@@ -69,7 +74,9 @@ simulation::Model model() {
   return m;
 }
 
-std::vector<axial::LinkParameters> links() { return {Robot::chain.links, Robot::chain.links + Robot::chain.size}; }
+[[maybe_unused]] std::vector<axial::LinkParameters> links() {
+  return {Robot::chain.links, Robot::chain.links + Robot::chain.size};
+}
 
 std::unique_ptr<loop::Controller> controller_on_host(bool fixed) {
   if (fixed) return std::make_unique<loop::OnHost<axial::apps::TrackingController<Robot, axial::Fixed32>>>();
@@ -89,13 +96,15 @@ struct Result {
 
 class TwoBoards {
  public:
-  explicit TwoBoards(const Options& options) : options_(options), cycle_(course()), model_(model()) {
+  explicit TwoBoards(const Options& options) : options_(options), cycle_(course()) {
     situation_.robot = Robot::name, situation_.seconds = options.seconds;
   }
 
   Result run(CsvFile& file) {
-    BoardOnLine controller(options_.controller, app("tracking", options_.number), image_name);
-    BoardOnLine plant(options_.plant, app("arm", options_.plant_number), image_name);
+    BoardOnLine controller(options_.controller, app("tracking", options_.number), image_name, options_.controller_port);
+    BoardOnLine plant(options_.plant, app("arm", options_.plant_number), image_name, options_.plant_port);
+    expect_image(controller, "controller", options_.controller), expect_image(plant, "plant", options_.plant);
+    rearm(controller, options_.controller_port), rearm(plant, options_.plant_port);
     try {
       return run(controller, plant, file);
     } catch (const std::runtime_error& error) {
@@ -111,6 +120,24 @@ class TwoBoards {
 
  private:
   using BoardOnLine = two_boards::BoardOnLine;
+  using Carry = std::function<void(const link::ArmLoad&)>;
+  struct HostArm {
+    std::shared_ptr<loop::Arm> arm;
+    Carry carry;
+  };
+  /// A board on the desk may run whatever it was given last.
+  static void expect_image(const BoardOnLine& board, const std::string& who, const std::string& name) {
+    const auto& hello = board.firmware.hello();
+    if (hello.robot == link::make_name(Robot::name) && hello.board == link::make_name(name.c_str())) return;
+    throw std::runtime_error("the " + who + "'s board runs an image of " + hello.robot.data() + " for " +
+                             hello.board.data() + ", not of " + Robot::name + " for " + name);
+  }
+  /// Drives that were held when the port was opened may have been disabled since: a session anew, now that both boards
+  /// are there.
+  static void rearm(BoardOnLine& board, const std::string& port) {
+    if (!port.empty() && !board.firmware.try_session(std::chrono::seconds(2)))
+      throw std::runtime_error("the board at " + port + " answers no more");
+  }
   static std::string said(const std::string& who, const BoardOnLine& board) {
     const std::string words = board.console();
     return words.empty() ? "" : "\n" + who + " printed: " + words;
@@ -121,45 +148,47 @@ class TwoBoards {
     two_boards::BoardController on_board(controller);
     const auto beside = controller_on_host(loop::is_fixed(options_.number));
     loop::Both both(on_board, *beside);
-    std::vector<bool> slides;
-    for (const auto& link : links())
-      slides.push_back(link.type == axial::JointType::prismatic);
-    two_boards::BoardArm arm(plant, cycle_.front(), slides, tool());
+    two_boards::BoardArm arm(plant, cycle_.front(), two_boards::slides_of<Robot>(), tool);
     const auto start = std::chrono::steady_clock::now();
-    result.boards = follow(arm, both, "two boards", file);
+    result.boards = follow(arm, both, "two boards", file, [&](const auto& load) { arm.carry(load); });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     result.ticks_a_second = static_cast<double>(result.boards.ticks) / took.count();
     result.places = both.worst, result.controller_most = both.most;
     result.plant_most = arm.most(), result.told = arm.told();
     const auto again = controller_on_host(loop::is_fixed(options_.number));
-    const auto hosts = arm_on_host();
-    result.host = follow(*hosts, *again, "the host's plant", file);
+    const HostArm hosts = arm_on_host();
+    result.host = follow(*hosts.arm, *again, "the host's plant", file, hosts.carry);
     result.difference = result.boards.tool_rms / result.host.tool_rms - 1.0;
     return result;
   }
 
-  two_boards::BoardArm::Tool tool() const {
-    return [this](const std::vector<double>& q) {
-      simulation::Values<double> values{};
-      std::copy(q.begin(), q.end(), values.values);
-      return axial::forward_kinematics(model_, values, {}).tool.position;
-    };
+  static axial::Vec3<double> tool(const std::vector<double>& q) {
+    axial::Joints<Robot, double> values{};
+    std::copy(q.begin(), q.end(), values.values);
+    return axial::forward_kinematics<Robot>(values).tool.position;
   }
-  /// What a robot's Mechanics add is known to the image's own source alone.
-  std::unique_ptr<loop::Arm> arm_on_host() const {
-    if constexpr (std::is_same_v<axial::apps::plant::MechanicsOf<Robot>, axial::apps::plant::NoMechanics>)
-      return loop::arm_on_host(situation_, cycle_.front(), model_, links());
-    else
-      return std::make_unique<two_boards::SameSourceArm<Robot>>(cycle_.front(), tool());
+  /// What a robot's Mechanics add, and drives that joints share, are known to the image's own source alone.
+  HostArm arm_on_host() const {
+    if constexpr (rigid && !shares_drives) {
+      return {loop::arm_on_host(situation_, cycle_.front(), model(), links()), {}};
+    } else {
+      auto arm = std::make_shared<two_boards::SameSourceArm<Robot>>(cycle_.front(), tool);
+      return {arm, [arm](const link::ArmLoad& load) { arm->carry(load); }};
+    }
   }
 
-  loop::Tracking follow(loop::Arm& arm, loop::Controller& controller, const char* name, CsvFile& file) {
+  loop::Tracking follow(loop::Arm& arm, loop::Controller& controller, const char* name, CsvFile& file,
+                        const Carry& carry) {
     std::size_t done = 0;
-    Progress progress(name, static_cast<std::size_t>(std::lround(1000.0 * options_.seconds)));
+    const auto all = static_cast<std::size_t>(std::lround(1000.0 * options_.seconds));
+    const link::ArmLoad load{static_cast<float>(options_.carried), {}, {}};
+    Progress progress(name, all);
     return loop::follow(
         situation_, cycle_, 0, arm, controller,
         [&](const SetPoint& wanted, const loop::JointState& now, const link::Measurement&, const link::Torque& answer) {
           progress.at(++done);
+          if (options_.carried > 0.0 && done == all / 4) carry(load);
+          if (options_.carried > 0.0 && done == 3 * all / 4) carry({});
           if (done > drawn_ticks) return;
           file.cell(name), file.cell(static_cast<double>(done - 1) * 1e-3);
           for (std::size_t i = 0; i < joints; ++i)
@@ -172,7 +201,6 @@ class TwoBoards {
 
   const Options& options_;
   Trajectory cycle_;
-  simulation::Model model_;
   loop::Case situation_;
 };
 
@@ -183,6 +211,7 @@ nlohmann::json row_of(const Options& options, const Result& r) {
           {"plant_board", options.plant},
           {"plant_scalar", options.plant_number},
           {"seconds", options.seconds},
+          {"carried_kg", options.carried},
           {"ticks", r.boards.ticks},
           {"ticks_per_s", r.ticks_a_second},
           {"tool_error_rms", r.boards.tool_rms},
@@ -233,6 +262,12 @@ void judge(Verdict& verdict, const Options& options, const Result& r) {
 }
 
 int run(const Options& options) {
+  if (options.faults && !(options.controller_port + options.plant_port).empty())
+    throw std::runtime_error("--faults starts its boards anew for each: emulated ones, not those at a port");
+  if (options.carried > 0.0 && !axial::apps::plant::has_payload<axial::apps::plant::MechanicsOf<Robot>>)
+    throw std::runtime_error(std::string(Robot::name) +
+                             " takes no load: name 'static constexpr bool payload = true;' in its Mechanics "
+                             "(doc/guides/two_boards.md)");
   make_folder(options.output);
   const std::string stem = options.output + "/hil-" + Robot::name;
   auto rows = nlohmann::json::array();
@@ -275,7 +310,10 @@ int main(int count, char** arguments) {
   line.option("--plant", options.plant, "likewise").show_default();
   line.option("--number", options.number, "of the controller: float or fixed32").show_default();
   line.option("--plant-number", options.plant_number, "of the plant").show_default();
+  line.option("--controller-port", options.controller_port, "path[:baud] of the controller's board on the desk");
+  line.option("--plant-port", options.plant_port, "likewise");
   line.option("--seconds", options.seconds, "of motion").show_default().range(0.001, 3600.0);
+  line.option("--carry", options.carried, "kg, taken at a quarter of the motion and put down at three").range(0.0, 1e3);
   line.flag("--faults", options.faults, "besides, faults of the line");
   line.option("--output", options.output, "folder of CSV, JSON and picture").show_default();
   line.option("--json", options.json, "one more copy of the figures");

@@ -1,6 +1,7 @@
 #include <hal/link/messages.hpp>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -111,6 +112,25 @@ TEST(Messages, AnArmsEncodersAndCommandsRoundTrip) {
   EXPECT_EQ(heard.joints, 2u);
   EXPECT_EQ(heard.values, told.values);
   EXPECT_EQ(heard.action, 2);
+}
+
+TEST(Messages, ALoadsBytesStandInTheOrderOfTheProtocol) {
+  const ArmLoad load{1.5f, {0.5f, -0.25f, 2.0f}, {1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f}};
+  ArmLoad back{};
+  ASSERT_TRUE(round_trip(load, back));
+  EXPECT_EQ(back.com, load.com);
+  EXPECT_EQ(back.inertia, load.inertia);
+  std::uint8_t bytes[max_payload];
+  ByteWriter writer(bytes, sizeof bytes);
+  ArmLoad copy = load;
+  layout(writer, copy);
+  ASSERT_EQ(writer.size(), 40u);
+  const float order[] = {1.5f, 0.5f, -0.25f, 2.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f};
+  for (std::size_t i = 0; i < 10; ++i) {
+    float read = 0.0f;
+    std::memcpy(&read, bytes + 4 * i, sizeof read);  // of a host whose lowest byte is first, as the line's
+    EXPECT_EQ(read, order[i]) << i;
+  }
 }
 
 TEST(Messages, EveryMessageFitsAFrame) {

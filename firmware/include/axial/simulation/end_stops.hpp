@@ -16,11 +16,12 @@ struct EndStops {
   double damping = 0.0;    ///< N m s/rad or N s/m
 };
 
-/// A drive, and stops at the position limits that the robot declares; a joint without limits has none. For float and
-/// double; the drive is only referred to. It tells an implicit method how stiff it is while a joint is in a stop, so
-/// that LinearlyImplicitEuler and StickingEuler take any step: a joint by itself leaves a stop no faster than it came,
-/// v' = v (1 - k s) / (1 + k + d), where k = h^2 K/M, d = h D/M and s of its last step, of 1, lies in the stop. For an
-/// explicit method ask step_limit() with the same stiffness first.
+/// A drive, and stops at the position limits that the robot declares, where joints share drives at those of each drive
+/// (drive_limits()); one without limits has none. For float and double; the drive is only referred to. It tells an
+/// implicit method how stiff it is while a joint is in a stop, so that LinearlyImplicitEuler and StickingEuler take any
+/// step: a joint by itself leaves a stop no faster than it came, v' = v (1 - k s) / (1 + k + d), where k = h^2 K/M, d =
+/// h D/M and s of its last step, of 1, lies in the stop. For an explicit method ask step_limit() with the same
+/// stiffness first.
 template <class S, class T, class Drive>
 class WithEndStops {
  public:
@@ -46,7 +47,7 @@ class WithEndStops {
     T low[joint_count<S>] = {}, high[joint_count<S>] = {};
     constexpr Limits() {
       for (int i = 0; i < joint_count<S>; ++i) {
-        const LinkParameters& link = robot_of<S>::chain.links[i];
+        const LinkParameters& link = scene_of<S>::Robot::chain.links[i];
         low[i] = static_cast<T>(link.position_min), high[i] = static_cast<T>(link.position_max);
       }
     }

@@ -1,0 +1,45 @@
+// Arms on the host's board, and what a controller and a host send to them.
+#pragma once
+
+#include <firmware/apps/plant/arm.hpp>
+
+#include <limits>
+
+#include <robots/scara.hpp>
+
+#include "app_fixture.hpp"
+
+namespace axial::apps {
+
+constexpr float nan_of = std::numeric_limits<float>::quiet_NaN();
+constexpr double counts_a_rad = 4294967296.0 / 6.283185307179586;
+
+using JointValues = std::array<float, link::max_joints>;
+
+inline link::Torque efforts(const JointValues& tau, DrivePhase phase = DrivePhase::running, std::size_t joints = 3) {
+  link::Torque out{};
+  out.joints = joints, out.tau = tau, out.phase = byte_of(phase);
+  return out;
+}
+inline link::ArmCommand command(link::ArmAction action, const JointValues& values = {}, std::size_t joints = 3) {
+  return {joints, values, static_cast<std::uint8_t>(action)};
+}
+
+/// An arm on the host's board, on its line.
+template <class R, class Number>
+class ArmApp : public App<plant::Arm<R, Number>> {
+ protected:
+  static constexpr std::size_t joints = plant::Arm<R, Number>::joints;
+
+  link::Encoders ask(const JointValues& tau, std::uint32_t number, DrivePhase phase = DrivePhase::running) {
+    this->send(this->framed(efforts(tau, phase, joints), number));
+    return this->template answer<link::Encoders>().value();
+  }
+  link::Encoders tell(link::ArmAction action, const JointValues& values = {}) {
+    this->send(this->framed(command(action, values, joints), 0));
+    return this->template answer<link::Encoders>().value();
+  }
+  std::uint32_t refused(link::Fault fault) { return this->faults(fault); }
+};
+
+}  // namespace axial::apps
