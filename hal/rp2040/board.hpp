@@ -2,7 +2,7 @@
 /// RP2040 on a Raspberry Pi Pico: two Cortex-M0+ at 125 MHz, 2 MiB of flash read through a cache, 264 KiB of SRAM,
 /// 12 MHz crystal; UART0 on GPIO 0 (sends) and GPIO 1 (receives); the drives' pin is GPIO 2, high for enabled, pulled
 /// down by the part out of reset and by 10 kOhm outside. The second core is left where the boot ROM has it,
-/// asleep, or with AXIAL_SECOND_CORE runs the program.
+/// asleep, does jobs beside the first (Worker), or with AXIAL_SECOND_CORE runs the program.
 /// hal/boards has it with code in flash and in RAM. Emulated by rp2040js. Source: RP2040 Datasheet (clocks: 2.15;
 /// GPIO: 2.19; UART: 4.2; timer: 4.6; watchdog: 4.7).
 
@@ -15,6 +15,7 @@
 #include <hal/rp2040/second_core.hpp>
 #include <hal/rp2040/timer_tick.hpp>
 #include <hal/rp2040/watchdog.hpp>
+#include <hal/rp2040/worker.hpp>
 
 namespace axial::hal {
 
@@ -53,6 +54,51 @@ constexpr bool program_on_second_core = true;
 constexpr bool program_on_second_core = false;
 #endif
 
+#ifdef __arm__
+struct Between {
+  static MailboxRegisters& mailbox() { return rp2040::mailbox(); }
+  static void signal() { asm volatile("dsb\n\tsev" ::: "memory"); }
+  static void wait() { asm volatile("wfe" ::: "memory"); }
+  static void fence() { asm volatile("dsb" ::: "memory"); }
+};
+
+/// The second core does one job at a time, beside this one: no interrupts, no counter, no guard below its stack but a
+/// word that is looked at. Where it does not answer, or runs the program itself, this core does them.
+class SecondCoreWorker {
+ public:
+  static void start() {
+    if (program_on_second_core) return;
+    stack_[0] = unused;
+    void (*const entry)() = serve;
+    const auto top = reinterpret_cast<std::uintptr_t>(stack_ + words);
+    there_ = launch(mailbox(), {vectors_address, top, reinterpret_cast<std::uintptr_t>(entry)}, Between::signal);
+  }
+  static void begin(void (*job)(void*), void* with) {
+    if (!there_) return job(with);
+    busy_ = true;
+    Jobs<Between>::post(reinterpret_cast<std::uintptr_t>(job), reinterpret_cast<std::uintptr_t>(with));
+  }
+  static void join() {
+    if (busy_) Jobs<Between>::join();
+    busy_ = false;
+  }
+  static bool stack_intact() { return !there_ || stack_[0] == unused; }
+
+ private:
+  [[noreturn]] static void serve() {
+    for (;;)
+      Jobs<Between>::serve([](std::uint32_t job, std::uint32_t with) {
+        reinterpret_cast<void (*)(void*)>(job)(reinterpret_cast<void*>(with));
+      });
+  }
+
+  static constexpr std::uint32_t unused = 0x5AFE5AFE;
+  static constexpr std::size_t words = 1024;
+  alignas(8) inline static std::uint32_t stack_[words];
+  inline static bool there_ = false, busy_ = false;
+};
+#endif
+
 /// What clock::start asks for.
 struct Chip {
   CrystalRegisters& crystal = at<CrystalRegisters>(0x40024000);
@@ -76,6 +122,9 @@ struct RaspberryPiPico
   using Tick = rp2040::TimerTick<rp2040::Timer>;
   using Watchdog = rp2040::Watchdog<rp2040::WatchdogPort>;
   using EmulatedWatchdog = cortex_m::NoEmulatedWatchdog;
+#ifdef __arm__
+  using Worker = rp2040::SecondCoreWorker;
+#endif
   struct DrivePin {
     static constexpr std::uintptr_t off_register = rp2040::port_address + offsetof(rp2040::PortRegisters, output_clear);
     static constexpr std::uint32_t off_word = rp2040::drive_pin::on;

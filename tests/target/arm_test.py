@@ -16,6 +16,7 @@ GRAVITY = 9.8125
 POSE, COUNTS = (0.3, -0.4, 0.1), (2**32 / (2 * math.pi), 2**32 / (2 * math.pi), 1e7)
 WEIGHT = (0.0, 0.0, -1.25 * GRAVITY)  # what holds the slide
 WITH_FPU = ("stm32f405",)
+WITH_SECOND_CORE = ("rp2040", "rp2040_ram")
 # Which arms move in less than a tick of their board's timer, by the emulator's clock.
 IN_REAL_TIME = {"stm32f405": ("arm-scara", "arm-fixed-scara"), "stm32f100": ("arm-scara", "arm-fixed-scara"),
                 "rv32_virt": ("arm-fixed-scara",), "rp2040": ("arm-fixed-scara",)}
@@ -62,6 +63,14 @@ class Arm(harness.BoardTest):
                 counters = arm.stats()["counters"]
                 self.assertEqual(counters[link.OUT_OF_ORDER], 1)
                 self.assertEqual(sum(counters), 1)
+
+    def test_the_second_core_integrates(self):
+        """Where a board has one; the first answers meanwhile."""
+        with self.run_arm(self.images()[-1], link.LOCK_STEP) as arm:
+            self.tell(arm, link.PLACE, POSE)
+            counts = [self.ask(arm, number, WEIGHT)["count"] for number in range(1, 4)]
+            self.assertEqual("second core: beside the first" in arm.console(), self.board in WITH_SECOND_CORE)
+            self.assertGreater(min(counts), 1000)
 
     def test_free_running(self):
         """By the board's timer: while efforts come it follows; when they stop they fade, then the drives are off and the slide falls."""

@@ -8,11 +8,13 @@
 #include "encoders.hpp"
 #include "input.hpp"
 #include "noise.hpp"
+#include "worker.hpp"
 
 namespace axial::apps::plant {
 
-/// `substeps`: steps of the integrator a tick of 1 ms.
-template <class R, class Number = float, int substeps = 1>
+/// `substeps`: steps of the integrator a tick of 1 ms. `Worker`: who makes them (worker.hpp); one beside this core
+/// makes those of a tick while this one speaks, so that in free-running encoders tell of the tick before.
+template <class R, class Number = float, int substeps = 1, class Worker = OnThisCore>
 class Arm : GivenInputs<ArmSceneOf<R>, Number> {
   using S = ArmSceneOf<R>;
   using M = MechanicsOf<R>;
@@ -64,7 +66,7 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
   }
   /// What is measured: a tick in lock-step; in free-running ticks are the timer's.
   void compute() {
-    if (!free_running_) move();
+    if (!free_running_) move(), finish();
   }
   void settle(const hal::link::Torque&) {
     passed_ = 0;
@@ -77,12 +79,11 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
     answer.status = static_cast<std::uint8_t>(told_), answer.joint = joint_;
   }
   void store_exerted(hal::link::Encoders& answer) const {
-    const auto speed = real(encoders_.speeds(x_));
+    const auto now = read();
     answer.joints = joints;
     for (std::size_t i = 0; i < joints; ++i) {
-      const int k = static_cast<int>(i);
-      answer.position[i] = blind_[i] ? 0 : encoders_.counts(k);
-      answer.speed[i] = static_cast<float>(speed[k]);
+      answer.position[i] = blind_[i] ? 0 : now.position[i];
+      answer.speed[i] = now.speed[i];
     }
     answer.joint = hal::link::no_joint;
     answer.phase = static_cast<std::uint8_t>(phases_.phase());
@@ -170,6 +171,7 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
   }
 
   bool place(const Values& values) {
+    finish();
     X there{};
     if constexpr (is_stored_v<Number>) {
       const auto kept = to_fixed<Positions<R, Number>>(joint_values(values));
@@ -180,6 +182,7 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
     }
     x_ = there;
     encoders_.place(x_);
+    show();
     noise_.restart();
     return true;
   }
@@ -237,10 +240,51 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
   /// 1 ms. A step that is not made leaves the arm where it was, and is told.
   void move() {
     if (stopped_) return;
-    const Held<S, Number> held{acting(), this->in_};
-    for (int k = 0; k < substeps; ++k)
-      tell(step(held));
+    finish();
+    held_ = {acting(), this->in_};
+    Worker::begin([](void* arm) { static_cast<Arm*>(arm)->make_steps(); }, this);
+    moving_ = true;
+    if constexpr (!Worker::is_beside) finish();
+  }
+  void make_steps() {
+    found_ = {};
+    for (int k = 0; k < substeps; ++k) {
+      const axial::Status each = step(held_);
+      if (found_.ok()) found_ = each;
+    }
     encoders_.follow(x_);
+  }
+  /// Until then nobody but the worker looks at the arm.
+  void finish() {
+    if (!moving_) return;
+    Worker::join();
+    moving_ = false;
+    tell(found_);
+    show();
+  }
+  struct Reading {
+    std::array<std::int32_t, joints> position{};
+    std::array<float, joints> speed{};
+  };
+  Reading read_now() const {
+    Reading now;
+    const auto speed = real(encoders_.speeds(x_));
+    for (std::size_t i = 0; i < joints; ++i) {
+      const int k = static_cast<int>(i);
+      now.position[i] = encoders_.counts(k);
+      now.speed[i] = static_cast<float>(speed[k]);
+    }
+    return now;
+  }
+  /// What encoders tell: of a worker beside, what they told when it had done.
+  Reading read() const {
+    if constexpr (Worker::is_beside)
+      return shown_;
+    else
+      return read_now();
+  }
+  void show() {
+    if constexpr (Worker::is_beside) shown_ = read_now();
   }
   axial::Status step(const Held<S, Number>& held) {
     constexpr double seconds = 1e-3 / substeps;
@@ -259,13 +303,17 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
   ArmEncoders<R, Number> encoders_{};
   NoiseOf<S, Number, M> noise_{};
   Tau wanted_{}, asked_{}, pushed_{};
+  Held<S, Number> held_{};
+  axial::Status found_{};
+  struct Nothing {};
+  std::conditional_t<Worker::is_beside, Reading, Nothing> shown_{};
   DrivePhases phases_{};
   FallBackTimes times_{};
   Status told_ = Status::ok;
   std::uint8_t joint_ = hal::link::no_joint;
   std::uint32_t passed_ = 0, ticks_a_board_tick_ = 1;
   std::array<bool, hal::link::max_joints> blind_{};
-  bool free_running_ = false, stopped_ = false;
+  bool free_running_ = false, stopped_ = false, moving_ = false;
 };
 
 }  // namespace axial::apps::plant

@@ -9,12 +9,17 @@
 #include "arm.hpp"
 
 namespace {
-axial::apps::Feedforward<axial::hal::Board, axial::apps::plant::Arm<axial::apps::Robot, AXIAL_NUMBER>, AXIAL_INJECTION>
+using Board = axial::hal::Board;
+using Worker = axial::apps::plant::WorkerOf<Board>;
+axial::apps::Feedforward<Board, axial::apps::plant::Arm<axial::apps::Robot, AXIAL_NUMBER, 1, Worker>, AXIAL_INJECTION>
     app;
-}
+}  // namespace
 
 int main() {
   app.start();
-  for (;;)
+  Worker::start();
+  for (;;) {
     app.step();
+    if (!Worker::stack_intact()) Board::fail(axial::hal::ResetCause::stack_overflow);
+  }
 }

@@ -21,24 +21,28 @@ const isAbsent = (offset) => offset >= 0xd24 && offset <= 0xd90;
 // An access that the bus refuses.
 class BusFault extends Error {}
 
-// Where rp2040js warns, either the bus would refuse, or it does not emulate what the image uses: then nothing is known any more.
-const logger = {
+// Where rp2040js warns, either the bus would refuse, or it does not emulate what the image uses: then nothing is known any more. Of SEV it
+// tells, and does nothing.
+const loggerOf = (second) => ({
   debug() {},
-  info() {},
+  info(component, message) {
+    if (message === 'SEV') second.signal();
+  },
   warn(component, message) {
     throw component === 'RP2040' ? new BusFault(message) : new Error(`rp2040js: ${component}: ${message}`);
   },
   error(component, message) {
     this.warn(component, message);
   },
-};
+});
 
 class Chip {
   // `breakpoint(core)`: semihosting; whether somebody took it. `sram`: what a restart keeps; `reason`: of the restart.
   constructor({flash, cyclesPerTick, breakpoint, send}, sram, reason) {
     const chip = new RP2040();
     Object.assign(this, {chip, core: chip.core, clock: chip.clock, cyclesPerTick, asleep: false, lockedUp: false, restarts: false, pc: 0});
-    chip.logger = logger;
+    this.second = new SecondCore(chip.sio);
+    chip.logger = loggerOf(this.second);
     chip.flash.set(flash);
     chip.sram.set(sram);
     chip.clkSys = chip.clkPeri = chip.roscFreq;
@@ -46,7 +50,6 @@ class Chip {
       if (this.chip.readUint16(this.pc) !== 0xbeab || !breakpoint(this.core)) throw new BusFault('breakpoint');
     };
     this.replaceSysTick(new SysTick(this.core, cyclesPerTick));
-    this.second = new SecondCore(chip.sio);
     this.keepInReset();
     chip.peripherals[SYSINFO].readUint32 = () => 0; // PLATFORM: neither silicon nor an FPGA
     this.watchdog = chip.peripherals[0x40058];
@@ -112,20 +115,42 @@ class Chip {
       this.pc = (core.PC & ~1) >>> 0; // a vector has bit 0 set
       const cycles = core.executeInstruction();
       this.executed?.(this.pc, core.PC & ~1, cycles);
-      this.clock.tick((cycles * 1e9) / this.chip.clkSys);
+      this.clock.tick(this.nanosOf(cycles));
+      if (this.second.isBusy) this.runSecond(cycles);
+      else if (this.second.isAwaited) this.goOnWithBoth();
     } catch (error) {
       if (!(error instanceof BusFault)) throw error;
       this.hardFault(error);
     }
     if (core.waiting) {
       core.waiting = false;
-      if (this.second.launched && core.PM) this.goOnAsSecond();
+      const forGood = core.PM && core.enabledInterrupts === 0;
+      if (this.second.launched && forGood) this.goOnAsSecond();
       else this.asleep = !this.interrupted;
     }
   }
 
+  nanosOf(cycles) {
+    return (cycles * 1e9) / this.chip.clkSys;
+  }
+
+  // What the bus refuses to the second core, nobody is told of.
+  runSecond(cycles) {
+    try {
+      return this.second.run(cycles);
+    } catch (error) {
+      throw error instanceof BusFault ? new Error(`the second core: ${error.message}`) : error;
+    }
+  }
+
+  goOnWithBoth() {
+    this.second.beginBeside(this.core);
+    fs.writeSync(1, 'second core: beside the first\n');
+  }
+
   goOnAsSecond() {
     this.second.become(this.core);
+    this.second.current = 1;
     this.replaceSysTick(new SysTick(this.core, this.cyclesPerTick));
     fs.writeSync(1, 'second core: started\n');
   }
@@ -154,9 +179,11 @@ class Chip {
     delete core.writeUint32;
   }
 
-  // Lets time pass until `nanos`, at most to the next event; while the core sleeps.
+  // Lets time pass until `nanos`, at most to the next event; while the core sleeps. Where the second core computes, as long as that does.
   idle(nanos) {
-    this.clock.tick(Math.max(0, Math.min(nanos, this.nextEvent) - this.clock.nanos));
+    const until = Math.min(nanos, this.nextEvent);
+    for (let slices = 1000; slices > 0 && this.second.isBusy && this.clock.nanos < until; --slices) this.clock.tick(this.nanosOf(this.runSecond(10)));
+    if (!this.second.isBusy) this.clock.tick(Math.max(0, until - this.clock.nanos));
     if (!this.lockedUp && this.interrupted) this.asleep = false;
   }
 

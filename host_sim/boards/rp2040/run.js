@@ -92,7 +92,7 @@ class Machine {
   // Until when the board may sleep by now: as long as it slept on the wall, but for bytes on the line, which nobody waits for. What it
   // computed slowly is not caught up with.
   get sleepsUntil() {
-    if (this.fast || this.chip.uart.waiting.length > 0) return Infinity;
+    if (this.fast || this.chip.second.isBusy || this.chip.uart.waiting.length > 0) return Infinity;
     const now = process.hrtime.bigint();
     this.idleSince ??= {wall: now, board: this.chip.clock.nanos};
     return this.idleSince.board + Number(now - this.idleSince.wall);
@@ -120,9 +120,10 @@ class Machine {
       if (this.deaf) throw new Error('the board sleeps, and nothing will wake it');
       return;
     }
+    if (chip.second.isBusy) this.idleSince = null;
     chip.idle(this.sleepsUntil);
     if (chip.restarts) this.restart();
-    const left = this.chip.asleep ? this.chip.nextEvent - this.sleepsUntil : 0;
+    const left = this.chip.asleep && !this.chip.second.isBusy ? this.chip.nextEvent - this.sleepsUntil : 0;
     if (left > 0) this.timer = setTimeout(() => this.run(), left / 1e6);
     else this.soon();
   }

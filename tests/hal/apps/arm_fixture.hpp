@@ -26,10 +26,10 @@ inline link::ArmCommand command(link::ArmAction action, const JointValues& value
 }
 
 /// An arm on the host's board, on its line.
-template <class R, class Number>
-class ArmApp : public App<plant::Arm<R, Number>> {
+template <class R, class Number, class Worker = plant::OnThisCore>
+class ArmApp : public App<plant::Arm<R, Number, 1, Worker>> {
  protected:
-  static constexpr std::size_t joints = plant::Arm<R, Number>::joints;
+  static constexpr std::size_t joints = plant::Arm<R, Number, 1, Worker>::joints;
 
   link::Encoders ask(const JointValues& tau, std::uint32_t number, DrivePhase phase = DrivePhase::running) {
     this->send(this->framed(efforts(tau, phase, joints), number));

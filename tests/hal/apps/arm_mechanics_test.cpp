@@ -288,8 +288,8 @@ struct Prompt : robots::Scara {
     static constexpr double backlash[] = {0.0, 1e-3, 0.0};
   };
 };
-template <class R, class Number>
-class Answers : public ArmApp<R, Number> {
+template <class R, class Number, class Worker = plant::OnThisCore>
+class Answers : public ArmApp<R, Number, Worker> {
  public:
   void TestBody() override {}
   std::vector<link::Encoders> of(std::uint32_t ticks) {
@@ -297,13 +297,14 @@ class Answers : public ArmApp<R, Number> {
     std::vector<link::Encoders> all{this->tell(link::ArmAction::place, pose)};
     for (std::uint32_t k = 1; k <= ticks; ++k)
       all.push_back(this->ask({2.0F, -1.0F, 3.0F}, k));
+    all.push_back(this->ask({2.0F, -1.0F, 3.0F}, ticks + 5));  // four left out
     return all;
   }
 };
 template <class Number>
 void expect_late() {
   const auto late = Answers<Late, Number>{}.of(20), prompt = Answers<Prompt, Number>{}.of(20);
-  for (std::size_t k = 0; k < late.size(); ++k) {
+  for (std::size_t k = 0; k <= 20; ++k) {
     const auto& then = prompt[k < 3 ? 0 : k - 3];
     EXPECT_EQ(late[k].position, then.position) << k;
     EXPECT_EQ(late[k].speed, then.speed) << k;
@@ -360,6 +361,58 @@ TEST_F(StoppedQuillArm, HasStopsAtTheLimitsOfItsDrives) {
     most = std::max(most, ask({0.0F, 0.0F, 0.2F, 0.0F}, k).position[2] / static_cast<double>(slide_counts));
   EXPECT_GT(most, 69.9);
   EXPECT_LT(most, 70.5);
+}
+
+// --- another core makes the steps
+
+/// Does a job no sooner than it is waited for: the latest that a core beside this one may.
+struct LateWorker {
+  static constexpr bool is_beside = true;
+  inline static void (*job)(void*) = nullptr;
+  inline static void* with = nullptr;
+  static void start() {}
+  static void begin(void (*what)(void*), void* with_what) {
+    EXPECT_EQ(job, nullptr) << "one job at a time";
+    job = what, with = with_what;
+  }
+  static void join() {
+    ASSERT_NE(job, nullptr) << "nothing is being done";
+    job(with);
+    job = nullptr;
+  }
+  static bool stack_intact() { return true; }
+};
+template <class Number>
+class SharedArm : public ArmApp<robots::Scara, Number, LateWorker> {
+ protected:
+  ~SharedArm() override { LateWorker::job = nullptr; }
+};
+TYPED_TEST_SUITE(SharedArm, Numbers);
+
+TYPED_TEST(SharedArm, AnswersTheSameInLockStep) {
+  const auto expected = Answers<robots::Scara, TypeParam>{}.of(20);
+  const auto found = Answers<robots::Scara, TypeParam, LateWorker>{}.of(20);
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    EXPECT_EQ(found[k].position, expected[k].position) << k;
+    EXPECT_EQ(found[k].speed, expected[k].speed) << k;
+    EXPECT_EQ(found[k].status, expected[k].status) << k;
+  }
+}
+
+TYPED_TEST(SharedArm, TellsOfTheTickBeforeInFreeRunning) {
+  this->open(link::Mode::free_running);
+  this->tell(link::ArmAction::place, pose);
+  this->send(this->framed(efforts({}, DrivePhase::running), 1));
+  this->tick();
+  const auto first = this->template answer<link::Encoders>().value();
+  EXPECT_EQ(first.speed[2], 0.0F) << "this tick's steps are still being made";
+  EXPECT_NE(LateWorker::job, nullptr);
+  this->send(this->framed(efforts({}, DrivePhase::running), 2));
+  this->tick();
+  EXPECT_NEAR(this->template answer<link::Encoders>()->speed[2], 1e-3F * earth, 1e-6F);
+  this->tell(link::ArmAction::place, pose);
+  EXPECT_EQ(LateWorker::job, nullptr) << "it was waited for before the arm was placed";
+  EXPECT_EQ(this->tell(link::ArmAction::go).speed[2], 0.0F);
 }
 
 }  // namespace

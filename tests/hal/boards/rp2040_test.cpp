@@ -1,5 +1,8 @@
 #include <hal/boards/rp2040/board.hpp>
 
+#include <deque>
+#include <string>
+
 #include "played_clock.hpp"
 #include "played_rp.hpp"
 #include "stores.hpp"
@@ -159,6 +162,55 @@ TEST(Rp2040SecondCore, IsAskedAnewAfterAWrongAnswer) {
   told.insert(told.end(), sequence.begin(), sequence.end());
   EXPECT_TRUE(launch(mailbox));
   EXPECT_EQ(mailbox.told, told);
+}
+
+/// Two cores' mailboxes, eight words each, and who does what between them.
+struct Cores {
+  inline static std::deque<std::uint32_t> boxes[2];
+  inline static Words done;  // by the second core
+  inline static std::string order;
+};
+template <int own>
+struct End {
+  struct Box {
+    struct {
+      operator std::uint32_t() const {
+        return (Cores::boxes[1 - own].size() < 8 ? 2U : 0U) | (Cores::boxes[own].empty() ? 0U : 1U);
+      }
+    } status;
+    struct {
+      void operator=(std::uint32_t word) const {
+        Cores::order += own == 0 ? "w" : "d";
+        Cores::boxes[1 - own].push_back(word);
+      }
+    } write;
+    struct {
+      operator std::uint32_t() const {
+        const std::uint32_t word = Cores::boxes[own].front();
+        Cores::boxes[own].pop_front();
+        return word;
+      }
+    } read;
+  };
+  static Box mailbox() { return {}; }
+  static void signal() { Cores::order += "s"; }
+  static void wait() { FAIL() << "there is a job"; }
+  static void fence() { Cores::order += "f"; }
+};
+
+TEST(Rp2040Jobs, AreDoneByTheOtherCoreAndWaitedFor) {
+  Cores::order.clear();
+  rp2040::Jobs<End<0>>::post(0x10000401, 0x20000100);
+  EXPECT_EQ(Cores::order, "fwws") << "what is stored comes before, and the other is woken";
+  rp2040::Jobs<End<1>>::serve([](std::uint32_t what, std::uint32_t with) {
+    Cores::order += "j";
+    Cores::done = {what, with};
+  });
+  EXPECT_EQ(Cores::order, "fwwsfjfd") << "what the job stores comes before its end is told";
+  EXPECT_EQ(Cores::done, (Words{0x10000401, 0x20000100}));
+  rp2040::Jobs<End<0>>::join();
+  EXPECT_EQ(Cores::order, "fwwsfjfdf");
+  EXPECT_TRUE(Cores::boxes[0].empty() && Cores::boxes[1].empty());
 }
 
 TEST(Rp2040SecondCore, IsNotWaitedForForever) {
