@@ -202,12 +202,15 @@ void move_well(PlayedBoard& board, const link::FrameView& frame) {
   board.open(frame);
   link::Torque in{};
   link::ArmCommand told{};
+  link::ArmLoad load{};
   link::Encoders out{};
   out.joints = 2;
   if (link::decode_message(frame, in))
     out.position[0] = static_cast<std::int32_t>(frame.sequence), out.speed[0] = in.tau[0];
   else if (link::decode_message(frame, told))
     out.speed[0] = 10.0F * told.values[0], out.phase = told.action;
+  else if (link::decode_message(frame, load))
+    out.speed[1] = 100.0F * load.mass;
   else
     return;
   board.send(out, frame.sequence);
@@ -219,11 +222,31 @@ TEST(Firmware, MovesAnArm) {
   link::Torque tau{};
   tau.joints = 2, tau.tau = {0.5F};
   EXPECT_EQ(arm.command({2, {2.0F}, 3}).speed[0], 20.0F);
+  EXPECT_EQ(arm.carry({1.5F, {}, {}}).speed[1], 150.0F);
   EXPECT_EQ(arm.move(tau).position[0], 1);
   EXPECT_EQ(arm.move(tau).speed[0], 0.5F);
   arm.skip(5);
   EXPECT_EQ(arm.try_move(tau, std::chrono::seconds(5))->position[0], 8);
   EXPECT_EQ(arm.try_command({2, {2.0F}, 3}, std::chrono::seconds(5))->phase, 3);
+}
+
+/// Every start is answered, also one of a session that is none; that is told late.
+void run_for_long(PlayedBoard& board, const link::FrameView& frame) {
+  link::Start start{};
+  if (!link::decode_message(frame, start)) return move_well(board, frame);
+  if (start.session == PlayedBoard::booted)
+    board.greet(link::protocol_version, start.nonce);
+  else
+    board.greet();
+}
+
+TEST(Firmware, AsksABoardThatHasRunForLongAndPassesOverWhatElseItSays) {
+  PlayedBoard board(run_for_long);
+  Firmware arm(board.host, Firmware::Runs::already);
+  EXPECT_EQ(arm.hello().session, PlayedBoard::opened);
+  link::Torque tau{};
+  tau.joints = 2, tau.tau = {0.5F};
+  EXPECT_EQ(arm.move(tau).position[0], 1);
 }
 
 TEST(Firmware, PassesOverWhatIsNoAnswerWhereTheLineMayFail) {

@@ -70,6 +70,7 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
   }
   void settle(const hal::link::Torque&) {
     passed_ = 0;
+    tell(moved_), moved_ = {};
     if (told_ != Status::not_finite && phases_.phase() == DrivePhase::disabled)
       told_ = Status::disabled, joint_ = hal::link::no_joint;
   }
@@ -259,7 +260,7 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
     if (!moving_) return;
     Worker::join();
     moving_ = false;
-    tell(found_);
+    if (moved_.ok()) moved_ = found_;
     show();
   }
   struct Reading {
@@ -304,7 +305,7 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
   NoiseOf<S, Number, M> noise_{};
   Tau wanted_{}, asked_{}, pushed_{};
   Held<S, Number> held_{};
-  axial::Status found_{};
+  axial::Status found_{}, moved_{};  // of a tick's steps; of all since the last answer
   struct Nothing {};
   std::conditional_t<Worker::is_beside, Reading, Nothing> shown_{};
   DrivePhases phases_{};

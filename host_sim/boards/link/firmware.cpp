@@ -126,7 +126,7 @@ link::Encoders Firmware::command(const link::ArmCommand& command) {
   return wait_for<link::Encoders>(answer_limit, "encoders after a command");
 }
 
-link::Encoders Firmware::command(const link::ArmLoad& load) {
+link::Encoders Firmware::carry(const link::ArmLoad& load) {
   send(load, sequence_);
   return wait_for<link::Encoders>(answer_limit, "encoders after a load");
 }

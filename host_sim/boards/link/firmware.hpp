@@ -36,7 +36,7 @@ class Firmware {
   /// A tick of an image that stands in for an arm, by a controller's torque.
   link::Encoders move(const link::Torque& efforts);
   link::Encoders command(const link::ArmCommand& command);
-  link::Encoders command(const link::ArmLoad& load);
+  link::Encoders carry(const link::ArmLoad& load);
 
   // --- where the line may fail: what did not come in time is none, and all else that came is passed over
 

@@ -59,7 +59,7 @@ class BoardArm : public loop::Arm {
 
   link::Measurement read() override { return measurement_of(seen_); }
   void run(const link::Torque& answer) override;
-  void carry(const link::ArmLoad& load) { seen_ = board_.firmware.command(load); }
+  void carry(const link::ArmLoad& load) { seen_ = board_.firmware.carry(load); }
   loop::JointState state() const override { return counted_.state(); }
   axial::Vec3<double> tool(const std::vector<double>& q) const override { return tool_(q); }
   /// Instructions of the dearest tick so far.

@@ -236,5 +236,19 @@ TEST_F(FixedArm, SaysWhatItsWordsDoNotHold) {
   EXPECT_LE(found.speed[2], 1.0F);
 }
 
+// In free-running steps are made before efforts are taken: what became of them is not forgotten by that.
+TEST_F(FixedArm, SaysInFreeRunningToo) {
+  open(link::Mode::free_running);
+  tell(link::ArmAction::place, pose);
+  link::Encoders found{};
+  for (std::uint32_t k = 1; k <= 200 && found.status == byte_of(link::TorqueStatus::ok); ++k) {
+    send(framed(efforts({}), k));
+    tick();
+    found = answer<link::Encoders>().value();
+  }
+  EXPECT_EQ(found.status, byte_of(link::TorqueStatus::outside_limits));
+  EXPECT_EQ(found.joint, 2);
+}
+
 }  // namespace
 }  // namespace axial::apps
