@@ -37,7 +37,7 @@ template <class Controller>
 inline constexpr bool takes_derivatives<Controller, std::void_t<decltype(&Controller::take)>> = true;
 
 /// Whether it is no controller but an arm: it takes torques and answers encoders (LinkRequest, LinkAnswer), and has
-/// choose(mode), pass(numbers), command(command), and where it `carries` command(load).
+/// choose(mode), pass(numbers), command(command), and where it `carries` carry(load).
 template <class Controller, class = void>
 inline constexpr bool stands_for_arm = false;
 template <class Controller>
@@ -125,7 +125,7 @@ class Feedforward {
     if constexpr (stands_for_arm<Controller>) {
       if (frame.type == static_cast<std::uint8_t>(link::MessageType::arm_command)) return take_command(frame);
       if constexpr (Controller::carries)
-        if (frame.type == static_cast<std::uint8_t>(link::MessageType::arm_load)) return obey<link::ArmLoad>(frame);
+        if (frame.type == static_cast<std::uint8_t>(link::MessageType::arm_load)) return take_load(frame);
     }
     switch (static_cast<link::MessageType>(frame.type)) {
       case Request::type:
@@ -173,14 +173,17 @@ class Feedforward {
 
   void take_command(const link::FrameView& frame) {
     if (frame.length != link::arm_command_size(Controller::joints)) return tally_.refuse(link::Fault::bad_payload);
-    obey<link::ArmCommand>(frame);
+    obey<link::ArmCommand>(frame, [&](auto& m) { return controller_.command(m); });
+  }
+  void take_load(const link::FrameView& frame) {
+    obey<link::ArmLoad>(frame, [&](auto& m) { return controller_.carry(m); });
   }
   /// What happens to an arm; the answer is what its encoders say now.
-  template <class Command>
-  void obey(const link::FrameView& frame) {
+  template <class Command, class Action>
+  void obey(const link::FrameView& frame, Action action) {
     if (!in_session(frame)) return tally_.refuse(link::Fault::no_session);
     with<Command>(frame, [&](auto& m) {
-      if (!controller_.command(m)) return tally_.refuse(link::Fault::bad_payload);
+      if (!action(m)) return tally_.refuse(link::Fault::bad_payload);
       Answer now{};
       controller_.store_exerted(now);
       now.overruns = tally_.missed_deadlines();

@@ -31,7 +31,7 @@ class SameSourceArm : public loop::Arm {
     counted_.follow(seen());
   }
   void carry(const link::ArmLoad& load) {
-    if (!arm_.command(load)) throw std::runtime_error("the arm on this host does not take such a load");
+    if (!arm_.carry(load)) throw std::runtime_error("the arm on this host does not take such a load");
   }
   loop::JointState state() const override { return counted_.state(); }
   axial::Vec3<double> tool(const std::vector<double>& q) const override { return tool_(q); }

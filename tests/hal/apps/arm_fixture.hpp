@@ -4,6 +4,7 @@
 #include <firmware/apps/plant/arm.hpp>
 
 #include <limits>
+#include <vector>
 
 #include <robots/scara.hpp>
 
@@ -15,6 +16,13 @@ constexpr float nan_of = std::numeric_limits<float>::quiet_NaN();
 constexpr double counts_a_rad = 4294967296.0 / 6.283185307179586;
 
 using JointValues = std::array<float, link::max_joints>;
+
+/// Where the SCARA's arm is placed, and what it weighs.
+constexpr JointValues pose = {0.3F, -0.4F, 0.1F};
+constexpr float slide = 1.25F, earth = 9.8125F;  // kg, m/s^2
+constexpr JointValues balance = {0.0F, 0.0F, -slide* earth};
+/// In which arms move; the host's is in double.
+using Numbers = ::testing::Types<float, Fixed32>;
 
 inline link::Torque efforts(const JointValues& tau, DrivePhase phase = DrivePhase::running, std::size_t joints = 3) {
   link::Torque out{};
@@ -40,6 +48,21 @@ class ArmApp : public App<plant::Arm<R, Number, 1, Worker>> {
     return this->template answer<link::Encoders>().value();
   }
   std::uint32_t refused(link::Fault fault) { return this->faults(fault); }
+};
+
+/// What an arm answers in lock-step, from where it is placed on; at the end four numbers are left out.
+template <class R, class Number, class Worker = plant::OnThisCore>
+class Answers : public ArmApp<R, Number, Worker> {
+ public:
+  void TestBody() override {}
+  std::vector<link::Encoders> of(std::uint32_t ticks) {
+    this->open(link::Mode::lock_step);
+    std::vector<link::Encoders> all{this->tell(link::ArmAction::place, pose)};
+    for (std::uint32_t k = 1; k <= ticks; ++k)
+      all.push_back(this->ask({2.0F, -1.0F, 3.0F}, k));
+    all.push_back(this->ask({2.0F, -1.0F, 3.0F}, ticks + 5));
+    return all;
+  }
 };
 
 }  // namespace axial::apps

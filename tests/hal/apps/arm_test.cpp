@@ -11,7 +11,7 @@ namespace {
 using FloatArm = ArmApp<robots::Scara, float>;
 using FixedArm = ArmApp<robots::Scara, Fixed32>;
 
-constexpr std::array<float, link::max_joints> pose = {0.3F, -0.4F, 0.1F}, tau = {2.0F, -1.0F, 3.0F};
+constexpr JointValues tau = {2.0F, -1.0F, 3.0F};
 
 // The same motion in double by a hundred steps a tick.
 Motion<Scene<robots::Scara, Gravity, RotorInertia>, double> reference(int ticks) {
@@ -248,6 +248,12 @@ TEST_F(FixedArm, SaysInFreeRunningToo) {
   }
   EXPECT_EQ(found.status, byte_of(link::TorqueStatus::outside_limits));
   EXPECT_EQ(found.joint, 2);
+}
+
+TEST_F(FloatArm, KnowsNoLoadsWhereItsRobotNamesNone) {
+  open(link::Mode::lock_step);
+  send(framed(link::ArmLoad{1.0F, {}, {}}, 0));
+  EXPECT_EQ(refused(link::Fault::unknown_type), 1U);
 }
 
 }  // namespace
