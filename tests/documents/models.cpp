@@ -49,7 +49,7 @@ TEST(MovingBase, ThrustersLiftIt) {
 
 namespace two_boards {
 struct MyArm {
-  static constexpr auto chain = axial::chain(axial::gravity(0.0, 0.0, -9.81),
+  static constexpr auto chain = axial::chain(axial::gravity(0.0, 0.0, -9.81), axial::payload_limit(2.0, 0.2, 0.1),
                                              axial::revolute()
                                                  .mass(2.0)
                                                  .inertia_com(0.1, 0.1, 0.1)
@@ -73,14 +73,17 @@ TEST(TwoBoards, AnArmHasWhatItsHeaderNames) {
   using Mechanics = axial::apps::plant::MechanicsOf<two_boards::WornArm>;
   static_assert(axial::apps::plant::has_friction<Mechanics> && axial::apps::plant::has_stops<Mechanics>);
   static_assert(axial::apps::plant::has_backlash<Mechanics> && axial::apps::plant::encoder_bits<Mechanics> == 17);
+  static_assert(axial::apps::plant::has_noise<Mechanics> && axial::apps::plant::encoder_delay<Mechanics> == 1);
   axial::apps::plant::Arm<two_boards::WornArm, float> arm;
   arm.choose(axial::hal::link::Mode::lock_step, 1000);
   ASSERT_TRUE(arm.command({2, {0.5F, -0.5F}, 0}));
   for (int k = 0; k < 100; ++k) {
-    arm.pass(1), arm.load({2, {0.9F, -0.9F}, 0, 0, 0, 0, 1});
+    arm.pass(1), arm.load({2, {0.2F, -0.9F}, 0, 0, 0, 0, 1});  // and 0.7 N m of noise at most
     arm.compute();
   }
   EXPECT_EQ(arm.state().q[0], 0.5F) << "it sticks";
+  EXPECT_TRUE(arm.carry({1.5F, {0.1F, 0.0F, 0.0F}, {}}));
+  EXPECT_FALSE(arm.carry({2.5F, {}, {}})) << "beyond what it declares";
 }
 
 TEST(FixedPoint, WordsGiveATorque) {
