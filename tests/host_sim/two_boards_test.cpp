@@ -1,6 +1,7 @@
 // An arm of a board's image beside the host's plant, and a line that fails. The boards themselves: host_sim.Hil.*.
 #include <host_sim/plants/loop/cycle.hpp>
 #include <host_sim/plants/loop/on_host.hpp>
+#include <host_sim/plants/two_boards/faulty_line.hpp>
 #include <host_sim/plants/two_boards/same_source.hpp>
 
 #include <firmware/apps/tracking/controller.hpp>
