@@ -17,6 +17,7 @@
 namespace {
 
 using namespace host_sim;
+namespace link = axial::hal::link;
 using namespace std::chrono_literals;
 using robots::Scara;
 using two_boards::Bytes;
