@@ -114,7 +114,7 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
     static_assert(carries, "the robot's Mechanics name no payload");
     const auto& c = load.com;
     const auto& j = load.inertia;
-    return carry(PayloadBody<float>{load.mass, {c[0], c[1], c[2]}, {j[0], j[1], j[2], j[3], j[4], j[5]}});
+    return hold(PayloadBody<float>{load.mass, {c[0], c[1], c[2]}, {j[0], j[1], j[2], j[3], j[4], j[5]}});
   }
 
   /// As it is: rad or m, and per second.
@@ -185,7 +185,7 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
     noise_.restart();
     return true;
   }
-  bool carry(const PayloadBody<float>& body) {
+  bool hold(const PayloadBody<float>& body) {
     if constexpr (is_stored_v<Number>) {
       const auto kept = to_fixed_payload<S, typename Number::Word>(body);
       if (kept.status.ok()) this->in_.payload = kept.load;
