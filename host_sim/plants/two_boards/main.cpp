@@ -4,6 +4,7 @@
 #include <firmware/apps/tracking/controller.hpp>
 #include <host_sim/plants/loop/cycle.hpp>
 #include <host_sim/plants/loop/on_host.hpp>
+#include <host_sim/plants/two_boards/board_arm.hpp>
 #include <host_sim/plants/two_boards/faults.hpp>
 #include <host_sim/plants/two_boards/same_source.hpp>
 #include <host_sim/tools/output/command_line.hpp>
