@@ -110,11 +110,13 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
     return false;
   }
   /// What it carries from now on. False, and nothing changes, where that is no body, or beyond the declared limit.
-  bool carry(const hal::link::ArmLoad& load) {
-    static_assert(carries, "the robot's Mechanics name no payload");
-    const auto& c = load.com;
-    const auto& j = load.inertia;
-    return hold(PayloadBody<float>{load.mass, {c[0], c[1], c[2]}, {j[0], j[1], j[2], j[3], j[4], j[5]}});
+  bool carry([[maybe_unused]] const hal::link::ArmLoad& load) {
+    if constexpr (carries) {
+      const auto& c = load.com;
+      const auto& j = load.inertia;
+      return hold(PayloadBody<float>{load.mass, {c[0], c[1], c[2]}, {j[0], j[1], j[2], j[3], j[4], j[5]}});
+    }
+    return false;
   }
 
   /// As it is: rad or m, and per second.
