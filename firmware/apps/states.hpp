@@ -12,13 +12,14 @@ class Random {
  public:
   constexpr explicit Random(std::uint32_t seed) : state_(seed) {}
 
-  /// In [-1, 1), a multiple of 2^-23: exact in float.
-  constexpr float symmetric() {
+  constexpr std::uint32_t bits() {
     state_ ^= state_ << 13;
     state_ ^= state_ >> 17;
     state_ ^= state_ << 5;
-    return static_cast<float>(static_cast<std::int32_t>(state_) >> 8) * 0x1p-23f;
+    return state_;
   }
+  /// In [-1, 1), a multiple of 2^-23: exact in float.
+  constexpr float symmetric() { return static_cast<float>(static_cast<std::int32_t>(bits()) >> 8) * 0x1p-23f; }
 
  private:
   std::uint32_t state_;

@@ -55,47 +55,14 @@ constexpr bool program_on_second_core = false;
 #endif
 
 #ifdef __arm__
+/// This core and the second.
 struct Between {
   static MailboxRegisters& mailbox() { return rp2040::mailbox(); }
   static void signal() { asm volatile("dsb\n\tsev" ::: "memory"); }
   static void wait() { asm volatile("wfe" ::: "memory"); }
   static void fence() { asm volatile("dsb" ::: "memory"); }
-};
-
-/// The second core does one job at a time, beside this one: no interrupts, no counter, no guard below its stack but a
-/// word that is looked at. Where it does not answer, or runs the program itself, this core does them.
-class SecondCoreWorker {
- public:
-  static void start() {
-    if (program_on_second_core) return;
-    stack_[0] = unused;
-    void (*const entry)() = serve;
-    const auto top = reinterpret_cast<std::uintptr_t>(stack_ + words);
-    there_ = launch(mailbox(), {vectors_address, top, reinterpret_cast<std::uintptr_t>(entry)}, Between::signal);
-  }
-  static void begin(void (*job)(void*), void* with) {
-    if (!there_) return job(with);
-    busy_ = true;
-    Jobs<Between>::post(reinterpret_cast<std::uintptr_t>(job), reinterpret_cast<std::uintptr_t>(with));
-  }
-  static void join() {
-    if (busy_) Jobs<Between>::join();
-    busy_ = false;
-  }
-  static bool stack_intact() { return !there_ || stack_[0] == unused; }
-
- private:
-  [[noreturn]] static void serve() {
-    for (;;)
-      Jobs<Between>::serve([](std::uint32_t job, std::uint32_t with) {
-        reinterpret_cast<void (*)(void*)>(job)(reinterpret_cast<void*>(with));
-      });
-  }
-
-  static constexpr std::uint32_t unused = 0x5AFE5AFE;
-  static constexpr std::size_t words = 1024;
-  alignas(8) inline static std::uint32_t stack_[words];
-  inline static bool there_ = false, busy_ = false;
+  static constexpr std::uint32_t vectors = vectors_address;
+  static constexpr bool other_is_free = !program_on_second_core;
 };
 #endif
 
@@ -123,7 +90,7 @@ struct RaspberryPiPico
   using Watchdog = rp2040::Watchdog<rp2040::WatchdogPort>;
   using EmulatedWatchdog = cortex_m::NoEmulatedWatchdog;
 #ifdef __arm__
-  using Worker = rp2040::SecondCoreWorker;
+  using Worker = rp2040::SecondCoreWorker<rp2040::Between>;
 #endif
   struct DrivePin {
     static constexpr std::uintptr_t off_register = rp2040::port_address + offsetof(rp2040::PortRegisters, output_clear);

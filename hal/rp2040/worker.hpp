@@ -44,4 +44,42 @@ struct Jobs {
   }
 };
 
+/// The second core does one job at a time, beside this one: no interrupts, no counter, no guard below its stack but a
+/// word that is looked at. Where it does not answer, or runs the program itself, this core does them.
+/// Port: as of Jobs; the `vectors` that the other core starts with, and whether the `other_is_free`.
+template <class Port>
+class SecondCoreWorker {
+ public:
+  static void start() {
+    if (!Port::other_is_free) return;
+    stack_[0] = unused;
+    void (*const entry)() = serve;
+    const auto top = reinterpret_cast<std::uintptr_t>(stack_ + words);
+    there_ = launch(Port::mailbox(), {Port::vectors, top, reinterpret_cast<std::uintptr_t>(entry)}, Port::signal);
+  }
+  static void begin(void (*job)(void*), void* with) {
+    if (!there_) return job(with);
+    busy_ = true;
+    Jobs<Port>::post(reinterpret_cast<std::uintptr_t>(job), reinterpret_cast<std::uintptr_t>(with));
+  }
+  static void join() {
+    if (busy_) Jobs<Port>::join();
+    busy_ = false;
+  }
+  static bool stack_intact() { return !there_ || stack_[0] == unused; }
+
+ private:
+  [[noreturn]] static void serve() {
+    for (;;)
+      Jobs<Port>::serve([](std::uint32_t job, std::uint32_t with) {
+        reinterpret_cast<void (*)(void*)>(job)(reinterpret_cast<void*>(with));
+      });
+  }
+
+  static constexpr std::uint32_t unused = 0x5AFE5AFE;
+  static constexpr std::size_t words = 2048;  // 8 KiB; the step of an arm of seven joints in words takes 3.1
+  alignas(8) inline static std::uint32_t stack_[words];
+  inline static bool there_ = false, busy_ = false;
+};
+
 }  // namespace axial::hal::rp2040

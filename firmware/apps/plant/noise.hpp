@@ -5,30 +5,26 @@
 #include <iterator>
 #include <utility>
 
+#include <firmware/apps/states.hpp>
+
 #include "mechanics.hpp"
 
 namespace axial::apps::plant {
 
-/// Marsaglia's xorshift32 (Journal of Statistical Software 8(14), 2003, triple 13, 17, 5).
+/// Near to normal: sums of four equal chances of 16 bits.
 class Draws {
  public:
-  /// Near to normal: a sum of four equal chances of 16 bits. Its mean is 0, its deviation `deviation`.
+  /// Of mean 0 and of this deviation.
   std::int32_t next() {
-    const std::uint32_t a = turned(), b = turned();
+    const std::uint32_t a = random_.bits(), b = random_.bits();
     return part(a) + part(a >> 16) + part(b) + part(b >> 16) + 2;
   }
   static constexpr double deviation = 37837.226;  // the root of (2^32 - 1) / 3
 
  private:
-  std::uint32_t turned() {
-    state_ ^= state_ << 13;
-    state_ ^= state_ >> 17;
-    state_ ^= state_ << 5;
-    return state_;
-  }
   static std::int32_t part(std::uint32_t bits) { return static_cast<std::int16_t>(bits & 0xFFFFU); }
 
-  std::uint32_t state_ = 2463534242U;
+  Random random_{2463534242U};
 };
 
 /// Noise of a scene's efforts.
