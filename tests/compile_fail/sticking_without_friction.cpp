@@ -1,4 +1,4 @@
-// expect: axial: what sticks is dry friction, of float and double
+// expect: axial: what sticks is dry friction; name Friction in the scene
 #include <axial/axial.hpp>
 #include <axial/simulation/sticking.hpp>
 #include <robots/puma560.hpp>

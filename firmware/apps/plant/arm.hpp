@@ -288,16 +288,18 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
     if constexpr (Worker::is_beside) shown_ = read_now();
   }
   axial::Status step(const Held<S, Number>& held) {
+    if constexpr (has_stops<M>)
+      return advance_by(WithEndStops<S, Number, Held<S, Number>>(held, M::stops));
+    else
+      return advance_by(held);
+  }
+  template <class Drive>
+  axial::Status advance_by(const Drive& drive) {
     constexpr double seconds = 1e-3 / substeps;
-    if constexpr (knows_its_step<Method>) {
-      return axial::advance<Method>(x_, held);
-    } else {
-      constexpr StepOf<S, Number> h = static_cast<StepOf<S, Number>>(seconds);
-      if constexpr (has_stops<M>)
-        return axial::advance<Method>(x_, h, WithEndStops<S, Number, Held<S, Number>>(held, M::stops));
-      else
-        return axial::advance<Method>(x_, h, held);
-    }
+    if constexpr (knows_its_step<Method>)
+      return axial::advance<Method>(x_, drive);
+    else
+      return axial::advance<Method>(x_, static_cast<StepOf<S, Number>>(seconds), drive);
   }
 
   X x_{};

@@ -6,8 +6,9 @@
 ///     static constexpr auto chain = ...;
 ///     struct Mechanics {
 ///       static constexpr bool friction = true;                // as the chain declares it: dry friction sticks
-///       static constexpr bool springs = true;                 // likewise; as stiff as you like
-///       static constexpr axial::EndStops stops{1e5, 30.0};    // N m/rad and N m s/rad, beyond its position limits
+///       static constexpr bool springs = true;                 // likewise, in float; as stiff as you like
+///       static constexpr axial::EndStops stops{1e5, 30.0};    // N m/rad and N m s/rad, beyond its position limits; in
+///                                                             // fixed point they do not yield
 ///       static constexpr bool payload = true;                 // taken and put down on command
 ///       static constexpr double torque_noise[] = {0.1, 0, 0}; // N m or N, standard deviation, drawn anew each ms
 ///       static constexpr int encoder_bits = 14;               // a turn; on slides steps of a metre over 2^bits
@@ -18,8 +19,7 @@
 
 #include <axial/axial.hpp>
 #include <axial/fixed.hpp>
-#include <axial/fixed/simulation/integrators.hpp>
-#include <axial/simulation/declared_stiffness.hpp>
+#include <axial/fixed/simulation/sticking.hpp>
 #include <axial/simulation/end_stops.hpp>
 #include <axial/simulation/sticking.hpp>
 
@@ -104,14 +104,14 @@ template <class R>
 using ArmSceneOf = typename ArmScene<R>::type;
 ///@}
 
-/// Springs of the robot alone, by `substeps` steps a tick of 1 ms.
+/// What is stiff by itself, by `substeps` steps a tick of 1 ms.
 template <class R, int substeps>
-struct OwnSprings {
+struct OwnStiffness {
   static constexpr double step = 1e-3 / substeps;
   static constexpr double stiffness[joint_count<R>] = {}, damping[joint_count<R>] = {};
 };
 
-/// Who moves it: friction that sticks and whatever is stiff by implicit steps, all else by Runge-Kutta.
+/// Who moves it: friction that sticks, stops and whatever is stiff by implicit steps, all else by Runge-Kutta.
 template <class R, class Number, int substeps, class M = MechanicsOf<R>>
 struct ArmMethod {
   static constexpr bool stiff = has_springs<M> || has_stops<M>;
@@ -120,9 +120,7 @@ struct ArmMethod {
 };
 template <class R, class Word, int substeps, class M>
 struct ArmMethod<R, Stored<Word>, substeps, M> {
-  static_assert(!has_friction<M> && !has_stops<M>,
-                "an arm in fixed point has no friction that sticks and no end stops: take float, or name neither");
-  using type = std::conditional_t<has_springs<M>, LinearlyImplicitFor<OwnSprings<R, substeps>>, RungeKutta4>;
+  using type = std::conditional_t<has_friction<M> || has_stops<M>, StickingFor<OwnStiffness<R, substeps>>, RungeKutta4>;
 };
 
 }  // namespace axial::apps::plant

@@ -114,11 +114,12 @@ template <class Method, class X, class Drive>
 [[nodiscard]] constexpr Status advance(X& x, const Drive& drive) {
   using S = typename X::Subject;
   detail::check_fixed_base<S>();
-  if constexpr (!detail::SummationOf<X>::is_there || !every_joint_is_resisted<S>())
+  if constexpr (!detail::SummationOf<X>::is_there || !every_joint_is_resisted<S>()) {
     return {};  // which was refused
-  else
-    return detail::advance_in<Method>(detail::StaticSystem<S>{}, x, StepOf<S, typename X::Scalar>(Method::seconds),
-                                      drive);
+  } else {
+    constexpr StepOf<S, typename X::Scalar> h(Method::seconds);
+    return detail::advance_in<Method>(detail::StaticSystem<S>{}, x, h, drive);
+  }
 }
 
 }  // namespace axial

@@ -17,7 +17,7 @@ struct EndStops {
 };
 
 /// A drive, and stops at the position limits that the robot declares, where joints share drives at those of each drive
-/// (drive_limits()); one without limits has none. For float and double; the drive is only referred to. It tells an
+/// (drive_limits()); one without limits has none. The drive is only referred to. It tells an
 /// implicit method how stiff it is while a joint is in a stop, so that LinearlyImplicitEuler and StickingEuler take any
 /// step: a joint by itself leaves a stop no faster than it came, v' = v (1 - k s) / (1 + k + d), where k = h^2 K/M, d =
 /// h D/M and s of its last step, of 1, lies in the stop. For an explicit method ask step_limit() with the same
@@ -25,7 +25,8 @@ struct EndStops {
 template <class S, class T, class Drive>
 class WithEndStops {
  public:
-  static_assert(!detail::is_word<T>, "axial: end stops are of float and double");
+  static_assert(!detail::is_word<T>,
+                "axial: end stops in fixed point are those of axial/fixed/simulation/sticking.hpp; include it");
 
   /// `drive` as advance() takes it
   constexpr WithEndStops(const Drive& drive, const EndStops& stops)

@@ -4,6 +4,7 @@
 
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/recursion/drives.hpp>
+#include <axial/simulation/declared_stiffness.hpp>
 #include <axial/simulation/driven_stiffness.hpp>
 #include <axial/simulation/integrators.hpp>
 
@@ -71,7 +72,7 @@ struct Contact {
 /// more than their static effort slide, and those that friction would turn around stick. A change that more passes
 /// would find is the next step's. A drive may tell how stiff it is (DriveStiffness). The scene names Friction; a joint
 /// without a dry part pays for it in vain, and none has a smooth_speed(): smooth friction does not stick. Float and
-/// double.
+/// double; for words StickingFor.
 struct StickingEuler {
   /// order of its error in h, and how often it asks for accelerations
   static constexpr int order = 1, evaluations = 4;
@@ -81,10 +82,21 @@ struct StickingEuler {
   [[nodiscard]] static constexpr Status step(const System& system, X& x, const Step& h, const Drive& drive) {
     using S = typename System::Subject;
     using T = typename X::Scalar;
-    static_assert(!detail::is_word<T> && scene_of<S>::template has<Friction>,
-                  "axial: what sticks is dry friction, of float and double; name Friction in the scene");
+    static_assert(!detail::is_word<T>,
+                  "axial: how joints are held in fixed point follows from the step; take StickingFor");
+    static_assert(scene_of<S>::template has<Friction>,
+                  "axial: what sticks is dry friction; name Friction in the scene");
     static_assert(!detail::is_smoothed<robot_of<S>>(),
                   "axial: friction that sticks has no smooth_speed(); take it out, or take LinearlyImplicitEuler");
+    if constexpr (detail::is_word<T>)
+      return {};  // which was refused
+    else
+      return passes<S, T>(system, x, h, drive);
+  }
+
+ private:
+  template <class S, class T, class System, class X, class Drive>
+  [[nodiscard]] static constexpr Status passes(const System& system, X& x, const T& h, const Drive& drive) {
     const Instant<S, T> instant{x.q, x.qd, x.time(h)};
     detail::Driven<S, T> driven{};
     DriveStiffness<S, T> told{};
@@ -101,8 +113,6 @@ struct StickingEuler {
     state.move(system.size(), x, h);
     return status;
   }
-
- private:
   /// Joints in a step.
   template <class S, class T>
   struct State {
@@ -154,11 +164,63 @@ struct StickingEuler {
 };
 
 namespace detail {
+
+/// A drive as stiff as `Stiff` says, besides what it tells itself.
+template <class Stiff, class S, class T, class Drive>
+struct DeclaredDrive {
+  const Drive& drive;
+  template <class Where>
+  constexpr void operator()(const Where& at, EffortsOf<S, T>& tau, Inputs<S, T>& in, DriveStiffness<S, T>& told) const {
+    if constexpr (tells_stiffness<Drive, S, T>)
+      drive(at, tau, in, told);
+    else
+      drive(at, tau, in);
+    for (int i = 0; i < joint_count<S>; ++i) {
+      told.stiffness[i] = told.stiffness[i] + static_cast<T>(Stiff::stiffness[i]);
+      told.damping[i] = told.damping[i] + static_cast<T>(Stiff::damping[i]);
+    }
+  }
+};
+/// A step of StickingFor; in words by fixed/simulation/sticking.hpp.
+template <class Stiff, class S, class T>
+struct StepHeld {
+  static_assert(!is_word<T>,
+                "axial: joints are held in fixed point by axial/fixed/simulation/sticking.hpp, of Fixed32; include it");
+  template <class System, class X, class Step, class Drive>
+  static constexpr Status run(const System& system, X& x, const Step& h, const Drive& drive) {
+    if constexpr (is_word<T>)
+      return {};  // which was refused
+    else
+      return StickingEuler::step(system, x, h, DeclaredDrive<Stiff, S, T, Drive>{drive});
+  }
+};
+
 template <class T>
 constexpr T limit_of(StickingEuler, const StiffBounds<T>&) {
   return std::numeric_limits<T>::infinity();
 }
 }  // namespace detail
+
+/// StickingEuler of a step and a stiffness that the compiler knows, as LinearlyImplicitFor has them. It is the method
+/// of fixed point, where a joint that sticks is held exactly: the others move as if it were locked, in words; and where
+/// WithEndStops do not yield: a joint that would pass a position limit arrives at it, and leaves it when it is pulled
+/// away. An angle whose limits are a whole turn apart or more has none of them. There a scene without Friction may have
+/// stops, viscous friction and springs are implicit where joints share no drives, and it is Fixed32's.
+template <class Stiff>
+struct StickingFor {
+  /// order of its error in h, and how often it solves for accelerations in words; else as StickingEuler
+  static constexpr int order = 1, evaluations = 5;
+  static constexpr double seconds = Stiff::step;  ///< of a step
+
+  /// One step of h seconds, which is Stiff::step: advance<Method>(x, drive). Out: status of the last pass.
+  template <class System, class X, class Step, class Drive>
+  [[nodiscard]] static constexpr Status step(const System& system, X& x, const Step& h, const Drive& drive) {
+    return detail::StepHeld<Stiff, typename System::Subject, typename X::Scalar>::run(system, x, h, drive);
+  }
+};
+/// It is for one step.
+template <class Stiff>
+inline constexpr bool knows_its_step<StickingFor<Stiff>> = true;
 
 }  // namespace axial
 

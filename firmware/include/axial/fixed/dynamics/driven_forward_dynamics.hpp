@@ -15,18 +15,24 @@ namespace axial {
 
 namespace detail {
 
+/// Joints that an elimination leaves out: none.
+struct NoneHeld {
+  AXIAL_INLINE constexpr bool operator()(int) const { return false; }
+};
+
 /// M eliminated (L^T D L, Featherstone 2008, section 6.5) in DriveUnits, whose bounds hold every word, and solutions.
-template <class S, class Word>
+/// Joints that are `held` keep the acceleration that they are given: a part of M is no harder to solve than the whole.
+template <class S, class Word, class OwnUnits = DriveUnits<S, Word>, class Held = NoneHeld>
 class DriveSolve {
  public:
-  using Units = DriveUnits<S, Word>;
+  using Units = OwnUnits;
   using Matrix = MassMatrixOf<S, Stored<Word>>;
   using A = ArithmeticOf<scene_of<S>, Word>;
   static constexpr int size = Units::size, bits = Units::bits;
-  static constexpr const auto& u = drive_units<S, Word>;
+  static constexpr const auto& u = drive_units<S, Word, Units>;
 
   /// Eliminates M from the last drive on.
-  AXIAL_INLINE constexpr explicit DriveSolve(const Matrix& m) : m_(m) {
+  AXIAL_INLINE constexpr explicit DriveSolve(const Matrix& m, const Held& held = {}) : m_(m), held_(held) {
     std::int32_t left[size][size] = {};
     for (int k = 0; k < size; ++k)
       for (int l = 0; l <= k; ++l)
@@ -34,7 +40,7 @@ class DriveSolve {
     for (int k = size; k-- > 0;)
       eliminate(left, k);
   }
-  /// The innermost drive whose inertia is lost in rounding, -1 for none. It is held.
+  /// The innermost drive whose inertia is lost in rounding, -1 for none. It is held, too.
   [[nodiscard]] AXIAL_INLINE constexpr int lost() const { return lost_; }
 
   /// M'^-1 w in words of bits - gain_bits[k] behind the point, in place.
@@ -59,11 +65,13 @@ class DriveSolve {
     }
   }
   /// Accelerations, in words; `spilt` is the first drive whose word does not hold its own.
-  AXIAL_INLINE constexpr void accelerations(const std::int64_t (&left)[size], std::int32_t (&x)[size],
-                                            int& spilt) const {
-    for (int s = 0; s < Units::solves; ++s) {
+  AXIAL_INLINE constexpr void accelerations(const std::int64_t (&left)[size], std::int32_t (&x)[size], int& spilt,
+                                            int solves = Units::solves) const {
+    for (int s = 0; s < solves; ++s) {
       std::int64_t r[size] = {};
       residual(left, x, r);
+      for (int k = 0; k < size; ++k)
+        r[k] = select_wide(held_(k), 0, r[k]);
       spilt = -1;
       correct(r, x, spilt);
     }
@@ -71,13 +79,14 @@ class DriveSolve {
 
  private:
   const Matrix& m_;
+  const Held held_;
   std::int32_t gain_[size][size] = {}, mantissa_[size] = {};
   int shift_[size] = {}, lost_ = -1;
 
   AXIAL_INLINE constexpr void eliminate(std::int32_t (&left)[size][size], int k) {
-    const bool kept = !is_less_wide(left[k][k], u.least[k]);
+    const bool resists = !is_less_wide(left[k][k], u.least[k]), kept = resists & !held_(k);
     const auto inverse = integer::reciprocal(static_cast<std::int32_t>(select_wide(kept, left[k][k], 1)));
-    lost_ = select(kept, lost_, k);
+    lost_ = select(resists | held_(k), lost_, k);
     mantissa_[k] = static_cast<std::int32_t>(inverse.mantissa) & -static_cast<std::int32_t>(kept);
     shift_[k] = inverse.exponent - bits + u.gain_bits[k];
     for (int i = 0; i < k; ++i)

@@ -13,11 +13,12 @@ namespace axial::detail {
 /// what its elimination makes: pivots are at least 1 / mobility'^2, gains at most mobility', and for a vector w with
 /// sum mobility' |w| <= 1 no component passes 1 on the way in, and mobility'[k] on the way out. (w^T M'^-1 w is at most
 /// the square of that sum, and what is left of w[k] has a share of it, over its pivot.)
-template <class S, class Word>
+/// `Formats` are those of accelerations.
+template <class S, class Word, class Formats = FreeAccelerations<subject_of<S, Stored<Word>>, Stored<Word>>>
 struct DriveUnits {
   using T = Stored<Word>;
   using Sizes = SizesOf<S, Word>;
-  using Answers = FreeAccelerations<subject_of<S, T>, T>;
+  using Answers = Formats;
   static constexpr int size = joint_count<S>, bits = 30;
   static constexpr int most_gain_bits = 18;  ///< of which gains leave words enough behind the point
   static constexpr int solves = 3;           ///< each leaves what words lose of the one before
@@ -71,8 +72,8 @@ struct DriveUnits {
     given[k] = residual[k] - own;
   }
 };
-template <class S, class Word>
-inline constexpr auto drive_units = DriveUnits<S, Word>::chosen();
+template <class S, class Word, class Units = DriveUnits<S, Word>>
+inline constexpr auto drive_units = Units::chosen();
 
 }  // namespace axial::detail
 
