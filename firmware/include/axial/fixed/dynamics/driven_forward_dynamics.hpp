@@ -23,16 +23,17 @@ struct NoneHeld {
 /// M eliminated (L^T D L, Featherstone 2008, section 6.5) in DriveUnits, whose bounds hold every word, and solutions.
 /// Joints that are `held` keep the acceleration that they are given: a part of M is no harder to solve than the whole.
 template <class S, class Word, class OwnUnits = DriveUnits<S, Word>, class Held = NoneHeld>
-class DriveSolve {
+class DriveSolve : Held {
  public:
   using Units = OwnUnits;
   using Matrix = MassMatrixOf<S, Stored<Word>>;
   using A = ArithmeticOf<scene_of<S>, Word>;
   static constexpr int size = Units::size, bits = Units::bits;
+  static constexpr bool holds = !std::is_same_v<Held, NoneHeld>;
   static constexpr const auto& u = drive_units<S, Word, Units>;
 
   /// Eliminates M from the last drive on.
-  AXIAL_INLINE constexpr explicit DriveSolve(const Matrix& m, const Held& held = {}) : m_(m), held_(held) {
+  AXIAL_INLINE constexpr explicit DriveSolve(const Matrix& m, const Held& held = {}) : Held(held), m_(m) {
     std::int32_t left[size][size] = {};
     for (int k = 0; k < size; ++k)
       for (int l = 0; l <= k; ++l)
@@ -65,28 +66,32 @@ class DriveSolve {
     }
   }
   /// Accelerations, in words; `spilt` is the first drive whose word does not hold its own.
-  AXIAL_INLINE constexpr void accelerations(const std::int64_t (&left)[size], std::int32_t (&x)[size], int& spilt,
-                                            int solves = Units::solves) const {
-    for (int s = 0; s < solves; ++s) {
-      std::int64_t r[size] = {};
-      residual(left, x, r);
+  AXIAL_INLINE constexpr void accelerations(const std::int64_t (&left)[size], std::int32_t (&x)[size],
+                                            int& spilt) const {
+    for (int s = 0; s < Units::solves; ++s)
+      improve(left, x, spilt);
+  }
+  /// Accelerations by one solve of what those at hand leave.
+  AXIAL_INLINE constexpr void improve(const std::int64_t (&left)[size], std::int32_t (&x)[size], int& spilt) const {
+    std::int64_t r[size] = {};
+    residual(left, x, r);
+    if constexpr (holds)
       for (int k = 0; k < size; ++k)
-        r[k] = select_wide(held_(k), 0, r[k]);
-      spilt = -1;
-      correct(r, x, spilt);
-    }
+        r[k] = select_wide(is_held(k), 0, r[k]);
+    spilt = -1;
+    correct(r, x, spilt);
   }
 
  private:
   const Matrix& m_;
-  const Held held_;
   std::int32_t gain_[size][size] = {}, mantissa_[size] = {};
   int shift_[size] = {}, lost_ = -1;
 
+  AXIAL_INLINE constexpr bool is_held(int k) const { return Held::operator()(k); }
   AXIAL_INLINE constexpr void eliminate(std::int32_t (&left)[size][size], int k) {
-    const bool resists = !is_less_wide(left[k][k], u.least[k]), kept = resists & !held_(k);
+    const bool kept = !is_less_wide(left[k][k], u.least[k]) & !is_held(k);
     const auto inverse = integer::reciprocal(static_cast<std::int32_t>(select_wide(kept, left[k][k], 1)));
-    lost_ = select(resists | held_(k), lost_, k);
+    lost_ = select(kept | is_held(k), lost_, k);
     mantissa_[k] = static_cast<std::int32_t>(inverse.mantissa) & -static_cast<std::int32_t>(kept);
     shift_[k] = inverse.exponent - bits + u.gain_bits[k];
     for (int i = 0; i < k; ++i)

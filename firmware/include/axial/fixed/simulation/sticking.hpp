@@ -239,7 +239,8 @@ class HeldStep {
     }
     const DriveSolve<H, std::int32_t, Units, HeldJoints> solve(m_, held);
     int spilt = -1;
-    solve.accelerations(given, a_, spilt, solves);
+    for (; solves > 0; --solves)
+      solve.improve(given, a_, spilt);
     solve.residual(given, a_, left);
     for (int k = 0; k < size; ++k) {
       pull_[k] = word(wide_raised(word(wide_shifted_by(left[k], solve.u.given[k])), constants.coarser[k]));
