@@ -514,6 +514,44 @@ TEST(HeldWords, GoTheWayOfDoubleWhereJointsShareDrives) {
       EXPECT_NEAR(value(x.q, k), y.q[k], 2e-5) << run << ' ' << k;
   }
 }
+namespace {
+/// What holds the drives where they are at first.
+struct WristServo {
+  static constexpr double step = 1e-3;
+  static constexpr double stiffness[] = {2e4, 3e4, 2e4, 500.0, 500.0}, damping[] = {20.0, 20.0, 10.0, 1.0, 1.0};
+};
+}  // namespace
+TEST(HeldWords, TakeStiffDrivesThatJointsShare) {
+  constexpr double start[] = {0.3, 0.5, -0.4, 0.2, -0.3}, rest[] = {0.31, 0.49, -0.41, 0.22, -0.32};
+  auto x = at<Wrist>({start[0], start[1], start[2], start[3], start[4]});
+  Motion<Wrist, double> y;
+  for (int k = 0; k < drives; ++k)
+    y.q[k] = value(x.q, k);
+  const auto effort = [&](int k, double u, double ud) {
+    return -WristServo::stiffness[k] * (u - rest[k]) - WristServo::damping[k] * ud;
+  };
+  const auto in_words = [&](const auto& where, auto& tau, auto&) {
+    Numbers<Wrist> all;
+    for (int k = 0; k < drives; ++k)
+      all[k] = effort(k, value(where.q, k), value(where.qd, k));
+    tau = to_fixed<EffortsOf<Wrist, Fixed32>>(all).values;
+  };
+  const auto told = [&](const auto& where, auto& tau, auto&, auto& stiff) {
+    for (int k = 0; k < drives; ++k) {
+      const double most = scene_of<Wrist>::Robot::chain.links[k].effort_limit;
+      tau[k] = std::fmin(most, std::fmax(-most, effort(k, where.q[k], where.qd[k])));
+      stiff.stiffness[k] = WristServo::stiffness[k], stiff.damping[k] = WristServo::damping[k];
+    }
+  };
+  for (int k = 0; k < 300; ++k) {
+    ASSERT_TRUE(advance<StickingFor<WristServo>>(x, in_words).ok()) << k;
+    ASSERT_TRUE(advance<StickingEuler>(y, 1e-3, told).ok());
+    for (int i = 0; i < drives; ++i)
+      ASSERT_NEAR(value(x.q, i), y.q[i], 1e-6) << k << ' ' << i;
+  }
+  for (int k = 0; k < drives; ++k)
+    EXPECT_NEAR(y.q[k], rest[k], 1e-2) << k;
+}
 TEST(HeldWords, StopDrivesThatJointsShare) {
   const auto& elbow = scene_of<Wrist>::Robot::chain.links[2];
   Numbers<Wrist> u{}, pull{};

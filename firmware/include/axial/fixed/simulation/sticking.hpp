@@ -102,10 +102,11 @@ AXIAL_INLINE constexpr int sign_of_word(int x) {
   return (x >> 31) | static_cast<int>((0U - static_cast<unsigned>(x)) >> 31);
 }
 
-/// Joints that are held, a bit each.
+/// Which joints are held.
+template <int size>
 struct HeldJoints {
-  unsigned bits = 0;
-  AXIAL_INLINE constexpr bool operator()(int k) const { return (bits >> k & 1U) != 0; }
+  bool of[size] = {};
+  AXIAL_INLINE constexpr bool operator()(int k) const { return of[k]; }
 };
 
 /// A step of joints as StickingEuler has it, in words: what sticks is left out of M as it is solved, and so is, with
@@ -228,16 +229,15 @@ class HeldStep {
   }
 
   AXIAL_INLINE constexpr Status accelerate(int solves) {
-    HeldJoints held{};
+    HeldJoints<size> held{};
     std::int64_t given[size] = {}, left[size] = {};
     for (int k = 0; k < size; ++k) {
-      const bool is_held = sticks(k) | (stop_[k] != 0);
-      held.bits |= static_cast<unsigned>(is_held) << k;
+      held.of[k] = sticks(k) | (stop_[k] != 0);
       const std::int64_t change = std::int64_t{wanted(k)} - qd_[k];
-      a_[k] = select(is_held, word(constants.acceleration[k](static_cast<std::int32_t>(change >> 1))), 0);
-      given[k] = wide_shifted_by(left_[k] - select(is_held, 0, sliding(k)), constants.coarser[k]);
+      a_[k] = select(held(k), word(constants.acceleration[k](static_cast<std::int32_t>(change >> 1))), 0);
+      given[k] = wide_shifted_by(left_[k] - select(held(k), 0, sliding(k)), constants.coarser[k]);
     }
-    const DriveSolve<H, std::int32_t, Units, HeldJoints> solve(m_, held);
+    const DriveSolve<H, std::int32_t, Units, HeldJoints<size>> solve(m_, held);
     int spilt = -1;
     for (; solves > 0; --solves)
       solve.improve(given, a_, spilt);
