@@ -36,7 +36,8 @@ struct StiffRobot {
       const bool has_rotor = scene_of<S>::template has<RotorInertia>;
       const double rotor = has_rotor ? link.gear * link.gear * link.rotor_inertia : 0.0;
       link.rotor_inertia = rotor + stiff_inertia<S, Stiff>(i), link.gear = 1.0;
-      const bool drives = is_bounded(link.drive_speed_limit) && link.drive_speed_limit > link.speed_limit;
+      const bool drives =
+          link.drive_speed_limit < LinkParameters::unlimited && link.drive_speed_limit > link.speed_limit;
       const double speed = drives ? link.drive_speed_limit : link.speed_limit;
       link.effort_limit += Stiff::step * declared_stiffness<S, Stiff>(i) * speed;
     }
