@@ -141,9 +141,9 @@ class HeldStep {
       way_[k] = sign_of_word(qd_[k]);
       left_[k] = std::int64_t{driven.tau.values[k].raw} - bias.values[k].raw + sliding(k) - constants.stiff[k](qd_[k]);
     }
-    SummationOf<X>::each(size, [&](auto i) AXIAL_INLINE {
-      if constexpr (stops) look<decltype(i)::value>(x.q.values[decltype(i)::value].raw);
-    });
+    if constexpr (stops)
+      SummationOf<X>::each(size,
+                           [&](auto i) AXIAL_INLINE { look<decltype(i)::value>(x.q.values[decltype(i)::value].raw); });
   }
   /// Finds who sticks and who stops, for which one solve is exact enough; what cannot be answered.
   AXIAL_INLINE constexpr Status solve() {
