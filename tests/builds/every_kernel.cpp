@@ -1,8 +1,10 @@
 // Every kernel that a user can call, instantiated over every kind of number: for what a compiler has to say about them.
-// The build gives the headers (-include); robots are a planar arm, the SCARA of the closed form, and a tree.
+// The build gives the headers (-include); robots are a planar arm, the SCARA of the closed form, a tree, and an arm
+// whose joints share drives.
 #include <robots/planar2r.hpp>
 #include <robots/scara.hpp>
 #include <robots/two_arm.hpp>
+#include <robots/wrist_arm.hpp>
 
 #ifndef AXIAL_KERNELS_OF
 #define AXIAL_KERNELS_OF 0  // all; or 1 float, 2 double, 3 fixed point
@@ -202,6 +204,18 @@ bool in_batches() {
          momentum_terms<S>(q, q, in).status.ok() && is_finite(mass_matrix<S>(q, in)(0, 0))[0] && lane(q, 0)[0] < T(1);
 }
 
+/// A step in words of joints that stick and that meet end stops.
+struct Soft {
+  static constexpr double step = 1e-3;
+  static constexpr double stiffness[5] = {}, damping[5] = {};
+};
+template <class S>
+bool between_stops() {
+  axial::Motion<S, Fixed32> x{};
+  const Held<S, Fixed32> held{};
+  return advance<StickingFor<Soft>>(x, WithEndStops<S, Fixed32, Held<S, Fixed32>>(held, {})).ok();
+}
+
 template <class Robot, class... Tags>
 using Loaded = Scene<Robot, Gravity, RotorInertia, Friction, Payload, Tags...>;
 
@@ -217,9 +231,10 @@ bool in_float();
 bool in_float() {
   using robots::Planar2r, robots::Scara, robots::TwoArm;
   return all(all_of<Planar2r, float>(), all_of<TwoArm, float>(), all_of<Loaded<Scara>, float>(),
-             separated<Scara, float>({}, {}, {}), simulated<Planar2r, float>(), differentiated<Planar2r, float>(),
-             rated<Planar2r, float>(), elastic_joints<float>(), modelled<float>(), counted<Scara>(),
-             in_batches<Planar2r, float>(), pushed<float>(),
+             all_of<Loaded<robots::WristArm>, float>(), separated<Scara, float>({}, {}, {}),
+             simulated<Planar2r, float>(), differentiated<Planar2r, float>(), rated<Planar2r, float>(),
+             elastic_joints<float>(), modelled<float>(), counted<Scara>(), in_batches<Planar2r, float>(),
+             pushed<float>(),
              check_finite(closed_form::scara_torque<Scara>(Joints<Scara, float>{}, Joints<Scara, float>{},
                                                            Joints<Scara, float>{}))
                  .ok());
@@ -250,6 +265,7 @@ bool in_fixed_point();
 bool in_fixed_point() {
   using robots::Planar2r, robots::Scara;
   return all(all_of<Planar2r, Fixed32>(), all_of<Planar2r, Fixed16>(), all_of<Loaded<Scara>, Fixed32>(),
+             all_of<Loaded<robots::WristArm>, Fixed32>(), between_stops<Loaded<robots::WristArm>>(),
              separated<Scara, Fixed32>({}, {}, {}), converted<Planar2r>(), bounded<Planar2r>(), pushed<Fixed32>(),
              held(), pushed<Fixed16>(), certified_forward_dynamics<Planar2r, Fixed32>({}, {}, {}).status.ok(),
              differentiated_in_words<Planar2r>(),

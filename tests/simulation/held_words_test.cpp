@@ -536,7 +536,7 @@ TEST(HeldWords, TakeStiffDrivesThatJointsShare) {
       all[k] = effort(k, value(where.q, k), value(where.qd, k));
     tau = to_fixed<EffortsOf<Wrist, Fixed32>>(all).values;
   };
-  const auto told = [&](const auto& where, auto& tau, auto&, auto& stiff) {
+  const auto telling = [&](const auto& where, auto& tau, auto&, auto& stiff) {
     for (int k = 0; k < drives; ++k) {
       const double most = scene_of<Wrist>::Robot::chain.links[k].effort_limit;
       tau[k] = std::fmin(most, std::fmax(-most, effort(k, where.q[k], where.qd[k])));
@@ -545,7 +545,7 @@ TEST(HeldWords, TakeStiffDrivesThatJointsShare) {
   };
   for (int k = 0; k < 300; ++k) {
     ASSERT_TRUE(advance<StickingFor<WristServo>>(x, in_words).ok()) << k;
-    ASSERT_TRUE(advance<StickingEuler>(y, 1e-3, told).ok());
+    ASSERT_TRUE(advance<StickingEuler>(y, 1e-3, telling).ok());
     for (int i = 0; i < drives; ++i)
       ASSERT_NEAR(value(x.q, i), y.q[i], 1e-6) << k << ' ' << i;
   }

@@ -89,9 +89,9 @@ class DriveSolve : Held {
 
   AXIAL_INLINE constexpr bool is_held(int k) const { return Held::operator()(k); }
   AXIAL_INLINE constexpr void eliminate(std::int32_t (&left)[size][size], int k) {
-    const bool kept = !is_less_wide(left[k][k], u.least[k]) & !is_held(k);
+    const bool resists = !is_less_wide(left[k][k], u.least[k]), held = is_held(k), kept = resists & !held;
     const auto inverse = integer::reciprocal(static_cast<std::int32_t>(select_wide(kept, left[k][k], 1)));
-    lost_ = select(kept | is_held(k), lost_, k);
+    lost_ = select(resists | held, lost_, k);
     mantissa_[k] = static_cast<std::int32_t>(inverse.mantissa) & -static_cast<std::int32_t>(kept);
     shift_[k] = inverse.exponent - bits + u.gain_bits[k];
     for (int i = 0; i < k; ++i)

@@ -83,12 +83,14 @@ struct SharedLimits {
     constexpr Status status() const { return status_from(code, joint); }
   };
   static constexpr bool is_there(std::int64_t q, const Limit& limit) {
-    return !is_less_wide(q, limit.low) & !is_less_wide(limit.high, q);
+    const bool low = !is_less_wide(q, limit.low), high = !is_less_wide(limit.high, q);
+    return low & high;
   }
   static constexpr bool inside(const NoMotion&, int, std::int64_t) { return true; }
   template <class Values>
   static constexpr bool inside(const Values& values, int i, std::int64_t most) {
-    return !is_less_wide(most, values[i].raw) & !is_less_wide(values[i].raw, -most);
+    const bool high = !is_less_wide(most, values[i].raw), low = !is_less_wide(values[i].raw, -most);
+    return high & low;
   }
   // Position of joint I without a turn lost.
   template <int I>

@@ -163,7 +163,8 @@ class HeldStep {
       a.values[k].raw = a_[k];
     Sums::each(size, [&](auto i) AXIAL_INLINE {
       constexpr int k = decltype(i)::value;
-      const bool rests = (stop_[k] == 0) & (sticks(k) | turned(k));
+      const bool still = sticks(k), turns = turned(k), rubbing = rubs(k);
+      const bool rests = (stop_[k] == 0) & (still | (rubbing & turns));
       const int v = select(rests, 0, within(k));
       const bool given = rests | (stop_[k] != 0) | (v != v_[k]);
       Sums::add_velocity(x, i, h, a);
@@ -195,7 +196,7 @@ class HeldStep {
   }
   /// Without dry friction nothing sticks.
   AXIAL_INLINE constexpr bool sticks(int k) const { return rubs(k) & (way_[k] == 0); }
-  AXIAL_INLINE constexpr bool turned(int k) const { return rubs(k) & is_negative(sign_of_word(v_[k]) * way_[k]); }
+  AXIAL_INLINE constexpr bool turned(int k) const { return is_negative(sign_of_word(v_[k]) * way_[k]); }
   AXIAL_INLINE static constexpr bool rubs(int k) { return (constants.forward[k] | constants.backward[k]) != 0; }
   AXIAL_INLINE constexpr int within(int k) const {
     if constexpr (stops)
@@ -265,9 +266,8 @@ class HeldStep {
     const bool stays = !free & !is_negative(pull * stop_[k]);
     const int slides = select(rubs(k), select(turned(k), 0, way_[k]), sign_of_word(v_[k]));
     const int next = select(free & !sticks(k), slides, select(arrives, way_[k], broken(k)));
-    const bool over = is_negative(-next) & !is_less(v_[k], above_[k]),
-               under = is_negative(next) & !is_less(-below_[k], v_[k]);
-    const bool reaches = stops & free & (over | under);
+    const bool up = is_negative(-next), down = is_negative(next), over = !is_less(v_[k], above_[k]),
+               under = !is_less(-below_[k], v_[k]), reaches = stops & free & ((up & over) | (down & under));
     way_[k] = select(stays | reaches, way_[k], next);
     stop_[k] = select(stays, stop_[k], select(reaches, next, 0));
   }
