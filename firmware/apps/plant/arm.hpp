@@ -5,6 +5,7 @@
 #include <firmware/apps/feedforward/controller.hpp>
 #include <firmware/apps/feedforward/deadlines.hpp>
 
+#include "elastic.hpp"
 #include "encoders.hpp"
 #include "input.hpp"
 #include "noise.hpp"
@@ -15,12 +16,13 @@ namespace axial::apps::plant {
 /// `substeps`: steps of the integrator a tick of 1 ms. `Worker`: who makes them (worker.hpp); one beside this core
 /// makes those of a tick while this one speaks, so that in free-running encoders tell of the tick before.
 template <class R, class Number = float, int substeps = 1, class Worker = OnThisCore>
-class Arm : GivenInputs<ArmSceneOf<R>, Number> {
-  using S = ArmSceneOf<R>;
+class Arm : GivenInputs<typename DrivesOf<R, Number>::S, Number> {
+  using Joined = DrivesOf<R, Number>;
+  using S = typename Joined::S;
   using M = MechanicsOf<R>;
   using Method = typename ArmMethod<R, Number, substeps>::type;
   using X = std::conditional_t<is_stored_v<Number>, Motion<S, Number>, CompensatedMotion<S, Number>>;
-  using Tau = EffortsOf<S, Number>;
+  using Tau = typename Joined::Tau;
   using Values = std::array<float, hal::link::max_joints>;
   using Status = hal::link::TorqueStatus;
 
@@ -119,9 +121,6 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
     return false;
   }
 
-  /// As it is: rad or m, and per second.
-  const X& state() const { return x_; }
-
  private:
   static Joints<R, float> joint_values(const Values& from) {
     Joints<R, float> to{};
@@ -177,12 +176,14 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
     if constexpr (is_stored_v<Number>) {
       const auto kept = to_fixed<Positions<R, Number>>(joint_values(values));
       if (!kept.status.ok()) return false;
-      there.q = kept.values;
-    } else if (!put(values, there.q)) {
-      return false;
+      Joined::place(there, kept.values);
+    } else {
+      Positions<R, Number> q{};
+      if (!put(values, q)) return false;
+      Joined::place(there, q);
     }
     x_ = there;
-    encoders_.place(x_);
+    encoders_.place(Joined::motors(x_));
     show();
     noise_.restart();
     return true;
@@ -242,7 +243,7 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
   void move() {
     if (stopped_) return;
     finish();
-    held_ = {acting(), this->in_};
+    held_ = {Joined::efforts(acting(), pushed_), this->in_};
     Worker::begin([](void* arm) { static_cast<Arm*>(arm)->make_steps(); }, this);
     moving_ = true;
     if constexpr (!Worker::is_beside) finish();
@@ -253,7 +254,7 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
       const axial::Status each = step(held_);
       if (found_.ok()) found_ = each;
     }
-    encoders_.follow(x_);
+    encoders_.follow(Joined::motors(x_));
   }
   /// Until then nobody but the worker looks at the arm.
   void finish() {
@@ -269,7 +270,7 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
   };
   Reading read_now() const {
     Reading now;
-    const auto speed = real(encoders_.speeds(x_));
+    const auto speed = real(encoders_.speeds(Joined::motors(x_)));
     for (std::size_t i = 0; i < joints; ++i) {
       const int k = static_cast<int>(i);
       now.position[i] = encoders_.counts(k);
@@ -304,7 +305,7 @@ class Arm : GivenInputs<ArmSceneOf<R>, Number> {
 
   X x_{};
   ArmEncoders<R, Number> encoders_{};
-  NoiseOf<S, Number, M> noise_{};
+  NoiseOf<typename Joined::Given, Number, M> noise_{};
   Tau wanted_{}, asked_{}, pushed_{};
   Held<S, Number> held_{};
   axial::Status found_{}, moved_{};  // of a tick's steps; of all since the last answer

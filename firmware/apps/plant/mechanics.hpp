@@ -9,11 +9,12 @@
 ///       static constexpr bool springs = true;                 // likewise, in float; as stiff as you like
 ///       static constexpr axial::EndStops stops{1e5, 30.0};    // N m/rad and N m s/rad, beyond its position limits; in
 ///                                                             // fixed point they do not yield
-///       static constexpr bool payload = true;                 // taken and put down on command
-///       static constexpr double torque_noise[] = {0.1, 0, 0}; // N m or N, standard deviation, drawn anew each ms
-///       static constexpr int encoder_bits = 14;               // a turn; on slides steps of a metre over 2^bits
-///       static constexpr int encoder_delay = 1;               // ms until positions and speeds are answered
-///       static constexpr double backlash[] = {1e-3, 0, 0};    // rad or m between a motor's encoder and its joint
+///       static constexpr bool elastic = true;                 // joints with a stiffness() stand behind springs, in
+///       float static constexpr bool payload = true;                 // taken and put down on command static constexpr
+///       double torque_noise[] = {0.1, 0, 0}; // N m or N, standard deviation, drawn anew each ms static constexpr int
+///       encoder_bits = 14;               // a turn; on slides steps of a metre over 2^bits static constexpr int
+///       encoder_delay = 1;               // ms until positions and speeds are answered static constexpr double
+///       backlash[] = {1e-3, 0, 0};    // rad or m between a motor's encoder and its joint
 ///     };
 ///   };
 
@@ -51,6 +52,11 @@ template <class M, class = void>
 inline constexpr bool has_springs = false;
 template <class M>
 inline constexpr bool has_springs<M, std::void_t<decltype(M::springs)>> = M::springs;
+
+template <class M, class = void>
+inline constexpr bool has_elastic = false;
+template <class M>
+inline constexpr bool has_elastic<M, std::void_t<decltype(M::elastic)>> = M::elastic;
 
 template <class M, class = void>
 inline constexpr bool has_stops = false;
@@ -114,7 +120,7 @@ struct OwnStiffness {
 /// Who moves it: friction that sticks, stops and whatever is stiff by implicit steps, all else by Runge-Kutta.
 template <class R, class Number, int substeps, class M = MechanicsOf<R>>
 struct ArmMethod {
-  static constexpr bool stiff = has_springs<M> || has_stops<M>;
+  static constexpr bool stiff = has_springs<M> || has_elastic<M> || has_stops<M>;
   using type =
       std::conditional_t<has_friction<M>, StickingEuler, std::conditional_t<stiff, LinearlyImplicitEuler, RungeKutta4>>;
 };
