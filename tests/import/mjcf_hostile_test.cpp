@@ -163,7 +163,10 @@ std::string mujoco(const std::string& text) { return "<mujoco>" + text + "</mujo
 TEST(MjcfHostile, ManyBodies) {
   expect_says(message_of(mujoco("<worldbody>" + repeated("<body/>", 1000000) + "</worldbody>")),
               "has more than 100000 elements; give the robot");
-  expect_says(message_of(mujoco("<worldbody>" + repeated("<body/>", 20000) + "</worldbody>")), "is one too many");
+  expect_says(message_of(mujoco("<worldbody>" + repeated("<body/>", 20000) + "</worldbody>")),
+              "is one too many: at most 5000 bodies are read");
+  expect_says(message_of(mujoco("<worldbody>" + repeated("<body/>", 3000) + "</worldbody>")),
+              "is one too many: at most 64 joints and 1000 bodies are imported");
   expect_says(message_of(mujoco("<worldbody><body>" + repeated("<joint/>", 20000) + "</body></worldbody>")),
               "at most 64 joints");
   expect_says(message_of(mujoco("<worldbody>" + repeated("<body>", 100000))), "nested too deeply");

@@ -16,6 +16,8 @@ constexpr const char* joint_words =
     "solimpfriction stiffness range actuatorfrcrange actuatorgravcomp margin ref springref armature damping "
     "frictionloss user";
 
+constexpr int most_bodies = 5000;
+
 class ModelReader {
  public:
   explicit ModelReader(Model& model) : m_(model) {}
@@ -85,6 +87,9 @@ class ModelReader {
     BodyNode body;
     body.named = element.find("name") != nullptr;
     body.name = a.word("name", "body" + std::to_string(index)), body.place = element.place, body.parent = parent;
+    if (index > most_bodies)
+      a.refuse("is one too many: at most " + std::to_string(most_bodies) + " bodies are read",
+               "give the robot without its surroundings");
     if (!m_.body_of_name.emplace(body.name, index).second)
       a.refuse("the name '" + body.name + "' stands twice", "give each body its own");
     body.pose = frame * pose_of(a, m_.settings), see(a, "pos"), check_turn(a, body.name);
