@@ -168,6 +168,8 @@ TEST(MjcfHostile, ManyBodies) {
   expect_says(message_of(mujoco("<worldbody>" + repeated("<body/>", 3000) + "</worldbody>")),
               "is one too many: at most 64 joints and 1000 bodies are imported");
   expect_says(message_of(mujoco("<worldbody><body>" + repeated("<joint/>", 20000) + "</body></worldbody>")),
+              "is one too many: at most 5000 joints are read");
+  expect_says(message_of(mujoco("<worldbody><body>" + repeated("<joint/>", 2000) + "</body></worldbody>")),
               "at most 64 joints");
   expect_says(message_of(mujoco("<worldbody>" + repeated("<body>", 100000))), "nested too deeply");
 }

@@ -16,7 +16,7 @@ constexpr const char* joint_words =
     "solimpfriction stiffness range actuatorfrcrange actuatorgravcomp margin ref springref armature damping "
     "frictionloss user";
 
-constexpr int most_bodies = 5000;
+constexpr std::size_t most_parts = 5000;
 
 class ModelReader {
  public:
@@ -87,9 +87,7 @@ class ModelReader {
     BodyNode body;
     body.named = element.find("name") != nullptr;
     body.name = a.word("name", "body" + std::to_string(index)), body.place = element.place, body.parent = parent;
-    if (index > most_bodies)
-      a.refuse("is one too many: at most " + std::to_string(most_bodies) + " bodies are read",
-               "give the robot without its surroundings");
+    count(a, m_.bodies.size(), "bodies");
     if (!m_.body_of_name.emplace(body.name, index).second)
       a.refuse("the name '" + body.name + "' stands twice", "give each body its own");
     body.pose = frame * pose_of(a, m_.settings), see(a, "pos"), check_turn(a, body.name);
@@ -99,6 +97,11 @@ class ModelReader {
     m_.bodies.push_back(body), m_.children.push_back({});
     m_.children[static_cast<std::size_t>(parent)].push_back(index);
     read_children(element, index, {}, class_of(element, childclass));
+  }
+  static void count(const Attributes& a, std::size_t found, const std::string& things) {
+    if (found > most_parts)
+      a.refuse("is one too many: at most " + std::to_string(most_parts) + ' ' + things + " are read",
+               "give the robot without its surroundings");
   }
   void check_turn(const Attributes& a, const std::string& body) {
     for (const double angle : a.numbers("euler", 0, 3))
@@ -138,6 +141,7 @@ class ModelReader {
     const bool free_joint = e.name == "freejoint";
     const Attributes a = free_joint ? Attributes({&e}) : m_.defaults->of(e, "joint", childclass);
     a.allow(free_joint ? "group align" : joint_words);
+    count(a, m_.joint_of_name.size() + 1, "joints");
     const std::string type = free_joint ? "free" : a.one_of("type", {"hinge", "slide", "ball", "free"});
     const std::string name =
         e.find("name") != nullptr ? *e.find("name") : "joint" + std::to_string(m_.joint_of_name.size());
