@@ -121,6 +121,9 @@ class Arm : GivenInputs<typename DrivesOf<R, Number>::S, Number> {
     return false;
   }
 
+  /// As it is: rad or m, and per second; of elastic joints motors and springs.
+  const X& state() const { return x_; }
+
  private:
   static Joints<R, float> joint_values(const Values& from) {
     Joints<R, float> to{};
