@@ -48,9 +48,19 @@ struct ElasticStates {
 template <class R>
 inline constexpr ElasticStates<R> elastic_states{};
 
+/// Whether every elastic joint has a rotor, which its motor is.
+template <class R>
+constexpr bool motors_are_heavy() {
+  for (const LinkParameters& link : R::chain.links)
+    if (is_elastic(link) && !(link.rotor_inertia > 0.0)) return false;
+  return true;
+}
+
 /// R with its springs as joints.
 template <class R>
 struct ElasticRobot {
+  static_assert(motors_are_heavy<R>(),
+                "an elastic joint needs its motor: give each link with stiffness() rotor_inertia()");
   static_assert(!R::chain.shares_drives(),
                 "elastic joints have a drive each: take elastic out of this robot's Mechanics");
   static constexpr auto chain = [] {

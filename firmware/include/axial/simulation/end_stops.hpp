@@ -17,11 +17,10 @@ struct EndStops {
 };
 
 /// A drive, and stops at the position limits that the robot declares, where joints share drives at those of each drive
-/// (drive_limits()); one without limits has none. The drive is only referred to. It tells an
-/// implicit method how stiff it is while a joint is in a stop, so that LinearlyImplicitEuler and StickingEuler take any
-/// step: a joint by itself leaves a stop no faster than it came, v' = v (1 - k s) / (1 + k + d), where k = h^2 K/M, d =
-/// h D/M and s of its last step, of 1, lies in the stop. For an explicit method ask step_limit() with the same
-/// stiffness first.
+/// (drive_limits()); one without limits has none. The drive is only referred to. It tells an implicit method how stiff
+/// it is while a joint is in a stop, so that LinearlyImplicitEuler and StickingEuler take any step: a joint by itself
+/// leaves a stop no faster than it came, v' = v (1 - k s) / (1 + k + d), where k = h^2 K/M, d = h D/M and s of its last
+/// step, of 1, lies in the stop. For an explicit method ask step_limit() with the same stiffness first.
 template <class S, class T, class Drive>
 class WithEndStops {
  public:
