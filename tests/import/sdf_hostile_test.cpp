@@ -18,7 +18,7 @@ using broken::expect_says;
 using importer::Options;
 
 std::string message_of(const std::string& text, const std::string& from = "arm.sdf", const Options& options = {}) {
-  return broken::message_within_a_second(text, from, options);
+  return broken::message_in_time(text, from, options);
 }
 
 constexpr Broken sdfs[] = {

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Checks the structure of the tree: includes point one way and never in a circle, kernels know no number system, the
-library stays freestanding, answers are [[nodiscard]], folders explain themselves, nothing is there that a program left.
+library stays freestanding and uses no name that macros of others take, answers are [[nodiscard]], folders explain
+themselves, nothing is there that a program left.
 
 usage: check.py ROOT
 Prints each violation and exits 1 if there is one.
@@ -54,6 +55,10 @@ LARGEST = 2_000_000  # bytes of a file
 
 # A line that compiles to something: neither blank, nor a comment, nor a directive or what one goes on with.
 CODE = re.compile(r"^(?<!\\\n)(?!\s*(?://|#|$)).+", re.MULTILINE)
+
+FOREIGN_MACROS = "tests/builds/foreign_macros.hpp"
+MACRO = re.compile(r"^#define (\w+)(\(?)", re.MULTILINE)
+DIRECTIVE = re.compile(r"^\s*#(?:.*\\\n)*.*", re.MULTILINE)
 
 # Folders whose functions answer users; steps of kernels (AXIAL_INLINE) and namespaces of their own are not for users.
 ANSWERING = ("", *KERNELS[KERNELS.index("dynamics"):], "batch", "calls", "closed_form", "control", "simulation")
@@ -184,6 +189,15 @@ def check_number_systems(root):
         code = code_of(path)
         for name in sorted(own & set(re.findall(r"\w+", code)) - set(INTRODUCED.findall(code))):
             yield f"{path}: {name} belongs to {PLUG_IN}/; kernels know no number system"
+
+
+def check_foreign_names(root):
+    """No header of C++ has a name that a macro of other people's headers takes away; tests/builds/macros_test.py has a compiler say so, too."""
+    macros = (root / FOREIGN_MACROS).read_text()
+    taken = {name: re.compile(rf"\b{name}\b" + (r"\s*\(" if arguments else "")) for name, arguments in MACRO.findall(macros)}
+    for path in sorted((root / LIBRARY).rglob("*.hpp")):
+        code = DIRECTIVE.sub("", code_of(path))
+        yield from (f"{path}: {name} is a macro of other people's headers ({FOREIGN_MACROS})" for name, use in taken.items() if use.search(code))
 
 
 def check_cycles(root):
@@ -346,6 +360,7 @@ def violations(root):
     yield from check_options(root)
     yield from check_language(root)
     yield from check_number_systems(root)
+    yield from check_foreign_names(root)
     yield from check_cycles(root)
     yield from check_folder(root, "hal", r"axial/|robots/", "hal never sees dynamics")
     yield from check_folder(root, "robots", r"axial/(?!robot/)", "robots see robot only")

@@ -42,6 +42,8 @@ BROKEN = {
     "firmware/include/axial/recursion/dynamics.hpp": "#include <axial/dynamics/d.hpp>\n",
     **{f"firmware/include/axial/fixed/crowded/header_{i}.hpp": "\n" for i in range(21)},
     "firmware/include/axial/fixed/page/not_named.hpp": "\n",
+    "firmware/include/axial/scalar/taken_call.hpp": own("namespace axial {\nconstexpr void word(int) {}\n}  // namespace axial\n"),
+    "firmware/include/axial/scalar/taken_name.hpp": own("namespace axial {\nconstexpr int near = 1;\n}  // namespace axial\n"),
     "orphan/h.hpp": "\n",
     ".json": "[]\n",
     "robots/large.csv": "0\n" * 1_000_001,
@@ -71,8 +73,10 @@ BROKEN = {
 SENTENCES = ("fixed/crowded: has 21 headers", "fixed/page/README.md: says nothing of `not_named.hpp`, nclude, To add ", "dynamics/water.hpp is an old path",
              "water.hpp: an old path includes axial/base/water.hpp and nothing else", "tools/ must not include robots/robots/",
              "host_sim/boards/demo/demo.hpp; a program's parts are its own", "boards/ must not include figures/plot/", "figures/first: includes itself",
-             "figures/many: has 21 entries", "tools/README.md: its table and its folders differ in gone, output", "plants/README.md: the library is used by loop",
+             "taken_call.hpp: word is a macro", "taken_name.hpp: near is a macro", "figures/many: has 21 entries", "tools/README.md: its table and its folders differ in gone, output", "plants/README.md: the library is used by loop",
              "plants/README.md: 70 lines at most, and nclude, To add , Read ", "host_sim/README.md: its table has the rooms tools, boards, plants, figures, and")
+# What others' macros are; a name without arguments is none of word's.
+FOREIGN = {"tests/builds/foreign_macros.hpp": "#define near\n#define word(...) makeWord(__VA_ARGS__)\n", "tests/builds/README.md": "\n"}
 GONE = {".json", "firmware/include/axial/fixed/crowded/header_20.hpp", "host_sim/figures/many/piece_20.cpp"}
 NO_VIOLATIONS = ("fixed/p.hpp", "plot/drawn.py")  # but what others use of them
 
@@ -88,6 +92,7 @@ auto gone(int) = delete;
 struct S {
   [[nodiscard]] static constexpr int member();
   constexpr explicit S(int) {}
+  int word = 0;
 };
 }  // namespace axial
 """, "#include <axial/scalar/language.hpp>\n\n#include <cstdint>\n// A macro is nobody's code.\n#define AXIAL_SUM(a, b) \\\n  ((a) + (b))\n")
@@ -96,7 +101,7 @@ struct S {
 def run_on(files):
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
-        for name, text in files.items():
+        for name, text in (files | FOREIGN).items():
             path = root / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text)

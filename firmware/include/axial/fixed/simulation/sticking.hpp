@@ -182,7 +182,7 @@ class HeldStep {
   int way_[size] = {}, stop_[size] = {};                // where it slides, 0 where it sticks; which stop holds it
   std::int32_t a_[size] = {};
 
-  AXIAL_INLINE static constexpr int word(std::int64_t x) {
+  AXIAL_INLINE static constexpr int narrow(std::int64_t x) {
     bool lost = false;
     return held_in_word<A>(lost, x);
   }
@@ -225,8 +225,8 @@ class HeldStep {
   }
   // Rounded down: a step ends at the limit or less than a word before it.
   AXIAL_INLINE static constexpr int speed_to(int k, std::uint32_t gap) {
-    const std::int64_t near = constants.furthest[k];
-    return word(constants.reach[k](static_cast<std::int32_t>(select_wide(is_less_wide(gap, near), gap, near))));
+    const std::int64_t most = constants.furthest[k];
+    return narrow(constants.reach[k](static_cast<std::int32_t>(select_wide(is_less_wide(gap, most), gap, most))));
   }
 
   AXIAL_INLINE constexpr Status accelerate(int solves) {
@@ -235,7 +235,7 @@ class HeldStep {
     for (int k = 0; k < size; ++k) {
       held.of[k] = sticks(k) | (stop_[k] != 0);
       const std::int64_t change = std::int64_t{wanted(k)} - qd_[k];
-      a_[k] = select(held(k), word(constants.acceleration[k](static_cast<std::int32_t>(change >> 1))), 0);
+      a_[k] = select(held(k), narrow(constants.acceleration[k](static_cast<std::int32_t>(change >> 1))), 0);
       given[k] = wide_shifted_by(left_[k] - select(held(k), 0, sliding(k)), constants.coarser[k]);
     }
     const DriveSolve<H, std::int32_t, Units, HeldJoints<size>> solve(m_, held);
@@ -244,8 +244,8 @@ class HeldStep {
       solve.improve(given, a_, spilt);
     solve.residual(given, a_, left);
     for (int k = 0; k < size; ++k) {
-      pull_[k] = word(wide_raised(word(wide_shifted_by(left[k], solve.u.given[k])), constants.coarser[k]));
-      v_[k] = select(held(k), wanted(k), word(qd_[k] + constants.speed[k](a_[k])));
+      pull_[k] = narrow(wide_raised(narrow(wide_shifted_by(left[k], solve.u.given[k])), constants.coarser[k]));
+      v_[k] = select(held(k), wanted(k), narrow(qd_[k] + constants.speed[k](a_[k])));
     }
     using Code = Status::Code;
     const bool is_lost = !is_negative(solve.lost()), is_spilt = !is_negative(spilt);
