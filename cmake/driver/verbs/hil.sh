@@ -91,11 +91,13 @@ hil_image() {
 
 # Robot, number of both, controller, arm, seconds; the first with faults, and drawn.
 readonly HIL_DOCUMENTED=("scara float stm32f405 stm32f405 60 --faults" "puma560 float stm32f405 stm32f405 10" "puma560 fixed32 stm32f405 stm32f100 10"
-  "scara fixed32 nrf51 nrf51 10" "scara fixed32 nrf51 rv32_virt 10" "scara float rv32_virt nrf51 10" "scara fixed32 rp2040 rp2040 1")
+  "scara fixed32 nrf51 nrf51 10" "scara fixed32 nrf51 rv32_virt 10" "scara float rv32_virt nrf51 10" "scara fixed32 rp2040 rp2040 1"
+  "tests/driver/worn_links.hpp fixed32 nrf51 stm32f100 10" "tests/driver/elastic_links.hpp float stm32f405 stm32f405 10")
 
 write_hil_documents() {
   local doc=$AXIAL_ROOT/doc output=$AXIAL_ROOT/output/hil row robot number controller plant seconds faults
   local -a rows=()
+  cd "$AXIAL_ROOT" || return
   mkdir -p "$output/documents"
   for row in "${HIL_DOCUMENTED[@]}"; do
     read -r robot number controller plant seconds faults <<<"$row"

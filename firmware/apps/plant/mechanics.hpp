@@ -5,16 +5,24 @@
 ///   struct MyArm {
 ///     static constexpr auto chain = ...;
 ///     struct Mechanics {
-///       static constexpr bool friction = true;                // as the chain declares it: dry friction sticks
-///       static constexpr bool springs = true;                 // likewise, in float; as stiff as you like
-///       static constexpr axial::EndStops stops{1e5, 30.0};    // N m/rad and N m s/rad, beyond its position limits; in
-///                                                             // fixed point they do not yield
-///       static constexpr bool elastic = true;                 // joints with a stiffness() stand behind springs, in
-///       float static constexpr bool payload = true;                 // taken and put down on command static constexpr
-///       double torque_noise[] = {0.1, 0, 0}; // N m or N, standard deviation, drawn anew each ms static constexpr int
-///       encoder_bits = 14;               // a turn; on slides steps of a metre over 2^bits static constexpr int
-///       encoder_delay = 1;               // ms until positions and speeds are answered static constexpr double
-///       backlash[] = {1e-3, 0, 0};    // rad or m between a motor's encoder and its joint
+///       // Friction as the chain declares it; dry friction sticks.
+///       static constexpr bool friction = true;
+///       // Springs, likewise, in float; as stiff as you like.
+///       static constexpr bool springs = true;
+///       // N m/rad and N m s/rad beyond its position limits; in fixed point they do not yield.
+///       static constexpr axial::EndStops stops{1e5, 30.0};  // <axial/simulation/end_stops.hpp>
+///       // Joints with a stiffness() stand behind springs, in float.
+///       static constexpr bool elastic = true;
+///       // Taken and put down on command.
+///       static constexpr bool payload = true;
+///       // N m or N, standard deviation, drawn anew each ms.
+///       static constexpr double torque_noise[] = {0.1, 0, 0};
+///       // A turn; on slides steps of a metre over 2^bits.
+///       static constexpr int encoder_bits = 14;
+///       // ms until positions and speeds are answered.
+///       static constexpr int encoder_delay = 1;
+///       // rad or m between a motor's encoder and its joint.
+///       static constexpr double backlash[] = {1e-3, 0, 0};
 ///     };
 ///   };
 
