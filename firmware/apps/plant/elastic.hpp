@@ -1,36 +1,12 @@
 #pragma once
-/// Where an arm's drives stand: at its joints, or at motors in front of springs (Spong 1987). An elastic arm is to an
-/// integrator a rigid chain: a joint that declares a stiffness() is one of the motor, which carries the rotor, friction
-/// and no mass, and behind it, about the same axis, one of the deflection q - theta with the spring. Deflections are
-/// states by themselves, so that a spring that is nearly rigid loses no digits to q - theta.
+/// Where an arm's drives stand: at its joints, or at motors in front of springs. An elastic arm is to an integrator a
+/// rigid chain (elastic_joint.hpp). Deflections are states by themselves, so that a spring that is nearly rigid loses
+/// no digits to q - theta.
 
+#include "elastic_joint.hpp"
 #include "mechanics.hpp"
 
 namespace axial::apps::plant {
-
-/// Whether a joint's link stands behind a spring; its two parts then.
-///@{
-constexpr bool is_elastic(const LinkParameters& link) { return link.stiffness < LinkParameters::unlimited; }
-
-constexpr LinkParameters motor_of(const LinkParameters& link) {
-  LinkParameters motor = link;
-  motor.mass = 0.0, motor.stiffness = LinkParameters::unlimited;
-  for (double& c : motor.com)
-    c = 0.0;
-  for (double& i : motor.inertia_com)
-    i = 0.0;
-  return motor;
-}
-constexpr LinkParameters body_of(const LinkParameters& link) {
-  LinkParameters body;
-  body.type = link.type, body.mass = link.mass, body.spring_stiffness = link.stiffness;
-  for (int k = 0; k < 3; ++k)
-    body.com[k] = link.com[k];
-  for (int k = 0; k < 6; ++k)
-    body.inertia_com[k] = link.inertia_com[k];
-  return body;
-}
-///@}
 
 /// Which states of the chain are whose.
 template <class R>
@@ -56,11 +32,21 @@ constexpr bool motors_are_heavy() {
   return true;
 }
 
+/// Whether no elastic joint has a spring of its own about the link, too.
+template <class R>
+constexpr bool links_have_one_spring() {
+  for (const LinkParameters& link : R::chain.links)
+    if (is_elastic(link) && link.spring_stiffness != 0.0) return false;
+  return true;
+}
+
 /// R with its springs as joints.
 template <class R>
 struct ElasticRobot {
   static_assert(motors_are_heavy<R>(),
                 "an elastic joint needs its motor: give each link with stiffness() rotor_inertia()");
+  static_assert(links_have_one_spring<R>(),
+                "a link behind an elastic joint has no other spring: take stiffness() or spring() from the link");
   static_assert(!R::chain.shares_drives(),
                 "elastic joints have a drive each: take elastic out of this robot's Mechanics");
   static constexpr auto chain = [] {

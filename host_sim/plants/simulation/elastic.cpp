@@ -1,7 +1,6 @@
+#include <firmware/apps/plant/elastic_joint.hpp>
 #include <host_sim/plants/simulation/elastic.hpp>
 
-#include <algorithm>
-#include <iterator>
 #include <stdexcept>
 
 namespace host_sim::simulation {
@@ -10,27 +9,9 @@ namespace {
 
 using axial::LinkParameters;
 
-bool is_elastic(const LinkParameters& link) { return link.stiffness < LinkParameters::unlimited; }
-
-LinkParameters motor_of(const LinkParameters& link) {
-  LinkParameters motor = link;
-  motor.mass = 0.0;
-  for (double& c : motor.com)
-    c = 0.0;
-  for (double& i : motor.inertia_com)
-    i = 0.0;
-  return motor;
-}
-
-LinkParameters body_of(const LinkParameters& link, double damping) {
-  LinkParameters body;
-  body.type = link.type;
-  body.mass = link.mass;
-  std::copy(std::begin(link.com), std::end(link.com), body.com);
-  std::copy(std::begin(link.inertia_com), std::end(link.inertia_com), body.inertia_com);
-  body.spring_stiffness = link.stiffness, body.viscous = damping;
-  return body;
-}
+using axial::apps::plant::body_of;
+using axial::apps::plant::is_elastic;
+using axial::apps::plant::motor_of;
 
 void check(const LinkParameters& link, std::size_t i) {
   const std::string joint = "joint " + std::to_string(i + 1) + ": ";

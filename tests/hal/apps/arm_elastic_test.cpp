@@ -69,6 +69,23 @@ struct Upright : robots::Scara {
 using Soft = Upright<2000, true>;
 using ElasticArm = ArmApp<Soft, float>;
 
+// What is refused: a spring in front of nothing, two springs about one link.
+struct WithoutMotor {
+  static constexpr auto chain =
+      axial::chain(axial::gravity(0.0, 0.0, 0.0), axial::revolute().mass(1.0).stiffness(spring));
+};
+struct TwiceSprung {
+  static constexpr auto chain = axial::chain(
+      axial::gravity(0.0, 0.0, 0.0), axial::revolute().mass(1.0).rotor_inertia(rotor).stiffness(spring).spring(1.0));
+};
+using plant::links_have_one_spring;
+using plant::motors_are_heavy;
+TEST(ElasticJoints, HaveAMotorAndOneSpring) {
+  EXPECT_TRUE(motors_are_heavy<Wheel>() && links_have_one_spring<Wheel>());
+  EXPECT_TRUE(!motors_are_heavy<WithoutMotor>() && links_have_one_spring<WithoutMotor>());
+  EXPECT_TRUE(motors_are_heavy<TwiceSprung>() && !links_have_one_spring<TwiceSprung>());
+}
+
 // Driven by a constant effort both run away together, and swing against each other: J th'' = tau - K (th - q), I q'' =
 // K (th - q).
 TEST_F(ElasticWheel, IsTwoBodiesAndASpring) {
