@@ -21,6 +21,8 @@ const Shape shapes[] = {
     {"SpeedLimitNeverReached", {100.0, 2.0, 20.0}},
     {"NeitherLimitReached", {100.0, 90.0, 5.0}},
     {"LongCruise", {1e-3, 1.0, 1e3}},
+    {"AccelerationLimitNearlyReached", {0.2, 5.0, 100.0}},
+    {"SmallAccelerationLimitReached", {0.1, 0.5, 4.0}},
 };
 
 class EveryShape : public testing::TestWithParam<Shape> {};

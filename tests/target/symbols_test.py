@@ -44,6 +44,12 @@ class Symbols(harness.BoardTest):
             with self.subTest(robot):
                 self.assertEqual(offenders(symbols, SOFT_DOUBLE), [])
 
+    def test_no_double_in_fixed_point(self):
+        """What a step, a limit or a constant is made of, the compiler works out, in arms that boards integrate as well."""
+        for name in (*(f"feedforward-fixed-{robot}" for robot in harness.ROBOTS), "tracking-fixed-scara", "plant-fixed-scara", "arm-fixed-scara"):
+            with self.subTest(name):
+                self.assertEqual(offenders(defined(emulator.image(self.board, name)), SOFT_DOUBLE), [])
+
     def test_float_arithmetic_is_where_it_belongs(self):
         """The FPU does it on the M4F; the others need libgcc. This also shows that the symbols are read at all."""
         for robot, symbols in self.images():

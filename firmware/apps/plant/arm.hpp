@@ -299,11 +299,11 @@ class Arm : GivenInputs<typename DrivesOf<R, Number>::S, Number> {
   }
   template <class Drive>
   axial::Status advance_by(const Drive& drive) {
-    constexpr double seconds = 1e-3 / substeps;
+    constexpr auto one = static_cast<StepOf<S, Number>>(1e-3 / substeps);  // by the compiler: boards have no double
     if constexpr (knows_its_step<Method>)
       return axial::advance<Method>(x_, drive);
     else
-      return axial::advance<Method>(x_, static_cast<StepOf<S, Number>>(seconds), drive);
+      return axial::advance<Method>(x_, one, drive);
   }
 
   X x_{};

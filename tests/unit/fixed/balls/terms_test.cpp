@@ -164,22 +164,28 @@ TYPED_TEST(Sums, OfALiteralWhoseOwnRoundingCounts) {
                       }),
               0.2);
 }
-// A constant that a word of its own holds 0.45 of a unit short, whatever the sum's exponent.
+// Constants that a word of their own holds 0.45 of a unit short, whatever the sum's exponent; to the second the word
+// gives an exponent less than its top bit has room for, or it would round up to one bit more.
 template <class S>
 constexpr double awkward = (detail::power_of_two(S::bits - 2) + 12345.45) * detail::power_of_two(-S::bits - 10);
 template <class S>
-using Awkward = Literal<detail::bits_of(awkward<S>), S>;
-TYPED_TEST(Sums, OfALiteralThatItsWordHoldsShort) {
-  using S = TypeParam;
-  constexpr int f = 1, e = f + 10;
+constexpr double almost_a_bit_more = (detail::power_of_two(S::bits - 2) - 0.45) * detail::power_of_two(-S::bits - 10);
+template <class S, std::uint64_t bits, int e>
+void expect_near_a_short_literal(double constant, double least) {
+  constexpr int f = 1;
   bounds::Terms terms;
-  terms.add_scaled(awkward<S>, f, reach<f, S>(0));
-  const auto draw = [](std::mt19937_64& random) {
+  terms.add_scaled(constant, f, reach<f, S>(0));
+  const auto draw = [constant](std::mt19937_64& random) {
     const auto raw = static_cast<Word<S>>(S::capacity - static_cast<double>(random() % 400));  // near the end of words
     const Fx<f, S> a{random() % 2 == 0 ? raw : static_cast<Word<S>>(-raw)};
-    return Drawn{value(round_to<e>(Awkward<S>{} * a)), static_cast<long double>(awkward<S>) * value(a)};
+    return Drawn{value(round_to<e>(Literal<bits, S>{} * a)), static_cast<long double>(constant) * value(a)};
   };
-  expect_near(nearest(terms.rounding(e, rounding<S>), draw), 0.9);
+  expect_near(nearest(terms.rounding(e, rounding<S>), draw), least);
+}
+TYPED_TEST(Sums, OfALiteralThatItsWordHoldsShort) {
+  using S = TypeParam;
+  expect_near_a_short_literal<S, detail::bits_of(awkward<S>), 11>(awkward<S>, 0.9);
+  expect_near_a_short_literal<S, detail::bits_of(almost_a_bit_more<S>), 12>(almost_a_bit_more<S>, 0.6);
 }
 TYPED_TEST(Sums, OfProductsOfOneExponent) {
   using S = TypeParam;
