@@ -11,9 +11,9 @@
 namespace axial {
 
 /// A step of time for words. Made of seconds in double, so that `advance<RungeKutta4>(x, 1e-3, drive)` is what it is in
-/// float; on a board a constant: `constexpr axial::FixedStep h = 1e-3`. Exact to 2^-29 of itself: Motion counts steps,
-/// so that this is a scale of time, of less than a quartz is off, and nothing that adds up. From 2^-30 s to 1 s, either
-/// way; any other is no step, and advance() says input_limit.
+/// float; on a board a constant is cheapest: `constexpr axial::FixedStep h = 1e-3`. Exact to 2^-29 of itself: Motion
+/// counts steps, so that this is a scale of time, of less than a quartz is off, and nothing that adds up. From 2^-30 s
+/// to 1 s, either way; any other is no step, and advance() says input_limit.
 class FixedStep {
  public:
   /// mantissa 2^-shift, 2^28 <= |mantissa| <= 2^29, or 0.
@@ -21,13 +21,15 @@ class FixedStep {
     std::int32_t mantissa = 0;  ///< with the sign
     int shift = 0;              ///< halvings
 
-    /// The number, where it is within the range of steps.
+    /// The number, where it is within the range of steps. By its bits: a board that makes one has no need of double.
     static constexpr Scale of(double x) {
-      constexpr double least = 0x1p-30;
-      const double size = x < 0.0 ? -x : x;
-      if (!(size >= least && size <= 1.0)) return {};
-      const int shift = digits - 1 - detail::binary_exponent(size);
-      return {static_cast<std::int32_t>(detail::nearest_integer(x * detail::power_of_two(shift))), shift};
+      constexpr std::uint64_t one = std::uint64_t{1} << 52;
+      const auto bits = __builtin_bit_cast(std::uint64_t, x);
+      const int e = static_cast<int>(bits >> 52 & 0x7ff) - 1023;
+      const std::uint64_t size = (bits & (one - 1)) | one;  // times 2^(e - 52)
+      if (e < -30 || e > 0 || (e == 0 && size != one)) return {};
+      const auto nearest = static_cast<std::int32_t>((size + (one >> digits)) >> (53 - digits));
+      return {bits >> 63 == 0 ? nearest : -nearest, digits - 1 - e};
     }
     /// Their product, to nearest.
     [[nodiscard]] constexpr Scale times(const Scale& by) const {
