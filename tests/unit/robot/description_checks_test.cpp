@@ -99,6 +99,21 @@ TEST(DescriptionChecks, ACarrierOfARotorPrecedes) {
       EXPECT_EQ(after([&](auto& p) { p.rotor_axis[k] = bad; }), Problem::rotor_axis_is_no_direction);
 }
 
+// Each by itself: what a drive has, a joint without one has not.
+TEST(DescriptionChecks, AJointWithoutADriveHasNothingOfOne) {
+  DriveMatrix<2> g;
+  g.drives = 1, g.ratio[0][0] = g.ratio[1][0] = 1.0, g.named[0] = g.named[1] = true, g.independent = true;
+  LinkParameters bare;
+  EXPECT_EQ(detail::shared_drives_problem(g, bare, 1), Problem::none);
+  for (auto field : {&LinkParameters::viscous, &LinkParameters::coulomb_forward, &LinkParameters::coulomb_backward,
+                     &LinkParameters::static_friction, &LinkParameters::rotor_inertia, &LinkParameters::effort_limit}) {
+    LinkParameters p = bare;
+    p.*field = 0.5;
+    EXPECT_EQ(detail::shared_drives_problem(g, p, 0), Problem::none);
+    EXPECT_EQ(detail::shared_drives_problem(g, p, 1), Problem::joint_without_drive_has_what_a_drive_has);
+  }
+}
+
 TEST(DescriptionChecks, DrivesAndFrictionTakeEnergyOut) {
   expect_between(&LinkParameters::rotor_inertia, 0.0, -1e-300, Problem::rotor_inertia_is_negative);
   expect_between(&LinkParameters::gear, -1e300, inf, Problem::rotor_inertia_or_gear_is_no_value);
