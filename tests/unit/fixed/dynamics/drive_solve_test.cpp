@@ -66,9 +66,26 @@ void expect_mobility(double looseness) {
     EXPECT_GT(looseness * nearest[k], 1.0) << Robot::name << " " << k;
 }
 
+constexpr Link light(const Link& link) {
+  return link.mass(0.5).inertia_com(1e-3, 1e-3, 1e-3).speed_limit(2.0).acceleration_limit(9.0);
+}
+/// A slide that carries a light body far beside its axis: as the body turns about its centre, the slide shifts.
+struct LightBodies {
+  static constexpr const char* name = "light_bodies";
+  static constexpr auto chain =
+      axial::chain(gravity(0.0, 0.0, -9.81),
+                   light(revolute()).position_limits(-2.0, 2.0).effort_limit(4.0).drive_limits(-2.0, 2.0, 2.0, 9.0),
+                   light(prismatic().alpha_deg(90).com(0.3, 0.0, 0.0))
+                       .position_limits(0.0, 0.02)
+                       .driven_by(0, -0.25)
+                       .effort_limit(9.0)
+                       .drive_limits(-1.0, 1.0, 2.0, 9.0));
+};
+
 }  // namespace
 
 TEST(DriveMobility, BoundsTheInverseOfM) {
+  expect_mobility<LightBodies>(3.0);
   expect_mobility<R, RotorInertia>(4.0);
   expect_mobility<R>(60.0);
   expect_mobility<property::Followers>(30.0);
