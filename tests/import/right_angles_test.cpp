@@ -4,6 +4,7 @@
 #include <host_sim/robots/description/findings.hpp>
 #include <host_sim/robots/description/header.hpp>
 #include <host_sim/robots/import/importer.hpp>
+#include <host_sim/robots/import/right_angles.hpp>
 
 #include "arms.hpp"
 
@@ -46,6 +47,22 @@ std::string table_with(const std::string& row) {
   return changed(arms::table, "\"alpha_deg\": -90, \"theta\": 0.4", row);
 }
 
+TEST(LengthDigit, IsTheLongestLengthsByAsManyDigitsAsAnyHas) {
+  const auto value = [](const std::vector<std::pair<std::string, double>>& lengths) {
+    importer::LengthDigit digit;
+    for (const auto& [written, length] : lengths)
+      digit.see(written, length);
+    return digit.value();
+  };
+  EXPECT_EQ(value({}), 0.0);
+  EXPECT_EQ(value({{"0.4318", 0.4318}}), 1e-6) << "at most";
+  EXPECT_DOUBLE_EQ(value({{"-0.43182954", -0.43182954}}), 0.43182954e-8);
+  for (const bool turned : {false, true}) {
+    std::vector<std::pair<std::string, double>> both{{"0.043182954e1", 0.43182954}, {"2.5", 2.5}};
+    if (turned) std::swap(both[0], both[1]);
+    EXPECT_DOUBLE_EQ(value(both), 2.5e-8);
+  }
+}
 TEST(NearlyRight, UrdfNamesJointAndRemedy) {
   const auto written = imported(urdf_with("1.57"));
   EXPECT_TRUE(says(warnings(written), "joint 'elbow': roll of 1.57 rad is 0.0008 rad off a multiple of 90 degrees"));
