@@ -25,15 +25,9 @@ inline void expect_says(const std::string& message, const std::string& says) {
   EXPECT_NE(message.find(says), std::string::npos) << "message: '" << message.substr(0, 300) << "', expected: " << says;
 }
 
-/// No text, whatever it is, holds an import up for longer than that; sanitizers take ten times as long as the program.
-#ifdef __SANITIZE_ADDRESS__
-inline constexpr int most_seconds = 10;
-#else
-inline constexpr int most_seconds = 1;
-#endif
-
-/// What an import refuses a text with; empty where it is taken.
-inline std::string message_in_time(const std::string& text, const std::string& from, const importer::Options& options) {
+/// What an import refuses a text with; empty where it is taken. A second at most, or so many.
+inline std::string message_within(const std::string& text, const std::string& from, const importer::Options& options,
+                                  int seconds = 1) {
   const auto begin = std::clock();  // of the processor: the machine may be busy
   std::string message;
   try {
@@ -41,7 +35,7 @@ inline std::string message_in_time(const std::string& text, const std::string& f
   } catch (const description::Refused& refused) {
     message = refused.what();
   }
-  EXPECT_LT(std::clock() - begin, most_seconds * CLOCKS_PER_SEC) << message;
+  EXPECT_LT(std::clock() - begin, seconds * CLOCKS_PER_SEC) << message;
   return message;
 }
 

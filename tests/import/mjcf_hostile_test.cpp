@@ -18,7 +18,7 @@ using broken::changed;
 using broken::expect_says;
 
 std::string message_of(const std::string& text, const std::string& from = "arm.xml", const Options& options = {}) {
-  return broken::message_in_time(text, from, options);
+  return broken::message_within(text, from, options);
 }
 constexpr Broken mjcfs[] = {
     {"<worldbody>", "<worldbodies>", "malformed XML"},
