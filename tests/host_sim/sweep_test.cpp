@@ -1,4 +1,5 @@
 // ./axial exhaustive: what it says of some blocks is what quadruple precision says of each of their arguments.
+#include <host_sim/figures/exhaustive/processes.hpp>
 #include <host_sim/figures/exhaustive/sweep.hpp>
 
 #include <axial/fixed/words/integer.hpp>
@@ -7,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
 
 namespace {
 
@@ -73,6 +76,43 @@ TEST(Sweep, ThreadsMakeNoDifference) {
     EXPECT_EQ(alone[i].upper, shared[i].upper);
     EXPECT_EQ(alone[i].lower, shared[i].lower);
   }
+}
+
+exhaustive::Options six_hundred_states() {
+  exhaustive::Options options;
+  options.states = 600, options.processes = 3, options.seed = 7;
+  return options;
+}
+
+// Every process is asked for its share, part by part, and what all of them found is added up.
+TEST(Processes, CountOverAllStates) {
+  const auto states = [](std::uint64_t n, std::uint64_t) { return n; };
+  EXPECT_EQ(exhaustive::in_processes(six_hundred_states(), "states", states), 600U);
+  const auto sum_of_seeds = [](std::uint64_t, std::uint64_t seed) { return seed; };
+  std::uint64_t sum = 0;
+  for (std::uint64_t k = 0; k < 3; ++k)
+    for (std::uint64_t p = 0; p < 100; ++p)
+      sum += 7U * 1000003U + 1009U * k + p;  // no two parts draw the same states
+  EXPECT_EQ(exhaustive::in_processes(six_hundred_states(), "seeds", sum_of_seeds), sum);
+}
+
+// Who asks goes on after it: a process that counted ends, and with it would end what calls this test passed.
+TEST(Processes, EndAndWhoAsksGoesOn) {
+  const auto none = [](std::uint64_t, std::uint64_t) -> std::uint64_t { return 0; };
+  const auto ask_and_go_on = [none] {
+    exhaustive::in_processes(six_hundred_states(), "none", none);
+    std::exit(5);
+  };
+  EXPECT_EXIT(ask_and_go_on(), testing::ExitedWithCode(5), "");
+}
+
+// A process that ends before it has told is an error, not a count of none.
+TEST(Processes, ThatEndEarlyAreAnError) {
+  const auto ends = [](std::uint64_t, std::uint64_t seed) -> std::uint64_t {
+    if (seed == 7U * 1000003U + 1009U + 50U) _exit(0);
+    return 0;
+  };
+  EXPECT_THROW(exhaustive::in_processes(six_hundred_states(), "an early end", ends), std::runtime_error);
 }
 
 }  // namespace

@@ -2,53 +2,14 @@
 #pragma once
 
 #include <host_sim/figures/exhaustive/fixed_quantities.hpp>
+#include <host_sim/figures/exhaustive/processes.hpp>
 #include <host_sim/figures/exhaustive/ranges_rows.hpp>
 #include <robots/robots.hpp>
 
-#include <sys/wait.h>
-#include <unistd.h>
-#include <cstdio>
-#include <stdexcept>
-#include <vector>
+#include <algorithm>
+#include <cmath>
 
 namespace exhaustive {
-
-/// Overflows over all states: in processes, since the count of overflows is one a process.
-template <class Part>
-std::uint64_t in_processes(const Options& options, const char* text, const Part& part) {
-  std::uint64_t all = 0;
-  std::vector<std::pair<pid_t, int>> children;
-  for (unsigned k = 0; k < options.processes; ++k) {
-    int ends[2];
-    if (pipe(ends) != 0) throw std::runtime_error("no pipe");
-    const pid_t child = fork();
-    if (child < 0) throw std::runtime_error("no process");
-    if (child == 0) {
-      constexpr int parts = 100;
-      std::uint64_t found = 0;
-      for (int p = 0; p < parts; ++p) {
-        found += part(options.states / options.processes / parts,
-                      options.seed * 1000003U + k * 1009U + static_cast<unsigned>(p));
-        if (k == 0 && isatty(2) != 0) std::fprintf(stderr, "\r%s %d %%", text, p + 1);
-      }
-      if (k == 0) std::fprintf(stderr, isatty(2) != 0 ? "\n" : "%s done\n", text);
-      const bool told = write(ends[1], &found, sizeof found) == static_cast<ssize_t>(sizeof found);
-      _exit(told ? 0 : 1);
-    }
-    close(ends[1]);
-    children.emplace_back(child, ends[0]);
-  }
-  for (const auto& [child, end] : children) {
-    std::uint64_t found = 0;
-    const bool heard = read(end, &found, sizeof found) == static_cast<ssize_t>(sizeof found);
-    int status = 0;
-    waitpid(child, &status, 0);
-    close(end);
-    if (!heard || status != 0) throw std::runtime_error("a process ended early");
-    all += found;
-  }
-  return all;
-}
 
 inline ordered_json row(const Options& options, const char* subject, const char* robot) {
   return {{"subject", subject},

@@ -135,6 +135,13 @@ TEST(PayloadError, OfARoundingIsHalfAUnitOfEachComponent) {
   EXPECT_EQ(v.exponent, 20);
 }
 
+// Words keep their digits where there is room for them, which constants of a model do not: they have no last one.
+TEST(PayloadError, OfWordsThatHaveTheirDigitsIsNothing) {
+  const auto word = bounds::vector_of(bounds::detail::anywhere({1.0, 0.0}, 24, &rounding));
+  for (const int exponent : {24, 27})
+    EXPECT_EQ((Rounding::To{exponent, &rounding}(word).bound.whole.error), 0.0);
+}
+
 // The equation of a payload, as one number for each joint.
 TEST(PayloadError, OfAnEquationAddsUp) {
   constexpr auto bound = error_bound<S>(algorithm::PayloadEstimator<Tuning>{});
