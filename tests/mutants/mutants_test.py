@@ -174,7 +174,7 @@ class Drawn(unittest.TestCase):
 
     def test_programs_are_those_of_cmake(self):
         known = programs.CMakePrograms(self.folder / "cmake")
-        self.assertTrue(reach.is_read_by(known, "host_sim/collide_test.cpp", "host_sim/plants/collide/collide.cpp"))
+        self.assertTrue(reach.is_read_by(known, "host_sim/plants/collide_test.cpp", "host_sim/plants/collide/collide.cpp"))
         self.assertFalse(reach.is_read_by(known, TEST, "host_sim/plants/collide/collide.cpp"))
         first = reach.Reach(known, [], {}).attempts(SOURCE, 1)[0]
         self.assertEqual(first[0], TEST)

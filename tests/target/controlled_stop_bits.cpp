@@ -8,7 +8,7 @@
 #include <firmware/apps/controlled_stop/broken_pair.hpp>
 #include <firmware/apps/controlled_stop/sequence.hpp>
 
-#include "../property/without_costs.hpp"
+#include "../property/fixed/without_costs.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 """Controlled stops from full speed on a board: the host's bits, whose efforts bring a plant to rest inside its limits
-(tests/property/controlled_stop_test.cpp), and one instruction count for all ticks of braking. A broken wire of a sine or a cosine: the
+(tests/property/control/controlled_stop_test.cpp), and one instruction count for all ticks of braking. A broken wire of a sine or a cosine: the
 drives are disabled after patience, ramp and hold, whichever way it broke.
 
 usage: controlled_stop_test.py BOARD HOST_PROGRAM

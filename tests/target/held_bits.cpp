@@ -7,7 +7,7 @@
 
 #include <firmware/apps/held/sequence.hpp>
 
-#include "../property/without_costs.hpp"
+#include "../property/fixed/without_costs.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include <firmware/apps/observer/sequence.hpp>
 
-#include "../property/without_costs.hpp"
+#include "../property/fixed/without_costs.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 
 #include <firmware/apps/safe_loop/sequence.hpp>
 
-#include "../property/without_costs.hpp"
+#include "../property/fixed/without_costs.hpp"
 
 namespace {
 

@@ -15,7 +15,7 @@ Prints a table beside openSYMORO and what a trace could reach, writes JSON and a
 Exits non-zero when a count model needs more operations than openSYMORO, or the closed form more than published.
 maintainers:
   --documents         alone: writes doc/data/counts*.json and congruences.json, doc/pictures/counts.* and the tables of doc/measurements/counts.md
-  --update-pins       alone: writes tests/host_sim/operation_counts.json, the counts that tests expect
+  --update-pins       alone: writes tests/host_sim/figures/operation_counts.json, the counts that tests expect
 END_OF_USAGE
 }
 

@@ -1,7 +1,7 @@
 """Operation counts beside published ones: table, JSON, picture, verdict.
 
 usage: counts.py PROGRAM [--robot NAME] [--output FOLDER] [--json FILE]    PROGRAM writes the rows (main.cpp)
-       counts.py PROGRAM --update-pins                                      writes tests/host_sim/operation_counts.json
+       counts.py PROGRAM --update-pins                                      writes tests/host_sim/figures/operation_counts.json
        counts.py PROGRAM --provenance FILE --cache FILE                     writes commit, compiler and flags besides
 Exits 1 when a count model needs more than openSYMORO, the closed form more than published.
 """
@@ -14,7 +14,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PUBLISHED = ROOT / "doc/data/published_counts.json"
-PINS = ROOT / "tests/host_sim/operation_counts.json"
+PINS = ROOT / "tests/host_sim/figures/operation_counts.json"
 KEY = ("robot", "algorithm", "parameters")
 OPERATIONS = ("mul", "add", "div", "sincos")
 

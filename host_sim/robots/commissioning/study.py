@@ -89,7 +89,7 @@ def truth(seed, arm):
 
 
 class Simulated:
-    """An arm's true torques, by Orocos KDL (tests/host_sim/simulated_log.cpp): bare and with the mass, on a table that may be tilted."""
+    """An arm's true torques, by Orocos KDL (tests/host_sim/robots/simulated_log.cpp): bare and with the mass, on a table that may be tilted."""
 
     def __init__(self, simulator, folder, described):
         self.simulator, self.folder, self.described = simulator, pathlib.Path(folder), described

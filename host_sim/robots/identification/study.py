@@ -3,7 +3,7 @@ doc/measurements/identified_arms.md.
 
 usage: study.py --program robot_regressor --simulator simulated_log --output FOLDER [--documents DOC] [robot...]
 
-Of every robot: an arm of which each parameter is up to 30 % off (tests/host_sim/simulated_log.cpp), with a rotor and friction where the
+Of every robot: an arm of which each parameter is up to 30 % off (tests/host_sim/robots/simulated_log.cpp), with a rotor and friction where the
 robot declares none; the exact log, and one of encoders of 16 bits a turn (a metre) and torque noise of 2 % of each joint's RMS; a validation
 trajectory of another seed, on which the predicted torque is held against KDL's exact one at every set-point.
 """

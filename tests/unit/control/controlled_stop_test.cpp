@@ -1,5 +1,5 @@
 // A controlled stop: from any speed to rest along the declared decelerations, inside the limits, then held; in float,
-// double and fixed point. In the loop with a plant: tests/property/controlled_stop_test.cpp.
+// double and fixed point. In the loop with a plant: tests/property/control/controlled_stop_test.cpp.
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
 #include <axial/fixed.hpp>

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <axial/fixed.hpp>
 #include <cmath>
-#include <property/driven_robots.hpp>
-#include <property/driven_states.hpp>
+#include <property/drives/driven_robots.hpp>
+#include <property/drives/driven_states.hpp>
 #include <robots/wrist_arm.hpp>
 
 namespace {
