@@ -25,6 +25,8 @@ LAYERS |= {
     "c_interface": {*KERNELS, "control", "calls"},
     "fixed": {*KERNELS, "closed_form", "control", "simulation", "calls", "c_interface", "algorithm.hpp", "fixed.hpp"},
 }
+MOST_TESTS = 50  # files of a folder of tests: a screen; cases and data are rows of a list, not tests
+LISTS = {"tests/compile_fail", "tests/data"}
 MOST_HEADERS, LONGEST_PAGE = 20, 70  # of a folder; of its README.md, in lines
 HOST_ROOMS = ("tools", "robots", "boards", "plants", "figures")  # of host_sim; each may include itself and what stands in front of it
 # What users included before its header had a room of its own or stood in another: one line, which includes that header and which no other header includes.
@@ -283,6 +285,14 @@ def check_readmes(root):
             yield f"{folder}: no README.md"
 
 
+def check_tests(root):
+    """A folder of tests is a screen of files; beyond that it has rooms."""
+    folders = collections.Counter(str(file.parent) for file in tracked(root) if file.parts[0] == "tests")
+    for folder, files in sorted(folders.items()):
+        if files > MOST_TESTS and not any(f"{folder}/".startswith(f"{each}/") for each in LISTS):
+            yield f"{folder}: has {files} files; {MOST_TESTS} at most, and rooms beyond"
+
+
 def table_of(page):
     """The folders that a page's tables name in their first column."""
     return set(re.findall(r"`(\w+)/`", "".join(re.findall(r"^\|[^|]*\|", page, re.MULTILINE))))
@@ -368,6 +378,7 @@ def violations(root):
     yield from check_results(root)
     yield from check_host_sim(root)
     yield from check_readmes(root)
+    yield from check_tests(root)
     yield from check_products(root)
 
 
