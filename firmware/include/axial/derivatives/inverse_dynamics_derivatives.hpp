@@ -30,11 +30,12 @@ struct Slopes {
 /// asked for has no member and no code.
 /// Friction adds friction_slope() to the diagonal: no slope describes the jump of dry friction at rest. A payload moves
 /// with the last link; wrenches are constant in the axes of the link that they act on. A base that moves or floats
-/// keeps the motion that the inputs say. Errors: tests/property/algorithms/derivatives_test.cpp holds them below 1e-6 of a block's
-/// largest entry in float for three arms, below 1e-13 in double for all that it knows. In fixed point every entry has
-/// an exponent and a certified error (error_bound()), where q, qd and qdd are inside the declared limits.
-/// Source: Singh, Russell and Wensing 2022, "Efficient Analytical Derivatives of Rigid-Body Dynamics Using Spatial
-/// Vector Algebra" (arXiv 2105.05102), in link frames with successive axial screws. NaN and infinities propagate.
+/// keeps the motion that the inputs say. Errors: tests/property/algorithms/derivatives_test.cpp holds them below 1e-6
+/// of a block's largest entry in float for three arms, below 1e-13 in double for all that it knows. In fixed point
+/// every entry has an exponent and a certified error (error_bound()), where q, qd and qdd are inside the declared
+/// limits. Source: Singh, Russell and Wensing 2022, "Efficient Analytical Derivatives of Rigid-Body Dynamics Using
+/// Spatial Vector Algebra" (arXiv 2105.05102), in link frames with successive axial screws. NaN and infinities
+/// propagate.
 template <class S, class... Wanted, class T>
 [[nodiscard]] constexpr InverseDynamicsDerivatives<S, T, Wanted...> inverse_dynamics_derivatives(
     const Positions<robot_of<S>, T>& q, const Velocities<robot_of<S>, T>& qd, const Accelerations<robot_of<S>, T>& qdd,

@@ -119,9 +119,10 @@ struct Passes : private Bodies<R, Driven> {
 }  // namespace clusters
 
 namespace detail {
-/// Whether clusters cost less, by counts of chains of ten joints (tests/property/drives/drive_clusters_test.cpp): a cluster
-/// that carries others costs 34 operations per joint more than as many joints by themselves, and 45 for each ratio that
-/// is not 1 or -1; one at a tip nothing; a rotor of a joint's own 35. With composite bodies a coupled joint adds 30.
+/// Whether clusters cost less, by counts of chains of ten joints (tests/property/drives/drive_clusters_test.cpp): a
+/// cluster that carries others costs 34 operations per joint more than as many joints by themselves, and 45 for each
+/// ratio that is not 1 or -1; one at a tip nothing; a rotor of a joint's own 35. With composite bodies a coupled joint
+/// adds 30.
 template <class Scene>
 constexpr bool clusters_cost_less() {
   using Robot = typename SceneOfClusters<Scene>::Robot;
