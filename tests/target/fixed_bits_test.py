@@ -13,7 +13,7 @@ IMAGES = [f"{app}-{robot}" for app in ("fixed", "fixed-derivatives", "fixed-moti
 SOME = {"fixed-drives-wrist_arm": ("stm32f405", "stm32f100", "nrf51", "rv32_virt"),
         "fixed-looped-scara": ("stm32f405", "stm32f100", "nrf51", "rv32_virt"),
         "fixed-looped-puma560": ("stm32f405", "nrf51", "rv32_virt")}
-GOLDEN = pathlib.Path(__file__).resolve().parents[1] / "property" / "golden_bits.json"
+GOLDEN = pathlib.Path(__file__).resolve().parents[1] / "property" / "fixed" / "golden_bits.json"
 
 
 class FixedBits(harness.BoardTest):
