@@ -5,6 +5,7 @@
 #include <axial/links/links.hpp>
 #include <axial/links/run_time_model.hpp>
 #include <axial/links/water_constants.hpp>
+#include <axial/spatial/articulated_inertia.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -3,6 +3,7 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/dynamics/inverse_dynamics.hpp>
+#include <axial/scene/joint_products.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <axial/derivatives/derivative_columns.hpp>
 #include <axial/derivatives/derivative_results.hpp>
-#include <axial/recursion/drives.hpp>
+#include <axial/recursion/drive_slopes.hpp>
 
 #include <axial/options/begin.hpp>
 

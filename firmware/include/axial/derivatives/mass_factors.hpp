@@ -3,6 +3,7 @@
 
 #include <axial/derivatives/derivative_results.hpp>
 #include <axial/dynamics/composite_body.hpp>
+#include <axial/recursion/walks.hpp>
 
 #include <axial/options/begin.hpp>
 

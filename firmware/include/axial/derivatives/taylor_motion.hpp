@@ -3,7 +3,7 @@
 
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/links/links.hpp>
-#include <axial/recursion/drives.hpp>
+#include <axial/recursion/drive_slopes.hpp>
 #include <axial/spatial/taylor_screw.hpp>
 
 #include <axial/options/begin.hpp>

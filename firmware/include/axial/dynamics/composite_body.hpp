@@ -4,6 +4,7 @@
 #include <axial/dynamics/elimination_loss.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/recursion/reflection.hpp>
+#include <axial/recursion/walks.hpp>
 #include <axial/scene/status.hpp>
 
 #include <axial/options/begin.hpp>

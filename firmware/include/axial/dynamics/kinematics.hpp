@@ -5,6 +5,7 @@
 #include <axial/recursion/joint_screws.hpp>
 #include <axial/recursion/position_soundness.hpp>
 #include <axial/recursion/tool_pose.hpp>
+#include <axial/recursion/walks.hpp>
 #include <axial/scene/joints.hpp>
 
 #include <axial/options/begin.hpp>

@@ -34,6 +34,23 @@ struct MassMatrix {
 template <class S, class T>
 using MassMatrixOf = MassMatrix<subject_of<S, T>, T>;
 
+/// What such a slide carries has given its mass up, so that nothing else adds to it.
+template <class M>
+AXIAL_INLINE constexpr AxialMass<M> operator+(const AxialMass<M>& mass, Zero) {
+  return mass;
+}
+
+/// A body as the links inboard feel it: none of an axial mass, which acts along axes that they turn about.
+template <class Body>
+AXIAL_INLINE constexpr const Body& inboard_part(const Body& body) {
+  return body;
+}
+/// Axial overload.
+template <class M, class H, class J>
+AXIAL_INLINE constexpr auto inboard_part(const RigidInertia<AxialMass<M>, H, J>& body) {
+  return RigidInertia{Zero{}, body.first_moment, body.inertia};
+}
+
 namespace crba {
 
 /// A composite body beyond its joint (turned and shifted by it, which leaves what it is about the joint's own axis),

@@ -9,6 +9,13 @@
 
 namespace axial {
 
+/// Momenta of the joints, M(q) qd: N m s or N s; what changes them: N m or N.
+template <class S, class T>
+using MomentaOf = Joints<subject_of<S, T>, T, typename detail::RoleOf<T, role::Momentum>::type>;
+/// What changes the momenta of a scene: N m or N.
+template <class S, class T>
+using MomentumRatesOf = Joints<subject_of<S, T>, T, typename detail::RoleOf<T, role::MomentumRate>::type>;
+
 /// What d(momentum)/dt = tau + drift + tau_external is made of.
 template <class S, class T>
 struct MomentumTerms {

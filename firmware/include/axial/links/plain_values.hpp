@@ -4,7 +4,6 @@
 
 #include <axial/scene/features.hpp>
 #include <axial/scene/joints.hpp>
-#include <axial/scene/status.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -14,9 +13,6 @@ namespace axial {
 /// of a number system with formats have the same members.
 template <class SceneType, class T>
 struct PlainValues {
-  /// Status of a joint whose answer is lost in rounding.
-  static constexpr Status::Code lost_code = Status::Code::near_singular;
-
   /// Joint values as kernels index them.
   template <class Values>
   AXIAL_INLINE static constexpr const Values& read(const Values& values) {

@@ -28,10 +28,16 @@ using ForwardDynamicsOf =
 
 namespace aba {
 
+/// What links call a joint whose answer is lost in rounding: near singular, unless they say otherwise.
+template <class Links, class = void>
+inline constexpr auto lost_code = Status::Code::near_singular;
+template <class Links>
+inline constexpr auto lost_code<Links, std::void_t<decltype(Links::lost_code)>> = Links::lost_code;
+
 /// What became of a solve whose joint `lost` (-1: none) is near singular, or whatever these links call it.
 template <class Links>
 AXIAL_INLINE constexpr auto status_of(const Ordinal<typename Links::Scalar>& lost, bool scaled) {
-  constexpr auto trouble = static_cast<int>(Links::lost_code);
+  constexpr auto trouble = static_cast<int>(lost_code<Links>);
   const int otherwise = select(scaled, static_cast<int>(Status::Code::rescaled), static_cast<int>(Status::Code::ok));
   return status_from(select(!is_negative(lost), trouble, otherwise), lost);
 }

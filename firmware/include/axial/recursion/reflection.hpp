@@ -3,7 +3,7 @@
 
 #include <axial/recursion/joint_axis.hpp>
 #include <axial/recursion/resistance.hpp>
-#include <axial/spatial/inertia.hpp>
+#include <axial/spatial/articulated_inertia.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -140,33 +140,6 @@ using EffortsOf = Efforts<subject_of<S, T>, T>;
 template <class S, class T>
 using FreeAccelerations = Joints<S, T, typename detail::RoleOf<T, role::FreeAcceleration>::type>;
 
-/// Momenta of the joints, M(q) qd: N m s or N s; what changes them: N m or N.
-template <class S, class T>
-using MomentaOf = Joints<subject_of<S, T>, T, typename detail::RoleOf<T, role::Momentum>::type>;
-/// What changes the momenta of a scene: N m or N.
-template <class S, class T>
-using MomentumRatesOf = Joints<subject_of<S, T>, T, typename detail::RoleOf<T, role::MomentumRate>::type>;
-
-/// What a wrench at the tool exerts on the joints: N m or N.
-template <class R, class T>
-using WrenchEfforts = Joints<R, T, typename detail::RoleOf<T, role::WrenchEffort>::type>;
-
-/// What actuators deliver: W.
-template <class S, class T>
-using PowersOf = Joints<subject_of<S, T>, T, typename detail::RoleOf<T, role::Power>::type>;
-
-namespace detail {
-/// Products of joint values over numbers T, one per joint; a number system with formats rounds each once.
-template <class Scene, class T>
-struct JointProducts {
-  template <class A, class B, class Result>
-  AXIAL_INLINE static constexpr void write(const A& a, const B& b, Result& products) {
-    for (int i = 0; i < Result::size; ++i)
-      products[i] = a[i] * b[i];
-  }
-};
-}  // namespace detail
-
 /// Joint values that are zero by type: a query that leaves them out does not pay for them.
 struct NoMotion {
   AXIAL_INLINE constexpr Zero operator[](int) const { return {}; }  ///< zero, for every joint

@@ -6,6 +6,7 @@
 #include <axial/links/separated_terms.hpp>
 #include <axial/recursion/joint_motions.hpp>
 #include <axial/recursion/position_soundness.hpp>
+#include <axial/recursion/walks.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <axial/scalar/language.hpp>
 
-#include <axial/recursion/drives.hpp>
+#include <axial/recursion/drive_slopes.hpp>
 #include <axial/recursion/passes.hpp>
 
 #include <axial/options/begin.hpp>

@@ -1,6 +1,7 @@
 // Congruences by one axial screw of articulated inertias and of general 3x3 matrices.
 #pragma once
 
+#include <axial/spatial/articulated_inertia.hpp>
 #include <axial/spatial/congruence.hpp>
 
 #include <axial/options/begin.hpp>

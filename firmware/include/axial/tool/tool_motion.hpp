@@ -9,6 +9,10 @@
 
 namespace axial {
 
+/// What a wrench at the tool exerts on the joints: N m or N.
+template <class R, class T>
+using WrenchEfforts = Joints<R, T, typename detail::RoleOf<T, role::WrenchEffort>::type>;
+
 namespace detail {
 template <class T>
 constexpr void check_real() {

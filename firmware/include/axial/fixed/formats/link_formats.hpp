@@ -8,7 +8,7 @@
 #include <axial/fixed/words/divide.hpp>
 #include <axial/links/links.hpp>
 #include <axial/scene/features.hpp>
-#include <axial/spatial/inertia.hpp>
+#include <axial/spatial/articulated_inertia.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -3,6 +3,7 @@
 
 #include <axial/fixed/formats/link_formats.hpp>
 #include <axial/links/link_view.hpp>
+#include <axial/scene/joint_products.hpp>
 #include <axial/scene/status.hpp>
 #include <axial/spatial/pose.hpp>
 

@@ -1,6 +1,7 @@
 // Certified errors of what joints answer: their kernels run on bounds, of joint values that may be off themselves.
 #pragma once
 
+#include <axial/dynamics/momentum.hpp>
 #include <axial/fixed/links/fixed_links.hpp>
 #include <axial/fixed/links/separated_terms.hpp>
 
