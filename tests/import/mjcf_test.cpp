@@ -282,6 +282,10 @@ TEST(Mjcf, ActuatorsLimitEfforts) {
   };
   EXPECT_EQ(effort("<motor joint='j' ctrlrange='-2 2' gear='10'/>"), 20.0);
   EXPECT_EQ(effort("<motor joint='j' ctrlrange='-2 2' forcerange='-1 1' gear='10'/>"), 10.0);
+  EXPECT_EQ(effort("<motor joint='j' ctrlrange='-2 2' forcerange='-60 60' gear='10'/>"), 20.0);
+  EXPECT_EQ(effort("<motor joint='j' ctrlrange='-2 3' forcerange='-60 2.5' gear='10'/>"), 20.0);
+  EXPECT_EQ(effort("<motor joint='j' ctrlrange='-2 2' forcerange='0 60' gear='10'/>"), 0.0);
+  EXPECT_EQ(effort("<general joint='j' ctrlrange='-2 1' forcerange='-60 60' gainprm='-3'/>"), 3.0);
   EXPECT_EQ(effort("<position joint='j' ctrlrange='-2 2' kp='10'/>"), 0.0);
   EXPECT_EQ(effort("<position joint='j' forcerange='-5 4'/>"), 4.0);
   EXPECT_EQ(effort("<position joint='j' forcerange='0 4'/>"), 0.0);

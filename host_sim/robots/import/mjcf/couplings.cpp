@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace importer::mjcf {
@@ -112,17 +113,20 @@ class Laws {
   const Model& model_;
 };
 
-/// The most that an actuator exerts at its output, or none.
+/// The most that an actuator exerts at its output, or none: what its control asks for at most, inside what it may
+/// exert.
 class Strength {
  public:
   Strength(const Attributes& actuator, const std::string& kind, const Settings& settings) : a_(actuator) {
-    if (is_limited(a_, "forcelimited", "forcerange", settings)) {
-      take(a_.numbers("forcerange", 2, 2), 1.0, "forcerange");
-    } else if (is_limited(a_, "ctrllimited", "ctrlrange", settings) &&
-               (kind == "motor" || (kind == "general" && is_plain()))) {
+    if (is_limited(a_, "ctrllimited", "ctrlrange", settings) &&
+        (kind == "motor" || (kind == "general" && is_plain()))) {
       const auto gain = a_.numbers("gainprm", 0, 10);
-      take(a_.numbers("ctrlrange", 2, 2), kind == "motor" || gain.empty() ? 1.0 : gain[0], "ctrlrange");
+      narrow("ctrlrange", kind == "motor" || gain.empty() ? 1.0 : gain[0]);
     }
+    if (is_limited(a_, "forcelimited", "forcerange", settings)) narrow("forcerange", 1.0);
+    if (least_ < 0.0 && largest_ > 0.0 && !said_.empty()) most = std::min(-least_, largest_);
+    if (least_ != -largest_)
+      note = said_ + (most > 0.0 ? ": the smaller side is the limit of both" : ": one-sided, no limit is taken");
   }
   double most = -1.0;  ///< below 0: none
   std::string note;
@@ -132,15 +136,16 @@ class Strength {
     return a_.word("gaintype", "fixed") == "fixed" && a_.word("biastype", "none") == "none" &&
            a_.word("dyntype", "none") == "none";
   }
-  void take(const std::vector<double>& range, double gain, const std::string& of) {
-    const double least = std::min(std::abs(range[0]), std::abs(range[1]));
-    if (range[0] < 0.0 && range[1] > 0.0) most = std::abs(gain) * least;
-    if (range[0] != -range[1])
-      note = of + " is '" + a_.word(of, "") +
-             "': " + (most > 0.0 ? "the smaller side is the limit of both" : "one-sided, no limit is taken");
+  void narrow(const std::string& attribute, double gain) {
+    const auto range = a_.numbers(attribute, 2, 2);
+    least_ = std::max(least_, std::min(gain * range[0], gain * range[1]));
+    largest_ = std::min(largest_, std::max(gain * range[0], gain * range[1]));
+    said_ += (said_.empty() ? "" : ", ") + attribute + " is '" + a_.word(attribute, "") + "'";
   }
 
   const Attributes& a_;
+  double least_ = -std::numeric_limits<double>::infinity(), largest_ = std::numeric_limits<double>::infinity();
+  std::string said_;
 };
 
 class Efforts {
