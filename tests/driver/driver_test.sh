@@ -54,6 +54,13 @@ EveryVerbHasHelp() {
   done
 }
 
+HelpIsAskedForBehindOtherWords() {
+  expect 0 "$AXIAL" import arm.urdf --tip wrist --help
+  [[ $out == "usage: ./axial import"* && $out != *"For maintainers:"* ]] || fail "said: $out"
+  expect 0 "$AXIAL" size --scene puma560 -h --all
+  [[ $out == "usage: ./axial size"* && $out == *"For maintainers:"* ]] || fail "said: $out"
+}
+
 MaintainersOptionsAreHidden() {
   local verb
   for verb in $(verbs); do
