@@ -65,7 +65,7 @@ namespace detail {
 inline constexpr double root2 = 1.4142135623730951, root3 = 1.7320508075688772;
 
 constexpr double least(double a, double b) { return a < b ? a : b; }
-/// The square root from above, within 1e-13 of it: Newton's steps from the halved exponent end above.
+/// The square root from above, within 2e-12 of it: Newton's steps from the halved exponent end above.
 constexpr double root_bound(double x) {
   if (!(x > 0.0)) return 0.0;
   double root = __builtin_bit_cast(double, (__builtin_bit_cast(std::uint64_t, x) >> 1) + (std::uint64_t{1023} << 51));
