@@ -122,6 +122,21 @@ HeadersThatDoNotCompileAreSaid() {
   rm -rf "$folder"
 }
 
+# What a header's Mechanics do not name is said before an hour is built for it.
+LoadsThatNobodyTakesAreSaid() {
+  local folder
+  folder=$(mktemp -d)
+  require() { bash -c 'set -euo pipefail; AXIAL_ROOT=$1; HOST_PRESET=preset; . "$1/cmake/driver/progress.sh"; . "$1/cmake/driver/own.sh"
+    . "$1/cmake/driver/verbs/hil.sh"; take_own_robot "$2/arm.hpp"; AXIAL_ROOT=$2
+    for part in firmware hal; do ln -sfn "$1/$part" "$2/$part"; done; write_own_robot preset; require_load' - "$(dirname "$AXIAL")" "$folder"; }
+  cp "$(dirname "$AXIAL")/tests/driver/two_links.hpp" "$folder/arm.hpp"
+  expect 1 require
+  [[ $err == *"takes no load: name 'static constexpr bool payload = true;' in its Mechanics"* && $(wc -l <<<"$err") == 1 ]] || fail "said: $err"
+  sed -i 's/^struct .*{$/&\n  struct Mechanics {\n    static constexpr bool payload = true;\n  };/' "$folder/arm.hpp"
+  expect 0 require
+  rm -rf "$folder"
+}
+
 # A robot of robots/ or of its gallery is known by its name, and by the way to its header.
 RobotsAreFoundByName() {
   local robots root

@@ -59,6 +59,7 @@ two_boards() {
     write_own_robot "$plant"
     write_own_robot "$controller"
     write_own_robot "$HOST_PRESET"
+    [[ ! $(option_of --carry '' "$@") =~ [1-9] ]] || require_load
   fi
   build "$controller" "$(hil_image tracking "$(option_of --number float "$@")")-$robot"
   build "$plant" "$(hil_image arm "$(option_of --plant-number float "$@")")-$robot"
@@ -66,6 +67,11 @@ two_boards() {
   say_image "$controller" tracking "$robot" "$(option_of --number float "$@")" "$(option_of --controller-port '' "$@")"
   say_image "$plant" arm "$robot" "$(option_of --plant-number float "$@")" "$(option_of --plant-port '' "$@")"
   "$AXIAL_ROOT/build/$HOST_PRESET/host_sim/plants/two_boards/hil-$robot" "$@"
+}
+
+require_load() {
+  require_of_own_robot "$HOST_PRESET" firmware/apps/plant/mechanics.hpp 'axial::apps::plant::has_payload<axial::apps::plant::MechanicsOf<Robot>>' \
+    "$OWN_NAME takes no load: name 'static constexpr bool payload = true;' in its Mechanics (doc/guides/two_boards.md)"
 }
 
 # say_image BOARD APP ROBOT NUMBER PORT: what a board on the desk has to run.
