@@ -74,7 +74,7 @@ ALL = [
     Other("a regressor has no water", ("derivatives/torque_regressor",), SWIMMER, "auto r = torque_regressor<Swimmer>(q, qd, qdd);"),
     Other("a regressor has no rotors as bodies", ("derivatives/torque_regressor",), COUPLED, "auto r = torque_regressor<Coupled>(q, qd, qdd);"),
     Other("a regressor has no formats in fixed point", ("derivatives/torque_regressor",), "", "auto r = torque_regressor<Arm>(qW, qdW, qddW);"),
-    Other("ElasticState holds float or double", ("transmissions/elastic_feedforward", "transmissions/elastic_damping"), "", "constexpr auto size = sizeof(ElasticState<Arm, W>);"),
+    Other("ElasticState holds float or double", ("elastic/elastic_feedforward", "elastic/elastic_damping"), "", "constexpr auto size = sizeof(ElasticState<Arm, W>);"),
     Other("answers are certified in Fixed32", ("fixed/dynamics/certified_forward_dynamics",), "", "auto r = certified_forward_dynamics<Arm>(q, qd, tau);"),
     Other("an encoder has two counts a turn at least", ("fixed/control/encoder",), "", "RotaryEncoder<1> encoder;"),
     Other("an encoder's direction is 1 or -1", ("fixed/control/encoder",), "", "RotaryEncoder<4096, 0, 2> encoder;"),

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
 #include <axial/cost.hpp>
-#include <axial/transmissions/elastic_damping.hpp>
+#include <axial/elastic/elastic_damping.hpp>
 #include <robots/puma560.hpp>
 
 namespace {

@@ -14,7 +14,7 @@ import sys
 
 LIBRARY = "firmware/include/axial"
 # A room may include itself and what stands in front of it.
-KERNELS = ("scalar", "spatial", "robot", "scene", "links", "recursion", "base", "dynamics", "separation", "derivatives", "transmissions", "tool")
+KERNELS = ("scalar", "spatial", "robot", "scene", "links", "recursion", "base", "dynamics", "separation", "derivatives", "elastic", "transmissions", "tool")
 LAYERS = {"options": set(), **{room: set(KERNELS[:i]) for i, room in enumerate(KERNELS)}}
 LAYERS |= {
     "closed_form": LAYERS["recursion"],
@@ -31,10 +31,11 @@ MOST_HEADERS, LONGEST_PAGE = 20, 70  # of a folder; of its README.md, in lines
 HOST_ROOMS = ("tools", "robots", "boards", "plants", "figures")  # of host_sim; each may include itself and what stands in front of it
 # What users included before its header had a room of its own or stood in another: one line, which includes that header and which no other header includes.
 OLD_PATHS = {
-    "dynamics/elastic_damping.hpp": "transmissions/elastic_damping.hpp",
+    "dynamics/elastic_damping.hpp": "elastic/elastic_damping.hpp",
     "dynamics/rotor_dynamics.hpp": "transmissions/rotor_dynamics.hpp",
     "dynamics/shared_drives.hpp": "transmissions/shared_drives.hpp",
     "dynamics/water.hpp": "base/water.hpp",
+    "transmissions/elastic_damping.hpp": "elastic/elastic_damping.hpp",
     "links/driven_model.hpp": "transmissions/driven_model.hpp",
     "scalar/dual.hpp": "scalar/taylor.hpp",
 }

@@ -38,6 +38,7 @@
 #include <axial/dynamics/joint_torque.hpp>
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
+#include <axial/elastic/elastic_feedforward.hpp>
 #include <axial/links/model.hpp>
 #include <axial/scene/consistency.hpp>
 #include <axial/scene/runtime_tool.hpp>
@@ -47,7 +48,6 @@
 #include <axial/tool/task_space_inertia.hpp>
 #include <axial/tool/tool_motion.hpp>
 #include <axial/tool/tool_slopes.hpp>
-#include <axial/transmissions/elastic_feedforward.hpp>
 #include <axial/transmissions/rotor_dynamics.hpp>
 #include <axial/transmissions/shared_drives.hpp>
 

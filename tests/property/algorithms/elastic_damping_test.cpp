@@ -2,7 +2,7 @@
 // model, and the limits without damping and without elasticity.
 #include <gtest/gtest.h>
 #include <axial/axial.hpp>
-#include <axial/transmissions/elastic_damping.hpp>
+#include <axial/elastic/elastic_damping.hpp>
 #include <cmath>
 #include <robots/puma560.hpp>
 

@@ -158,13 +158,13 @@ struct Calls {
 
   /// An algorithm on joint values of such types, of which the third are efforts or not: `result` is written unless a
   /// pointer is null, an input is refused or the answer is no number.
-  template <bool is_driven, class... Values>
+  template <bool by_efforts, class... Values>
   struct Of {
     /// its status
     template <class Algorithm, class Result, class... C>
     static axial_status call(const Algorithm& algorithm, Result* result, const C*... given) {
       if (any_null(result, given...)) return null_argument;
-      return answered<is_driven>(algorithm, *result, from_c<Values>(*given)...);
+      return answered<by_efforts>(algorithm, *result, from_c<Values>(*given)...);
     }
   };
   using position = Of<false, Q>;                                           ///< q
@@ -186,9 +186,9 @@ struct Calls {
     const Status state_status = check(q, qd);
     return state_status.ok() ? check_finite(tau) : state_status;
   }
-  template <bool is_driven, class Algorithm, class Result, class... Values>
+  template <bool by_efforts, class Algorithm, class Result, class... Values>
   static axial_status answered(const Algorithm& algorithm, Result& result, const Values&... values) {
-    const Status refused = asked(std::bool_constant<is_driven>{}, values...);
+    const Status refused = asked(std::bool_constant<by_efforts>{}, values...);
     if (!refused.ok()) return to_c(refused);
     const auto answer = algorithm(values...);
     const Status status = status_in_c<CallCheck<S, T>>(answer, 0);

@@ -3,7 +3,7 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/c_interface/export.hpp>
-#include <axial/transmissions/elastic_feedforward.hpp>
+#include <axial/elastic/elastic_feedforward.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -14,9 +14,9 @@
 #include <axial/dynamics/kinematics.hpp>
 #include <axial/dynamics/mass_matrix.hpp>
 #include <axial/dynamics/momentum.hpp>
+#include <axial/elastic/elastic_feedforward.hpp>
 #include <axial/scene/refused_calls.hpp>
 #include <axial/separation/separation.hpp>
-#include <axial/transmissions/elastic_feedforward.hpp>
 
 /// ROW(function, number and order of its joint values (joint_roles.hpp), what it answers over a scene and numbers, its
 /// type and its name in namespace algorithm).

@@ -4,7 +4,6 @@
 #include <axial/links/inputs_soundness.hpp>
 #include <axial/scalar/traits.hpp>
 #include <axial/scene/joints.hpp>
-#include <axial/transmissions/driven_links.hpp>
 
 #include <axial/options/begin.hpp>
 

@@ -1,4 +1,4 @@
-// Kept for who includes it: transmissions/elastic_damping.hpp.
+// Kept for who includes it: elastic/elastic_damping.hpp.
 #pragma once
 
-#include <axial/transmissions/elastic_damping.hpp>
+#include <axial/elastic/elastic_damping.hpp>

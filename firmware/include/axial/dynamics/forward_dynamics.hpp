@@ -48,11 +48,9 @@ constexpr auto check_solvable() {
 
 /// A run-time model has full parameters and no compile-time choice: ABA unless its features name another form.
 template <class Scene>
-inline constexpr Route model_route =
-    Scene::template has<CompositeBody> || Scene::template has<RotorDynamics> || Scene::template has<SharedDrives>
-        ? Route::composite_body
-    : Scene::template has<SplitArticulatedBody> ? Route::split_articulated_body
-                                                : Route::articulated_body;
+inline constexpr Route model_route = Scene::by_composite_bodies                  ? Route::composite_body
+                                     : Scene::template has<SplitArticulatedBody> ? Route::split_articulated_body
+                                                                                 : Route::articulated_body;
 
 template <Route route, class Links, class Input, class Q, class V, class Tau, class A>
 AXIAL_INLINE constexpr auto solve_model(const Links& links, const Input& in, const Q& q, const V& qd, const Tau& tau,

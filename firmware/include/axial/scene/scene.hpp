@@ -61,6 +61,8 @@ struct Named {
   static constexpr bool pushes_no_base = has<BaseWrench> && !has<FloatingBase>;  ///< a wrench on a base at rest
   static constexpr bool flows_in_air = has<VelocityThroughWater> && !has<Underwater>;  ///< a flow without water
   static constexpr bool moves = has<FloatingBase> || has<BaseMotion>;                  ///< its base
+  static constexpr bool by_composite_bodies =
+      has<CompositeBody> || has<RotorDynamics> || has<SharedDrives>;  ///< a run-time model's forward dynamics
   static constexpr bool swims_unseen =
       has<Underwater> && moves && !has<VelocityThroughWater>;  ///< water without a flow
   static constexpr bool floats_otherwise =

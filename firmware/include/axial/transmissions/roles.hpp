@@ -6,6 +6,7 @@
 #include <axial/robot/drive_coordinates.hpp>
 #include <axial/scene/joints.hpp>
 #include <axial/scene/scene.hpp>
+#include <axial/scene/without_drives.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -111,18 +112,6 @@ namespace detail {
 template <class R>
 struct LinksOwner<DriveCoordinates<R>> {
   using type = JointCoordinates<R>;
-};
-
-template <class Kept, class... Features>
-struct WithoutDrives {
-  using type = Kept;
-};
-template <class R, class... Kept, class First, class... Rest>
-struct WithoutDrives<Scene<R, Kept...>, First, Rest...> {
-  static constexpr bool of_drives = std::is_same_v<First, RotorInertia> || std::is_same_v<First, Friction> ||
-                                    std::is_same_v<First, RotorDynamics> || std::is_same_v<First, SharedDrives>;
-  using type =
-      typename WithoutDrives<std::conditional_t<of_drives, Scene<R, Kept...>, Scene<R, Kept..., First>>, Rest...>::type;
 };
 
 /// The scene of a robot's joints: what belongs to drives is left to them.

@@ -10,10 +10,8 @@ namespace axial {
 namespace detail {
 template <class Links>
 constexpr int length_format() {
-  if constexpr (is_driven<Links>)
-    return length_format<decltype(Links::joints())>();
-  else
-    return decltype(std::declval<Links>().link(Index<0>{}))::format.length;
+  using OfJoints = decltype(execute<JointLinks>(std::declval<const Links&>()));
+  return decltype(std::declval<OfJoints>().link(Index<0>{}))::format.length;
 }
 }  // namespace detail
 

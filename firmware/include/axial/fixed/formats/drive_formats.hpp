@@ -5,6 +5,7 @@
 #include <axial/fixed/bounds/dynamics.hpp>
 #include <axial/fixed/formats/joint_formats.hpp>
 #include <axial/fixed/ranges/drive_mobility.hpp>
+#include <axial/transmissions/driven_links.hpp>
 
 #include <axial/options/begin.hpp>
 

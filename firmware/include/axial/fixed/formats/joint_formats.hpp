@@ -4,7 +4,6 @@
 #include <axial/fixed/bounds/dynamics.hpp>
 #include <axial/fixed/ranges/forward_error.hpp>
 #include <axial/scene/joints.hpp>
-#include <axial/transmissions/driven_links.hpp>
 
 #include <axial/options/begin.hpp>
 

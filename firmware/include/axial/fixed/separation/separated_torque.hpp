@@ -102,14 +102,9 @@ struct TorqueOf<S, Stored<Word>> {
                                                      const Accelerations<robot_of<S>, T>& qdd) {
     EffortsOf<S, T> tau{};
     if constexpr (!is_refused<Links>) {
-      const auto sum = [&](const auto& at) AXIAL_INLINE {
-        sum_terms<S, T>(at, TorqueWords<typename scene_of<S>::Robot, typename Links::Scalar>{}, s, at.read(qd),
-                        at.read(qdd), tau);
-      };
-      if constexpr (is_driven<Links>)
-        sum(links.drives());
-      else
-        sum(links);
+      const auto& at = execute<Actuators>(links);
+      sum_terms<S, T>(at, TorqueWords<typename scene_of<S>::Robot, typename Links::Scalar>{}, s, at.read(qd),
+                      at.read(qdd), tau);
     }
     return tau;
   }

@@ -3,7 +3,7 @@
 #include <axial/scalar/language.hpp>
 
 #include <axial/derivatives/torque_rates.hpp>
-#include <axial/transmissions/roles.hpp>
+#include <axial/scene/without_drives.hpp>
 
 #include <axial/options/begin.hpp>
 
