@@ -80,10 +80,14 @@ require_own_robot_compiles() {
   exit 1
 }
 
-# require_of_own_robot PRESET HEADER CONDITION SENTENCE: what a program of it would say when it is built, in minutes. HEADER knows the condition.
+# require_of_own_robot PRESET HEADER CONDITION SENTENCE: what a program of it would say when it is built, in minutes. HEADER knows the condition;
+# what else a compiler may have to say comes with the program.
 require_of_own_robot() {
-  printf '#include "%s"\n#include <%s>\nusing axial::apps::Robot;\nstatic_assert(%s);\n' "$AXIAL_ROOT/build/$1/own/robot.hpp" "$2" "$3" |
-    "${CXX:-g++}" -std=c++17 -fsyntax-only -w -I"$AXIAL_ROOT/firmware/include" -I"$AXIAL_ROOT" -x c++ - 2>/dev/null || fail "$4"
+  local said
+  said=$(printf '#include "%s"\n#include <%s>\nusing axial::apps::Robot;\nstatic_assert(%s, "axial: it does not hold");\n' \
+    "$AXIAL_ROOT/build/$1/own/robot.hpp" "$2" "$3" |
+    "${CXX:-g++}" -std=c++17 -fsyntax-only -w -I"$AXIAL_ROOT/firmware/include" -I"$AXIAL_ROOT" -x c++ - 2>&1) && return
+  ! grep -q 'axial: it does not hold' <<<"$said" || fail "$4"
 }
 
 # prepare_own_images BOARD: after take_own_robot. Images of another robot are removed, lest one that does not build now is measured.

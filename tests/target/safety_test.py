@@ -263,14 +263,13 @@ class Safety(harness.BoardTest):
         self.assertEqual((on, off), (True, False))
         return last - first
 
-    def injected(self, job, fault, address, cause, ms, attempts=3):
+    def injected(self, job, fault, address, cause, ms):
         """The drives are off within `ms`, and a tick of rounding at either end. An emulator that its host starves hears of the fault
-        ticks behind the set-point: then once more."""
+        ticks behind the set-point: where one is late, the two that follow have to be in time."""
         most = self.ticks(ms) + 2
         with self.subTest(job, fault=fault):
-            while (took := self.off_after(job, fault, address, cause)) > most and attempts > 1:
-                attempts -= 1
-            self.assertLessEqual(took, most)
+            if self.off_after(job, fault, address, cause) > most:
+                self.assertLessEqual(max(self.off_after(job, fault, address, cause) for _ in range(2)), most)
 
     def test_a_program_that_fails(self):
         nowhere = NOT_CODE[self.family()]

@@ -5,6 +5,7 @@
 #include <axial/dynamics/inverse_dynamics.hpp>
 #include <axial/recursion/reflection.hpp>
 #include <axial/spatial/articulated_congruence.hpp>
+#include <axial/spatial/inboard_inertia.hpp>
 
 #include <axial/options/begin.hpp>
 
@@ -33,23 +34,6 @@ struct MassMatrix {
 /// Mass matrix of a scene.
 template <class S, class T>
 using MassMatrixOf = MassMatrix<subject_of<S, T>, T>;
-
-/// What such a slide carries has given its mass up, so that nothing else adds to it.
-template <class M>
-AXIAL_INLINE constexpr AxialMass<M> operator+(const AxialMass<M>& mass, Zero) {
-  return mass;
-}
-
-/// A body as the links inboard feel it: none of an axial mass, which acts along axes that they turn about.
-template <class Body>
-AXIAL_INLINE constexpr const Body& inboard_part(const Body& body) {
-  return body;
-}
-/// Axial overload.
-template <class M, class H, class J>
-AXIAL_INLINE constexpr auto inboard_part(const RigidInertia<AxialMass<M>, H, J>& body) {
-  return RigidInertia{Zero{}, body.first_moment, body.inertia};
-}
 
 namespace crba {
 
