@@ -216,7 +216,7 @@ def progress(text):
 def run_all(mutants, jobs, rows):
     """Appends a row per mutant; raises TableError or BuildError where the table or the unchanged sources are at fault."""
     faults = []
-    with tempfile.TemporaryDirectory(prefix="axial-mutants-") as folder:
+    with tempfile.TemporaryDirectory(prefix="axial-mutants-", ignore_cleanup_errors=True) as folder:
         run = Run(pathlib.Path(folder), jobs)
         run.compile_unchanged(mutants)
         failures = run.unchanged_failures(mutants)

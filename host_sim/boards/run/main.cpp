@@ -2,6 +2,7 @@
 // double.
 #include <host_sim/boards/emulator/qemu.hpp>
 #include <host_sim/robots/description/description.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 #include <host_sim/tools/output/command_line.hpp>
 
 #include <axial/axial.hpp>
@@ -125,9 +126,8 @@ Verdict judge(const std::vector<Sample>& samples) {
   Verdict verdict;
   for (const Sample& sample : samples)
     for (std::size_t i = 0; i < joints; ++i) {
-      const double error = std::abs(sample.tau[i] - sample.exact[i]);
-      if (!(error <= verdict.error)) verdict.error = error;
-      verdict.largest = std::max(verdict.largest, std::abs(sample.exact[i]));
+      host_sim::note_size(verdict.error, sample.tau[i] - sample.exact[i]);
+      host_sim::note_size(verdict.largest, sample.exact[i]);
     }
   return verdict;
 }

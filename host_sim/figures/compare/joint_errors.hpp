@@ -1,6 +1,8 @@
 // Errors of torques, relative to each joint's largest.
 #pragma once
 
+#include <host_sim/tools/analysis/largest.hpp>
+
 #include <cmath>
 #include <vector>
 
@@ -15,8 +17,8 @@ class JointErrors {
   void add(int joint, const Number& value, const Number& exact) {
     const auto i = static_cast<std::size_t>(joint);
     const auto difference = static_cast<double>(value - exact);
-    largest_[i] = std::fmax(largest_[i], std::fabs(static_cast<double>(exact)));
-    worst_[i] = std::fmax(worst_[i], std::fabs(difference));
+    host_sim::note_size(largest_[i], static_cast<double>(exact));
+    host_sim::note_size(worst_[i], difference);
     squares_[i] += difference * difference;
     if (i == 0) ++states_;
   }
@@ -24,7 +26,7 @@ class JointErrors {
   [[nodiscard]] double worst() const {
     double result = 0.0;
     for (std::size_t i = 0; i < worst_.size(); ++i)
-      if (largest_[i] > 0.0) result = std::fmax(result, worst_[i] / largest_[i]);
+      if (!(largest_[i] <= 0.0)) host_sim::note_size(result, worst_[i] / largest_[i]);
     return result;
   }
   [[nodiscard]] double rms() const {

@@ -3,6 +3,7 @@
 #include <cases/scenarios.hpp>
 #include <cases/to_axial.hpp>
 #include <host_sim/figures/counts/congruences.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 #include <oracle/compare.hpp>
 
 #include <cmath>
@@ -67,8 +68,8 @@ std::vector<CongruenceRow> congruence_rows() {
     for_each_congruence([&](auto way) {
       for (auto& row : rows)
         if (row.congruence == way.name && row.links == scenario.size()) {
-          row.in_float = std::fmax(row.in_float, error<decltype(way), float>(scenario, *model, exact));
-          row.in_double = std::fmax(row.in_double, error<decltype(way), double>(scenario, *model, exact));
+          host_sim::note_size(row.in_float, error<decltype(way), float>(scenario, *model, exact));
+          host_sim::note_size(row.in_double, error<decltype(way), double>(scenario, *model, exact));
         }
     });
   }

@@ -3,6 +3,7 @@
 #include <host_sim/figures/counts/forms.hpp>
 #include <host_sim/figures/counts/solve.hpp>
 #include <host_sim/figures/counts/states.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 #include <oracle/compare.hpp>
 
 #include <cmath>
@@ -17,7 +18,7 @@ double forward_error(Solve solve, const std::vector<State>& states, Precision pr
   FloatOrDouble::precision = precision;
   double worst = 0.0;
   for (const State& s : states)
-    worst = std::fmax(worst, oracle::relative_error(solve(s.q, s.qd, s.tau), s.qdd));
+    host_sim::note_size(worst, oracle::relative_error(solve(s.q, s.qd, s.tau), s.qdd));
   return worst;
 }
 

@@ -6,6 +6,7 @@
 #include <host_sim/figures/errors/given.hpp>
 #include <host_sim/tools/analysis/error_scales.hpp>
 #include <host_sim/tools/analysis/error_statistics.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <algorithm>
 #include <cfloat>
@@ -173,7 +174,7 @@ std::optional<double> certified(const std::vector<double>& scales) {
     double most = 0.0;
     const auto add = [&](const auto& bound) {
       for (int i = 0; i < axial::joint_count<S>; ++i)
-        most = std::max(most, bound[i] / scales[std::size_t(i)]);
+        host_sim::note_size(most, bound[i] / scales[std::size_t(i)]);
     };
     if constexpr (std::is_same_v<Algorithm, algorithms::closed_form>)
       add(axial::error_bound<S, T>(axial::algorithm::closed_form));

@@ -3,6 +3,7 @@
 
 #include <host_sim/figures/exhaustive/fixed_kernels.hpp>
 #include <host_sim/figures/exhaustive/fixed_search.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <array>
 #include <cmath>
@@ -66,8 +67,8 @@ std::array<double, axial::robot_of<S>::chain.size> error_at(const FixedState<S, 
         std::fabs(result[i].raw * axial::detail::power_of_two(-result.exponent(i)) - reference[i]);
     if (all != nullptr) {
       JointError& joint = (*all)[static_cast<std::size_t>(i)];
-      joint.fixed = std::fmax(joint.fixed, error[static_cast<std::size_t>(i)]);
-      joint.largest = std::fmax(joint.largest, std::fabs(reference[i]));
+      host_sim::note_size(joint.fixed, error[static_cast<std::size_t>(i)]);
+      host_sim::note_size(joint.largest, reference[i]);
     }
   }
   return error;
@@ -87,7 +88,7 @@ JointErrors<axial::robot_of<S>> errors(std::uint64_t states, std::uint64_t seed)
     const auto result = floating(Kernel<S, T>{}, rounded);
     for (int i = 0; i < R::chain.size; ++i) {
       JointError& joint = all[static_cast<std::size_t>(i)];
-      joint.in_float = std::fmax(joint.in_float, std::fabs(static_cast<double>(result[i]) - reference[i]));
+      host_sim::note_size(joint.in_float, static_cast<double>(result[i]) - reference[i]);
     }
   }
   return all;
@@ -99,8 +100,8 @@ double gain_over_float(const All& all) {
   double fixed = 0.0, in_float = 0.0;
   for (const JointError& joint : all) {
     if (!(joint.largest > 0.0)) continue;
-    fixed = std::fmax(fixed, joint.fixed / joint.largest),
-    in_float = std::fmax(in_float, joint.in_float / joint.largest);
+    host_sim::note_size(fixed, joint.fixed / joint.largest);
+    host_sim::note_size(in_float, joint.in_float / joint.largest);
   }
   return in_float / fixed;
 }

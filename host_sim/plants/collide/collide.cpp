@@ -3,6 +3,7 @@
 #include <host_sim/plants/collide/arm.hpp>
 #include <host_sim/plants/collide/collide.hpp>
 #include <host_sim/plants/collide/robot.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <algorithm>
 #include <stdexcept>
@@ -79,7 +80,7 @@ void see_quiet(Row& row, Sensor<T>& sensor, const Measured<Known>& measured, boo
   const bool now = sensor.collision();
   row.false_alarms += now && !before ? 1 : 0, before = now;
   for (int i = 0; i < joints; ++i)
-    row.headroom = std::max(row.headroom, std::fabs(sensor.residual(i)) / Sensor<T>::threshold(i));
+    note_size(row.headroom, sensor.residual(i) / Sensor<T>::threshold(i));
 }
 
 template <class T>

@@ -1,6 +1,7 @@
 #include <host_sim/plants/guiding/guiding.hpp>
 
 #include <host_sim/plants/simulation/integrate.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <firmware/apps/hand_guiding/controller.hpp>
 
@@ -122,7 +123,7 @@ class Arm {
       const auto felt = axial::transpose_times(jacobian, axial::ForceVector<Point, Point>{{}, force});
       for (int i = 0; i < model_.size(); ++i)
         effort[i] += felt[i];
-      largest = std::max(largest, length(force));
+      note_size(largest, length(force));
     };
     for (int k = 0; k < steps_a_tick; ++k)
       simulation::step(simulation::Method::rk4, model_, x_, tick / steps_a_tick, drive);
@@ -170,9 +171,9 @@ Felt guide(const Session& session, loop::Controller& controller, const Watch& wa
     if (k < open) continue;  // brakes
     const bool guided = k >= grasp && k < release;
     const double time = tick * static_cast<double>(k - grasp);
-    felt.largest_force = std::max(felt.largest_force, arm.run(answer, guided ? &hand : nullptr, time));
-    if (guided) felt.followed = std::max(felt.followed, length(arm.tool() - hand.place(time)));
-    if (k >= hold) felt.held = std::max(felt.held, length(arm.tool() - held_at));
+    note_size(felt.largest_force, arm.run(answer, guided ? &hand : nullptr, time));
+    if (guided) note_size(felt.followed, length(arm.tool() - hand.place(time)));
+    if (k >= hold) note_size(felt.held, length(arm.tool() - held_at));
   }
   return felt;
 }

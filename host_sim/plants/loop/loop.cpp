@@ -3,6 +3,7 @@
 
 #include <host_sim/boards/link/firmware.hpp>
 #include <host_sim/plants/simulation/elastic.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -186,10 +187,10 @@ class Statistics {
   void add(const std::vector<double>& wanted, const std::vector<double>& q, const axial::Vec3<double>& off) {
     for (std::size_t i = 0; i < squares_.size(); ++i) {
       const double e = wanted[i] - q[i];
-      squares_[i] += e * e, largest_[i] = std::max(largest_[i], std::fabs(e));
+      squares_[i] += e * e, note_size(largest_[i], e);
     }
     const double tool = axial::dot(off, off);
-    tool_squares_ += tool, tool_largest_ = std::max(tool_largest_, std::sqrt(tool));
+    tool_squares_ += tool, note_size(tool_largest_, std::sqrt(tool));
     ++ticks_;
   }
   Tracking result(long refused) const {

@@ -1,6 +1,7 @@
 #include <host_sim/plants/loop/pushes.hpp>
 #include <host_sim/plants/loop/regulators.hpp>
 #include <host_sim/plants/simulation/models.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -43,8 +44,8 @@ Recovery recover(const Case& situation, Controller& controller, const Watch& wat
     for (std::size_t i = 0; i < q.size(); ++i) {
       const double off = q[i] - wanted.q[i], push = situation.push.empty() ? 0.0 : situation.push[i];
       if (std::fabs(off) > recovered) r.seconds = ticks * tick;
-      r.overshoot = std::max(r.overshoot, beyond(off, push));
-      r.effort = std::max(r.effort, std::fabs(static_cast<double>(answer.tau[i])) / limits[i]);
+      note_size(r.overshoot, beyond(off, push));
+      note_size(r.effort, static_cast<double>(answer.tau[i]) / limits[i]);
     }
     r.least = std::min(r.least, answer.count), r.most = std::max(r.most, answer.count);
     if (watch) watch(wanted, joints, seen, answer);

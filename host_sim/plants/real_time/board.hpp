@@ -3,6 +3,7 @@
 
 #include <firmware/apps/plant/input.hpp>
 #include <host_sim/plants/real_time/measured.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <cstdint>
 #include <vector>
@@ -73,7 +74,7 @@ class OnBoard {
     const double first = Motions<R, X>::energy(start_);
     double drift = 0.0;
     for (const Reported& state : states)
-      drift = std::fmax(drift, std::fabs(Motions<R, X>::energy(state_of(state)) - first));
+      host_sim::note_size(drift, Motions<R, X>::energy(state_of(state)) - first);
     return drift;
   }
 

@@ -6,6 +6,7 @@
 #include <host_sim/plants/real_time/driven.hpp>
 #include <host_sim/plants/real_time/rows.hpp>
 #include <host_sim/plants/simulation/models.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +69,7 @@ class Motions {
     const long steps = std::lround(seconds / tick);
     for (long k = 1; k <= steps; ++k) {
       (void)axial::advance<Method>(x, step(tick), axial::Held<S, T>{});  // it hangs beyond its joints' ranges
-      if (k % 100 == 0) drift = std::fmax(drift, std::fabs(energy(x) - first));
+      if (k % 100 == 0) host_sim::note_size(drift, energy(x) - first);
     }
     made = x.steps == static_cast<std::uint64_t>(steps);
     return drift;
@@ -116,7 +117,7 @@ double growth_of(const Driven<R>& motion) {
     other.start[j] += small * motion.travel[j];
     const auto off = InDouble<R>::template driven<axial::RungeKutta4>(other, 1, made).back();
     for (int i = 0; i < R::chain.size; ++i)
-      most = std::fmax(most, std::fabs(off[i] - end[i]) / (small * motion.travel[i]));
+      host_sim::note_size(most, (off[i] - end[i]) / (small * motion.travel[i]));
   }
   return most;
 }
@@ -138,7 +139,7 @@ struct DrivenSecond {
     Row row{R::name, scalar, name_of(Method{}), "pick-and-place, 1 s", tick / steps};
     const auto way = Motions<R, X>::template driven<Method>(motion, steps, row.made);
     for (int i = 0; i < R::chain.size; ++i)
-      row.error = std::fmax(row.error, std::fabs(way.back()[i] - reference.back()[i]) / motion.travel[i]);
+      host_sim::note_size(row.error, (way.back()[i] - reference.back()[i]) / motion.travel[i]);
     row.gate = gate;
     return row;
   }

@@ -1,6 +1,7 @@
 // Robots whose joints share drives, let go and moving: what becomes of their energy.
 #include <host_sim/plants/simulation/integrate.hpp>
 #include <host_sim/plants/simulation/rows.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ double energy_error(const Arm& arm, double h) {
   const DriveOf<DrivenMotion> free = [](const auto&, auto&, auto&, auto&) {};
   run(Method::rk4, model, x, h, std::lround(seconds / h), free, [&](const DrivenMotion& now) {
     const double all = energy(model, now.q, now.qd);
-    worst = std::max(worst, std::fabs(all - first));
+    host_sim::note_size(worst, all - first);
     most = std::max(most, all - energy(model, now.q, rest));
   });
   return worst / most;

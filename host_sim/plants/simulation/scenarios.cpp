@@ -1,6 +1,7 @@
 // The gates are twice the figures that were measured for these scenarios by another implementation, where there are
 // any: doc/measurements/simulation.md has the table.
 #include <host_sim/plants/simulation/rows.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <algorithm>
 #include <array>
@@ -66,8 +67,7 @@ PendulumRun swing(double h, double seconds) {
     if (!axial::advance<Integrator>(x, static_cast<T>(h), free).ok())
       throw std::runtime_error("the pendulum's motion is no longer a number");
     const double q = whole(x).q, qd = whole(x).qd;
-    if (k % 7 == 0)
-      result.energy_drift = std::max(result.energy_drift, std::fabs(0.5 * qd * qd + gravity * std::sin(q)));
+    if (k % 7 == 0) host_sim::note_size(result.energy_drift, 0.5 * qd * qd + gravity * std::sin(q));
   }
   result.position = whole(x).q;
   return result;
@@ -215,8 +215,8 @@ Excursion released(Method method, const Model& model, const Values<double>& stil
   for (long k = 0; k < steps && e.largest < 1.0 / start; ++k) {
     step<Motion<double>>(method, model, x, h, no_drive<double>);
     const double size = distance(model, x.q, still) / start;
-    e.largest = std::max(e.largest, size);
-    if (k > steps * 9 / 10) e.last = std::max(e.last, size);
+    host_sim::note_size(e.largest, size);
+    if (k > steps * 9 / 10) host_sim::note_size(e.last, size);
   }
   return e;
 }
@@ -331,9 +331,9 @@ std::vector<Row> float_at_rest() {
   double speed = 0.0, moved = 0.0;
   const auto start = narrowed<float>(nominal_pose());
   for (int i = 0; i < model.size(); ++i) {
-    speed = std::max(speed, std::fabs(static_cast<double>(x.qd[i])));
+    host_sim::note_size(speed, static_cast<double>(x.qd[i]));
     const float unit = std::nextafter(std::fabs(start[i]), 10.0F) - std::fabs(start[i]);
-    moved = std::max(moved, static_cast<double>(std::fabs(x.q[i] - start[i]) / unit));
+    host_sim::note_size(moved, static_cast<double>((x.q[i] - start[i]) / unit));
   }
   const Row row{"ST20_float_hold", "float", "rk4", 1e-3, 1.0, "", 0, 0, false, ""};
   Row fast = row, far = row;

@@ -3,6 +3,7 @@
 #include <host_sim/robots/description/table.hpp>
 #include <host_sim/robots/import/engine.hpp>
 #include <host_sim/robots/import/reference.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 #include <host_sim/tools/system/temporary_folder.hpp>
 
 #include <kdl/treefksolverpos_recursive.hpp>
@@ -27,6 +28,8 @@ extern char** environ;
 namespace importer {
 namespace {
 
+using host_sim::note_size;
+
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
@@ -46,11 +49,6 @@ bool run(std::vector<std::string> words) {
   }
   kill(child, SIGKILL), waitpid(child, nullptr, 0);
   return false;
-}
-
-// A NaN is the largest of all.
-void take(double& largest, double value) {
-  if (!(value <= largest)) largest = value;
 }
 
 class Comparison {
@@ -139,14 +137,14 @@ class Comparison {
     compare_poses(q, answer.at("poses"));
     const Values ours = torque(reference_.gravity, q, qd, qdd), theirs = answer.at("torque");
     for (std::size_t k = 0; k < movers_.size(); ++k)
-      take(figures_.torque, std::abs(ours[k] - theirs.at(k))), take(torque_scale_, std::abs(theirs[k]));
+      note_size(figures_.torque, std::abs(ours[k] - theirs.at(k))), note_size(torque_scale_, std::abs(theirs[k]));
     const Values none(movers_.size());
     for (std::size_t l = 0; l < movers_.size(); ++l) {
       Values unit = none;
       unit[l] = 1.0;
       const Values column = torque(KDL::Vector::Zero(), q, none, unit), other = answer.at("mass_matrix").at(l);
       for (std::size_t k = 0; k < movers_.size(); ++k)
-        take(figures_.mass_matrix, std::abs(column[k] - other.at(k))), take(mass_scale_, std::abs(other[k]));
+        note_size(figures_.mass_matrix, std::abs(column[k] - other.at(k))), note_size(mass_scale_, std::abs(other[k]));
     }
   }
   KDL::Frame pose_of(const KDL::JntArray& q, std::size_t link) {
@@ -164,9 +162,9 @@ class Comparison {
       double square = 0.0, length = 1.0;
       for (std::size_t k = 0; k < 3; ++k)
         square += std::pow(ours.p.data[k] - theirs.at(k), 2), length = std::max(length, std::abs(theirs[k]));
-      take(figures_.pose, std::sqrt(square) / length);
+      note_size(figures_.pose, std::sqrt(square) / length);
       for (std::size_t k = 0; k < 9; ++k)
-        take(figures_.pose, std::abs(ours.M.data[k] - theirs.at(3 + k)));
+        note_size(figures_.pose, std::abs(ours.M.data[k] - theirs.at(3 + k)));
     }
   }
   /// In the first state: mass, centre of mass, inertia about it, in axes of the root.
@@ -185,10 +183,10 @@ class Comparison {
       const auto tensor =
           (KDL::Frame(axes) * KDL::RigidBodyInertia(0.0, KDL::Vector::Zero(), inertia)).getRotationalInertia();
       const KDL::Vector centre = pose * KDL::Vector(c[0], c[1], c[2]), other(theirs.at(1), theirs.at(2), theirs.at(3));
-      take(figures_.body, over(std::abs(link.mass - theirs.at(0)), std::abs(theirs[0])));
-      if (theirs[0] > 0.0) take(figures_.body, (centre - other).Norm());
+      note_size(figures_.body, over(std::abs(link.mass - theirs.at(0)), std::abs(theirs[0])));
+      if (theirs[0] > 0.0) note_size(figures_.body, length_of(centre - other));
       for (std::size_t k = 0; k < 9; ++k)
-        take(figures_.body, over(std::abs(tensor.data[k] - theirs.at(4 + k)), theirs[4] + theirs[8] + theirs[12]));
+        note_size(figures_.body, over(std::abs(tensor.data[k] - theirs.at(4 + k)), theirs[4] + theirs[8] + theirs[12]));
     }
   }
   void compare_joints(const Json& joints) {
@@ -197,15 +195,15 @@ class Comparison {
       const Json& other = joints.at(k);
       const auto same = [&](double ours, const char* name) {
         const double theirs = other.at(name);
-        take(figures_.joint, std::abs(ours - theirs) / std::max(1.0, std::abs(theirs)));
+        note_size(figures_.joint, std::abs(ours - theirs) / std::max(1.0, std::abs(theirs)));
       };
-      if (own.has_limits != other.at("limited").get<bool>()) take(figures_.joint, 1.0);
+      if (own.has_limits != other.at("limited").get<bool>()) note_size(figures_.joint, 1.0);
       if (own.has_limits) same(own.lower, "lower"), same(own.upper, "upper");
       same(own.damping, "damping"), same(own.friction, "friction"), same(own.rotor, "rotor");
       same(own.stiffness, "stiffness");
       if (own.stiffness != 0.0) same(own.rest, "rest");
       if (!other.contains("leader")) continue;  // an engine that tells more of a joint
-      if (own.leader != other.at("leader").get<std::string>()) take(figures_.joint, 1.0);
+      if (own.leader != other.at("leader").get<std::string>()) note_size(figures_.joint, 1.0);
       same(own.ratio, "ratio"), same(own.offset, "offset"), same(own.speed, "speed"), same(own.effort, "effort");
     }
   }

@@ -1,6 +1,7 @@
 // A source tree as Orocos KDL has it: what the rows that are made of it are compared with.
 #include <host_sim/robots/description/description.hpp>
 #include <host_sim/robots/import/reference.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -95,8 +96,8 @@ void measure(const SourceTree& tree, const SourceTree& written, Reference& resul
     const KDL::Rotation by = before.M.Inverse() * now.M;
     // Of a small rotation; GetRot() takes what is below 1e-6 for nothing.
     const KDL::Vector turn(by(2, 1) - by(1, 2), by(0, 2) - by(2, 0), by(1, 0) - by(0, 1));
-    result.changed_angle = std::max(result.changed_angle, turn.Norm() / 2.0);
-    result.changed_length = std::max(result.changed_length, (now.p - before.p).Norm());
+    host_sim::note_size(result.changed_angle, length_of(turn) / 2.0);
+    host_sim::note_size(result.changed_length, length_of(now.p - before.p));
   }
 }
 

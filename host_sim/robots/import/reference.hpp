@@ -5,6 +5,7 @@
 
 #include <kdl/tree.hpp>
 
+#include <cmath>
 #include <vector>
 
 namespace importer {
@@ -34,6 +35,9 @@ struct Reference {
   double changed_angle_bound = 0.0;  ///< rad: the farthest that it may be
   double changed_length = 0.0;       ///< m: the farthest that an origin is
 };
+
+/// |v|. KDL's Norm() takes what is shorter than 1e-6, and longest along x, for nothing.
+inline double length_of(const KDL::Vector& v) { return std::hypot(v.x(), v.y(), v.z()); }
 
 /// Name in the tree of the segment of a table's row, counted from 1, and of a URDF's link.
 inline std::string segment_name(int index) { return "segment" + std::to_string(index); }

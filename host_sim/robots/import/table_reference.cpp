@@ -1,6 +1,7 @@
 // A table of Denavit-Hartenberg rows as Orocos KDL has it, read from the JSON a second time: by nothing that reads it
 // for the description, in KDL's own frames of either convention.
 #include <host_sim/robots/import/reference.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -61,7 +62,7 @@ class TableReader {
       if (std::abs(change.written - written) > 1e-15)
         throw description::Refused("'" + name + "': a number is said to be changed that the file has not");
       auto& farthest = of == Of::row_length ? result_.changed_length : result_.changed_angle;
-      farthest = std::max(farthest, std::abs(change.read - written));
+      host_sim::note_size(farthest, change.read - written);
       return change.read;
     }
     return written;

@@ -1,5 +1,6 @@
 #include <host_sim/robots/description/numbers.hpp>
 #include <host_sim/robots/import/verification.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <axial/axial.hpp>
 
@@ -13,6 +14,8 @@
 namespace importer {
 namespace {
 
+using host_sim::note_size;
+
 using Model = axial::Model<description::most_links, axial::Gravity, axial::RotorInertia, axial::SharedDrives>;
 using Joints = axial::Joints<Model, double>;
 
@@ -25,11 +28,6 @@ KDL::Frame frame(const axial::WorldPose<double>& p) {
   const auto& R = p.rotation;
   return {KDL::Rotation(R.x.x, R.x.y, R.x.z, R.y.x, R.y.y, R.y.z, R.z.x, R.z.y, R.z.z),
           KDL::Vector(p.position.x, p.position.y, p.position.z)};
-}
-
-// A NaN is the largest of all.
-void take(double& largest, double value) {
-  if (!(value <= largest)) largest = value;
 }
 
 class Comparison {
@@ -70,7 +68,7 @@ class Comparison {
     const auto& g = imported_.robot.gravity;
     const KDL::Vector ours =
         reference_.world.M.Inverse() * (frame(imported_.robot.base).M * KDL::Vector(g.x, g.y, g.z));
-    take(body_, (ours - reference_.gravity).Norm() / std::max(1.0, reference_.gravity.Norm()));
+    note_size(body_, length_of(ours - reference_.gravity) / std::max(1.0, length_of(reference_.gravity)));
     for (int i = imported_.robot.base_body ? -1 : 0; i < n_; ++i)
       body(i);
     if (reference_.limits.empty()) return;
@@ -131,8 +129,8 @@ class Comparison {
   }
   void compare(const KDL::Frame& ours, const KDL::Frame& other) {
     for (int i = 0; i < 9; ++i)
-      take(pose_, std::abs(ours.M.data[i] - other.M.data[i]));
-    take(pose_, (ours.p - other.p).Norm() / std::max(1.0, other.p.Norm()));
+      note_size(pose_, std::abs(ours.M.data[i] - other.M.data[i]));
+    note_size(pose_, length_of(ours.p - other.p) / std::max(1.0, length_of(other.p)));
   }
   void poses(const Joints& u) {
     const auto ours = axial::forward_kinematics(model_, u);
@@ -147,7 +145,7 @@ class Comparison {
   void torques(const Joints& u, const Joints& ud, const Joints& udd) {
     const auto ours = axial::inverse_dynamics(model_, u, ud, udd), other = torque(torque_, u, ud, udd);
     for (int k = 0; k < g_.drives; ++k)
-      take(torque_scale_, std::abs(other[k])), take(torque_error_, std::abs(ours[k] - other[k]));
+      note_size(torque_scale_, std::abs(other[k])), note_size(torque_error_, std::abs(ours[k] - other[k]));
   }
   void mass_matrix(const Joints& u) {
     const auto ours = axial::mass_matrix(model_, u);
@@ -155,9 +153,9 @@ class Comparison {
       Joints unit{};
       unit[l] = 1.0;
       const auto column = torque(still_, u, Joints{}, unit);
-      take(resistance_[l], std::abs(ours(l, l)));
+      note_size(resistance_[l], std::abs(ours(l, l)));
       for (int k = 0; k < g_.drives; ++k)
-        take(mass_scale_, std::abs(column[k])), take(mass_error_, std::abs(ours(k, l) - column[k]));
+        note_size(mass_scale_, std::abs(column[k])), note_size(mass_error_, std::abs(ours(k, l) - column[k]));
     }
   }
 
@@ -176,12 +174,13 @@ class Comparison {
                                      p.inertia_com[4], p.inertia_com[5]);
     const KDL::RigidBodyInertia ours(p.mass, KDL::Vector(p.com[0], p.com[1], p.com[2]), own);
     const auto over = [](double error, double scale) { return error == 0.0 ? 0.0 : error / scale; };
-    take(body_, over(std::abs(sum.getMass() - ours.getMass()), sum.getMass()));
-    if (sum.getMass() > 0.0) take(body_, (sum.getCOG() - ours.getCOG()).Norm() / std::max(1.0, ours.getCOG().Norm()));
+    note_size(body_, over(std::abs(sum.getMass() - ours.getMass()), sum.getMass()));
+    if (sum.getMass() > 0.0)
+      note_size(body_, length_of(sum.getCOG() - ours.getCOG()) / std::max(1.0, length_of(ours.getCOG())));
     const auto theirs = sum.getRotationalInertia(), mine = ours.getRotationalInertia();
     for (const int k : {0, 1, 2, 4, 5, 8})
-      take(body_, over(std::abs(theirs.data[k] - mine.data[k]),
-                       std::abs(theirs.data[0]) + std::abs(theirs.data[4]) + std::abs(theirs.data[8])));
+      note_size(body_, over(std::abs(theirs.data[k] - mine.data[k]),
+                            std::abs(theirs.data[0]) + std::abs(theirs.data[4]) + std::abs(theirs.data[8])));
   }
   const axial::LinkParameters& parameters(int i) const {
     return imported_.robot.links[static_cast<std::size_t>(i)].parameters;
@@ -197,7 +196,7 @@ class Comparison {
     return true;
   }
   void same(double ours, double theirs) {
-    if (ours != theirs) take(limits_, std::abs(ours - theirs) / std::max(std::abs(theirs), std::abs(ours)));
+    if (ours != theirs) note_size(limits_, std::abs(ours - theirs) / std::max(std::abs(theirs), std::abs(ours)));
   }
   void limits(int i) {
     const auto& p = parameters(i);

@@ -1,6 +1,7 @@
 #include <host_sim/tools/analysis/error_scales.hpp>
 
 #include <host_sim/tools/analysis/joint_scales.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ Values largest_of(const std::vector<Values>& exact) {
   Values largest(exact.front().size(), 0.0);
   for (const Values& values : exact)
     for (std::size_t i = 0; i < largest.size(); ++i)
-      largest[i] = std::max(largest[i], std::abs(values[i]));
+      note_size(largest[i], values[i]);
   return largest;
 }
 

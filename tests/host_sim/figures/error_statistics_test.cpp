@@ -1,5 +1,6 @@
 #include <host_sim/tools/analysis/error_statistics.hpp>
 #include <host_sim/tools/analysis/joint_scales.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <gtest/gtest.h>
 
@@ -31,6 +32,24 @@ TEST(ErrorStatistics, NotFiniteCanNotBeMissed) {
   errors.add(std::nan(""), 1.0);
   EXPECT_TRUE(std::isinf(errors.largest()));
   EXPECT_TRUE(std::isinf(errors.rms()));
+}
+
+TEST(Largest, IsOfMagnitudes) {
+  double largest = 0.0;
+  for (const double value : {0.5, -2.0, 1.0})
+    host_sim::note_size(largest, value);
+  EXPECT_EQ(largest, 2.0);
+  host_sim::note_size(largest, -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(largest, std::numeric_limits<double>::infinity());
+}
+
+// What is no number is not passed over, and what comes after it does not hide it.
+TEST(Largest, WhatIsNoNumberStays) {
+  double largest = 3.0;
+  for (const double value : {1.0, std::numeric_limits<double>::quiet_NaN(), 5.0, 0.0}) {
+    host_sim::note_size(largest, value);
+    EXPECT_EQ(std::isnan(largest), value != 1.0);
+  }
 }
 
 TEST(Range, KeepsSmallestAndLargest) {

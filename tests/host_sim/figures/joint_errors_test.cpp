@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 using compare::JointErrors;
 
 TEST(JointErrors, AreRelativeToEachJointsLargestTorque) {
@@ -20,6 +22,15 @@ TEST(JointErrors, AJointWithoutTorqueHasNone) {
   errors.add(0, 1.5, 1.0), errors.add(1, 0.25, 0.0);
   EXPECT_DOUBLE_EQ(errors.worst(), 0.5);
   EXPECT_DOUBLE_EQ(errors.rms(), std::sqrt(0.25 / 2.0));
+}
+TEST(JointErrors, WhatIsNoNumberIsNoSmallError) {
+  for (const bool of_the_value : {true, false}) {
+    JointErrors errors(2);
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    errors.add(0, of_the_value ? none : 1.0, of_the_value ? 1.0 : none), errors.add(1, 1.0, 1.0);
+    errors.add(0, 1.0, 1.0), errors.add(1, 1.0, 1.0);
+    EXPECT_FALSE(errors.worst() <= 1e9) << of_the_value;
+  }
 }
 TEST(JointErrors, OfFinerNumbersAreNotThoseOfDouble) {
   JointErrors errors(1);

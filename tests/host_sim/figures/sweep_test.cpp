@@ -96,7 +96,7 @@ TEST(Processes, CountOverAllStates) {
   EXPECT_EQ(exhaustive::in_processes(six_hundred_states(), "seeds", sum_of_seeds), sum);
 }
 
-// Who asks goes on after it: a process that counted ends, and with it would end what calls this test passed.
+// The asker goes on afterwards: were it to end as those that counted do, this program would end early, and pass.
 TEST(Processes, EndAndWhoAsksGoesOn) {
   const auto none = [](std::uint64_t, std::uint64_t) -> std::uint64_t { return 0; };
   const auto ask_and_go_on = [none] {

@@ -1,6 +1,7 @@
 // A URDF as Orocos KDL has it, read from the text a second time: by nothing that reads it for the description.
 #include <host_sim/robots/description/comment.hpp>
 #include <host_sim/robots/import/reference.hpp>
+#include <host_sim/tools/analysis/largest.hpp>
 
 #include <tinyxml.h>
 
@@ -63,14 +64,14 @@ class Numbers {
     const auto norm = [](const Three& v) { return std::hypot(v[0], v[1], v[2]); };
     const Three off{after[0] - before[0], after[1] - before[1], after[2] - before[2]};
     if (of == Of::joint_turn)
-      angle_ = std::max(angle_, norm(off));
+      host_sim::note_size(angle_, norm(off));
     else if (of == Of::joint_xyz)
-      length_ = std::max(length_, norm(off));
+      host_sim::note_size(length_, norm(off));
     else if (of == Of::joint_axis)
-      angle_ = std::max(angle_, norm(off) / norm(before));
+      host_sim::note_size(angle_, norm(off) / norm(before));
     else
       for (const double each : off)
-        angle_ = std::max(angle_, std::abs(each));
+        host_sim::note_size(angle_, each);
   }
 
   const std::vector<Change>& changes_;
