@@ -4,7 +4,7 @@ set(command ${COMPILER} -std=c++17 -fsyntax-only -Werror=unused-result -I${ROOT}
 file(STRINGS ${SOURCE} first LIMIT_COUNT 1)
 string(REGEX REPLACE "^// expect: " "" expected "${first}")
 string(REPLACE "\\;" ";" expected "${expected}") # file(STRINGS) escapes a semicolon
-if(expected STREQUAL first OR expected STREQUAL "")
+if(NOT first MATCHES "^// expect: .")
   message(FATAL_ERROR "${SOURCE} must begin with '// expect: <part of the message>'")
 endif()
 

@@ -4,7 +4,7 @@ the program, and what stands in a function. q, qd, qdd, tau are in float; those 
 
 import collections
 
-Other = collections.namedtuple("Other", "sentence headers declared code")
+Other = collections.namedtuple("Other", "sentence headers declared code times", defaults=[1])  # times: how often it is said
 
 PROLOGUE = """#include <axial/axial.hpp>
 #include <axial/fixed.hpp>
@@ -17,7 +17,8 @@ struct Longer {{ static constexpr auto chain = axial::chain(gravity(0, -9.81, 0)
 struct Tuning {{
   static constexpr double period = 1e-3, gain = 100.0, fraction = 0.1, uncertainty = 1.0, release = 0.5;
   static constexpr double deviation = 0.01, memory = 1.0, mass_deviation = 1.0, moment_deviation = 1.0;
-  static constexpr int confirm = 1, calm = 3;
+  static constexpr int confirm = 1, calm = 3, most_counts = 100, direction = 1;
+  static constexpr double effort_a_count = 0.1;
 }};
 Positions<Arm, float> q;
 Velocities<Arm, float> qd;
@@ -33,31 +34,55 @@ SWIMMER = "using Swimmer = Scene<Arm, Gravity, Underwater>;\n"
 COUPLED = "using Coupled = Scene<Arm, Gravity, RotorInertia, RotorDynamics>;\n"
 
 
-def scara(sentence, gravity, links):
-    return Other(sentence, (), f"struct Scara {{ static constexpr auto chain = axial::chain(gravity({gravity}), {links}); }};\n"
-                 "Positions<Scara, float> at;\n", "auto r = closed_form::scara<Scara>(at);")
+def scara(sentence, *broken):
+    """Each robot (gravity, links) breaks one condition."""
+    structs = "".join(f"struct Scara{k} {{ static constexpr auto chain = axial::chain(gravity({gravity}), {', '.join(links)}); }};\n"
+                      for k, (gravity, links) in enumerate(broken))
+    code = "\n  ".join(f"{{ Positions<Scara{k}, float> at; auto r = closed_form::scara<Scara{k}>(at); }}" for k in range(len(broken)))
+    return Other("closed_form::scara needs " + sentence, (), structs, code, len(broken))
 
 
-def observed(sentence, tuning):
-    return Other(sentence, (), f"struct Bad : Tuning {{ static constexpr {tuning}; }};\nObserverState<Arm, float, Bad> state;\n",
-                 "auto r = observe<Arm, float, Bad>(state, q, qd, tau);")
+def changed(*more):
+    """A SCARA, its links in turn with one of these behind them; empty: as it is."""
+    for link, each_more in enumerate(more):
+        if each_more:
+            yield DOWN, [row + (each_more if k == link else "") for k, row in enumerate((TURN, TURN, SLIDE))]
 
 
-TURN, SLIDE = "revolute().a(0.2).mass(1)", "prismatic().mass(1)"
+OBSERVED = "ObserverState<Arm, float, Bad> state; auto r = observe<Arm, float, Bad>(state, q, qd, tau);"
+
+
+def each(sentence, broken, code, headers=()):
+    """One sentence of several conditions, each broken alone: by a Tuning, which code names Bad."""
+    structs = "".join(f"struct Bad{k} : Tuning {{ static constexpr {member}; }};\n" for k, member in enumerate(broken))
+    return Other(sentence, headers, structs, "\n  ".join(f"{{ {code.replace('Bad', f'Bad{k}')} }}" for k in range(len(broken))), len(broken))
+
+
+DOWN, TURN, SLIDE = "0, 0, -9.81", "revolute().a(0.2).mass(1)", "prismatic().mass(1)"
 ALL = [
-    scara("closed_form::scara needs a serial chain", "0, 0, -9.81", f"{TURN}, {TURN}, {SLIDE}.parent(0)"),
-    scara("closed_form::scara needs parallel axes", "0, 0, -9.81", f"{TURN}, {TURN}.alpha_deg(90), {SLIDE}"),
-    scara("closed_form::scara needs theta_deg(0)", "0, 0, -9.81", f"{TURN}, {TURN}, {SLIDE}.theta_deg(90)"),
-    scara("closed_form::scara needs gravity along the axes", "0, -9.81, 0", f"{TURN}, {TURN}, {SLIDE}"),
-    Other("a detector's fraction and uncertainty are not negative", (), "struct Bad : Tuning { static constexpr double fraction = -1.0; };\n"
-          "ObserverState<Arm, float, Bad> state;\nCollisionState collision;\n", "auto r = detect(collision, state.residual);"),
-    observed("an observer's period is positive", "double period = 0.0"),
-    observed("an observer's gain is positive", "double gain = 0.0"),
+    scara("three joints: revolute, revolute, prismatic (RRP)", (DOWN, (SLIDE, TURN, SLIDE)), (DOWN, (TURN, SLIDE, SLIDE)), (DOWN, (TURN, TURN, TURN)),
+          (DOWN, (TURN, TURN)), (DOWN, (TURN, TURN, SLIDE, TURN))),
+    scara("a serial chain", *changed("", ".parent(-1)", ".parent(0)")),
+    scara("parallel axes", *changed(*[".alpha_deg(90)"] * 3)),
+    scara("centres of mass on the links' x axes", *changed(*[".com(0, 0.1, 0)"] * 3)),
+    scara("theta_deg(0)", *changed("", "", ".theta_deg(90)")),
+    scara("gravity along the axes", ("0, -9.81, 0", (TURN, TURN, SLIDE)), ("-9.81, 0, 0", (TURN, TURN, SLIDE))),
+    each("a detector's fraction and uncertainty are not negative", ("double fraction = -0.1", "double uncertainty = -0.1", "double release = 0.0",
+         "double release = 1.1", "int confirm = 0", "int calm = 0"),
+         "ObserverState<Arm, float, Bad> state; CollisionState collision; auto r = detect(collision, state.residual);"),
+    each("an observer's period is positive", ("double period = 0.0", "double period = 1e6"), OBSERVED),
+    each("an observer's gain is positive", ("double gain = 0.0", "double gain = 1e9"), OBSERVED),
+    each("a controlled stop needs a period in (0, 1) s and", ("double period = 0.0", "double period = 1.0", "double deceleration[2] = {0.0, 5.0}",
+         "double deceleration[2] = {5.0, 20.5}"), "FallBack<Arm, float, Bad> stop;", ("control/fall_back",)),
+    each("a drive's counts are positive", ("double effort_a_count = 0.0", "int most_counts = 0"), "auto r = current_command<Bad, EffortsOf<Arm, W>, 0>(tauW[0]);",
+         ("fixed/control/encoder",)),
+    Other("position_command() takes float or double", ("control/position_command",), "PositionCommandState<Arm, W> state;\nPositionLoop<Arm, W> loop;\n",
+          "auto r = position_command<Arm, W>(state, loop, qW, tauW);"),
     Other("a load changes where the scene names Payload", (), "ObserverState<Arm, float, Tuning> state;\nInputs<Arm, float> in;\n",
           "auto r = change_load<Arm, float, Tuning>(state, q, qd, in);"),
-    Other("deviation and memory are positive", ("control/payload_estimator",), "struct Bad : Tuning { static constexpr double memory = 0.0; };\n"
-          "PayloadState<Arm, float> state;\nObserverState<Arm, float, Bad> observer;\n",
-          "auto r = update_payload<Arm, float, Bad>(state, q, qd, observer.residual);"),
+    each("deviation and memory are positive", ("double deviation = 0.0", "double memory = 0.0"), "PayloadState<Arm, float> state; "
+         "ObserverState<Arm, float, Bad> observer; auto r = update_payload<Arm, float, Bad>(state, q, qd, observer.residual);",
+         ("control/payload_estimator",)),
     Other("current_limits() takes one rating per joint", ("control/current_limit",), "DriveRating ratings[3];\n",
           "auto r = current_limits<Arm, float>(ratings, 1e-3);"),
     Other("current limits are in float or double", ("control/current_limit",), "DriveRating ratings[2];\n",

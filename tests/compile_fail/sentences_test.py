@@ -31,9 +31,8 @@ UNREACHED = {
         "axial: in fixed point joints that share drives are solved by composite bodies",
         "axial: joints that share drives have no formats of this recursion", "axial: this function does not know joints that share drives"),
     "a tuning, or words, of one call": (
-        "axial: a controlled stop needs a period", "axial: a controlled stop takes Fixed32", "axial: wanted() is of a fall-back",
-        "axial: position_command() takes float or double", "axial: products with a Jacobian have no formats",
-        "axial: a factor of a conversion is out of proportion", "axial: give Velocities<Robot, Fixed32>", "axial: a drive's counts are positive",
+        "axial: a controlled stop takes Fixed32", "axial: wanted() is of a fall-back", "axial: products with a Jacobian have no formats",
+        "axial: a factor of a conversion is out of proportion", "axial: give Velocities<Robot, Fixed32>",
         "axial: in fixed point a payload estimator's memory", "axial: payload words are of Fixed32"),
 }
 

@@ -221,6 +221,22 @@ TYPED_TEST(Track, RefusesNegativeGains) {
     }
 }
 
+// Gains of 0 are gains: without feedback the feed-forward is left, with one of both it is damped or held.
+TYPED_TEST(Track, TakesGainsOfNothing) {
+  using C = TypeParam;
+  const auto q = C::position(0.55);
+  for (const int left : {0, 1, 2}) {
+    auto gains = this->gains();
+    for (int i = 0; i < C::n; ++i) {
+      if (left != 1) gains.stiffness[i] -= gains.stiffness[i];
+      if (left != 2) gains.damping[i] -= gains.damping[i];
+    }
+    const auto answer = track<typename C::S>(this->state_, C::request(q), C::measured(q), gains);
+    EXPECT_TRUE(answer.status.met()) << left;
+    C::expect_near(C::real(answer.tau), this->weight(q), "weight");
+  }
+}
+
 TYPED_TEST(Track, SharesItsMemoryWithHandGuiding) {
   using C = TypeParam;
   this->state_.output.step = C::effort(C::efforts(0.02));

@@ -97,6 +97,10 @@ TEST(DescriptionChecks, ACarrierOfARotorPrecedes) {
   for (int k = 0; k < 3; ++k)
     for (const double bad : {inf, -inf, no_number})
       EXPECT_EQ(after([&](auto& p) { p.rotor_axis[k] = bad; }), Problem::rotor_axis_is_no_direction);
+  constexpr auto turning = [](double x, double y, double z) {
+    return chain(gravity(0, 0, -9.81), revolute().mass(1).rotor_inertia(1e-5, 50).rotor_axis(x, y, z));
+  };
+  static_assert(turning(1, 0, 0).size + turning(0, 1, 0).size + turning(0, 0, 1).size == 3, "any direction is one");
 }
 
 // Each by itself: what a drive has, a joint without one has not.

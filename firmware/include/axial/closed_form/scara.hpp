@@ -26,8 +26,9 @@ struct ScaraConstants {
   double sense = 1.0;   ///< +1: axis 2 along axis 1, -1: against it
 };
 
+/// Whether what follows can be computed: joints enough, whatever else was said.
 template <class Robot>
-constexpr auto check_scara() {
+constexpr bool check_scara() {
   constexpr auto& c = Robot::chain;
   static_assert(c.size == 3, "axial: closed_form::scara needs three joints: revolute, revolute, prismatic (RRP)");
   if constexpr (c.size == 3) {
@@ -48,6 +49,7 @@ constexpr auto check_scara() {
     static_assert(c.gravity.x == 0.0 && c.gravity.y == 0.0,
                   "axial: closed_form::scara needs gravity along the axes; otherwise use inverse_dynamics");
   }
+  return c.size == 3;
 }
 
 /// Lagrange's equations of the RRP arm with parallel axes.
@@ -159,16 +161,17 @@ AXIAL_INLINE constexpr void torque_into(const Terms& k, const Q& q2, const V& v,
 /// overflows. For another robot it does not compile and says why.
 template <class S, class T>
 [[nodiscard]] constexpr auto scara(const Positions<robot_of<S>, T>& q) {
-  detail::check_scara<robot_of<S>>();
   using Rounder = detail::ScaraRounding<S, T>;
   using All = Separated<subject_of<S, T>, T>;
-  const detail::ScaraTerms<S, Rounder> k;
   All s{};
-  const Collected<subject_of<S, T>, T, typename Rounder::Scalar, All> terms{s};
-  detail::separate_into(k, k.read(q)[Index<1>{}], terms);
-  Soundness<T> all;
-  all.angle(q[0]), all.angle(q[1]), all.number(q[2]);
-  s.status = all.status();
+  if constexpr (detail::check_scara<robot_of<S>>()) {
+    const detail::ScaraTerms<S, Rounder> k;
+    const Collected<subject_of<S, T>, T, typename Rounder::Scalar, All> terms{s};
+    detail::separate_into(k, k.read(q)[Index<1>{}], terms);
+    Soundness<T> all;
+    all.angle(q[0]), all.angle(q[1]), all.number(q[2]);
+    s.status = all.status();
+  }
   return s;
 }
 
@@ -177,10 +180,11 @@ template <class S, class T>
 [[nodiscard]] constexpr EffortsOf<S, T> scara_torque(const Positions<robot_of<S>, T>& q,
                                                      const Velocities<robot_of<S>, T>& qd,
                                                      const Accelerations<robot_of<S>, T>& qdd) {
-  detail::check_scara<robot_of<S>>();
-  const detail::ScaraTerms<S, detail::ScaraRounding<S, T>> k;
   EffortsOf<S, T> tau{};
-  detail::torque_into(k, k.read(q)[Index<1>{}], k.read(qd), k.read(qdd), tau);
+  if constexpr (detail::check_scara<robot_of<S>>()) {
+    const detail::ScaraTerms<S, detail::ScaraRounding<S, T>> k;
+    detail::torque_into(k, k.read(q)[Index<1>{}], k.read(qd), k.read(qdd), tau);
+  }
   return tau;
 }
 

@@ -11,8 +11,9 @@ namespace axial::detail {
 /// What a residual may be wrong by, N m or N.
 template <class S, class Tuning>
 constexpr double residual_deviation(int joint) {
+  constexpr double share = Tuning::deviation > 0.0 ? Tuning::deviation : 1.0;  // update_payload() says what no share is
   const double most = scene_of<S>::Robot::chain.links[joint].effort_limit;
-  return Tuning::deviation * (is_bounded(most) ? most : 1.0);
+  return share * (is_bounded(most) ? most : 1.0);
 }
 /// Information in samples that the lag makes alike, as a share of that in as many without it.
 template <class Tuning>

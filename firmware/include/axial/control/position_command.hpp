@@ -9,11 +9,21 @@
 namespace axial {
 
 namespace detail {
+/// The number that a loop is described in; behind a sentence any, so that nothing more is said.
+template <class T>
+struct LoopNumber {
+  static constexpr bool sound = std::is_floating_point_v<T>;
+  using type = std::conditional_t<sound, T, double>;
+  static_assert(sound,
+                "axial: position_command() takes float or double; convert efforts and positions of fixed point first");
+};
 template <class S, class T>
-constexpr Joints<robot_of<S>, T> unlimited_offsets() {
-  Joints<robot_of<S>, T> offsets{};
+using LoopValues = Joints<robot_of<S>, typename LoopNumber<T>::type>;
+template <class S, class T>
+constexpr LoopValues<S, T> unlimited_offsets() {
+  LoopValues<S, T> offsets{};
   for (int i = 0; i < joint_count<S>; ++i)
-    offsets[i] = (std::numeric_limits<T>::max)();
+    offsets[i] = (std::numeric_limits<typename LoopNumber<T>::type>::max)();
   return offsets;
 }
 }  // namespace detail
@@ -22,9 +32,9 @@ constexpr Joints<robot_of<S>, T> unlimited_offsets() {
 template <class S, class T>
 struct PositionLoop {
   /// N m/rad or N/m at the joint, more than 0: what a command one radian or metre ahead of the joint exerts
-  Joints<robot_of<S>, T> stiffness{};
+  detail::LoopValues<S, T> stiffness{};
   /// rad or m, 0 or more: how far ahead of the desired position a command may be; unlimited until set
-  Joints<robot_of<S>, T> largest_offset = detail::unlimited_offsets<S, T>();
+  detail::LoopValues<S, T> largest_offset = detail::unlimited_offsets<S, T>();
 };
 
 /// Memory of position_command(), owned by the caller; start with the measured positions, `{q}`.
@@ -79,22 +89,24 @@ template <class S, class T>
                                                                const PositionLoop<S, T>& loop,
                                                                const Positions<robot_of<S>, T>& q_desired,
                                                                const EffortsOf<S, T>& tau) {
-  static_assert(std::is_floating_point_v<T>,
-                "axial: position_command() takes float or double; convert efforts and positions of fixed point first");
-  Status status = check_position<S>(q_desired);
-  if (status.ok()) status = detail::check_loop<S>(loop, tau);
-  if (!status.ok()) return {state.last, status};
-  int limited = -1;
-  for (int i = 0; i < joint_count<S>; ++i) {
-    const auto& reach = detail::LimitsFor<S, T>::joint(i);
-    T offset = tau[i] / loop.stiffness[i];
-    const bool ahead = detail::bring_inside(offset, T(-loop.largest_offset[i]), loop.largest_offset[i]);
-    T command = q_desired[i] + offset;
-    const bool outside = detail::bring_inside(command, reach.exact_min, reach.exact_max);
-    limited = first_found(limited, ahead | outside, i);
-    state.last[i] = command;
+  if constexpr (!detail::LoopNumber<T>::sound) {
+    return {};
+  } else {
+    Status status = check_position<S>(q_desired);
+    if (status.ok()) status = detail::check_loop<S>(loop, tau);
+    if (!status.ok()) return {state.last, status};
+    int limited = -1;
+    for (int i = 0; i < joint_count<S>; ++i) {
+      const auto& reach = detail::LimitsFor<S, T>::joint(i);
+      T offset = tau[i] / loop.stiffness[i];
+      const bool ahead = detail::bring_inside(offset, T(-loop.largest_offset[i]), loop.largest_offset[i]);
+      T command = q_desired[i] + offset;
+      const bool outside = detail::bring_inside(command, reach.exact_min, reach.exact_max);
+      limited = first_found(limited, ahead | outside, i);
+      state.last[i] = command;
+    }
+    return {state.last, status_of_first(Status::Code::command_limit, limited)};
   }
-  return {state.last, status_of_first(Status::Code::command_limit, limited)};
 }
 
 }  // namespace axial

@@ -144,6 +144,21 @@ TEST(Balls, RootsAreFromAboveAndNear) {
   EXPECT_EQ(detail::root_bound(0.0), 0.0);
 }
 
+// Words hold what reaches `size`, and what rounding adds to that; with one bit more they would not.
+TEST(Balls, FormatsLeaveRoomForRoundings) {
+  std::mt19937_64 random{20261129};
+  for (const int bits : {16, 32})
+    for (int k = 0; k < draws; ++k) {
+      const WordRounding r{bits, true, false, 0.0};
+      const double share = std::uniform_real_distribution<double>(-1.0, 1.0)(random);
+      const double border = std::ldexp(r.capacity(), static_cast<int>(random() % 40) - 40);
+      const double size = border * (1.0 + 600.0 * share / std::ldexp(1.0, bits - 1));  // near where formats change
+      const int exponent = r.exponent(size);
+      EXPECT_LE(std::ldexp(size, exponent) * (1.0 + 255.0 / std::ldexp(1.0, bits - 1)), r.capacity());
+      EXPECT_GT(std::ldexp(size, exponent + 1) * (1.0 + 257.0 / std::ldexp(1.0, bits - 1)), r.capacity());
+    }
+}
+
 TEST(Balls, TheLargestRowIsTheLargest) {
   Draw draw;
   for (int k = 0; k < draws; ++k) {
@@ -305,6 +320,51 @@ TEST(Spins, AreOffByWhatTheirRatesAre) {
   }
   expect_near(whole, near);
   expect_near(sideways, near);
+}
+
+/// A link whose words of U have this exponent.
+struct ExponentOfU {
+  int of_u;
+  constexpr int exponent(quantity::AngularAcceleration) const { return of_u; }
+  template <class Quantity>
+  constexpr void note(Quantity, const Ball&) const {}
+};
+
+// wy wz of words, rounded as U's words are, from the slowest motion to the fastest.
+TEST(Spins, RoundTheirProductsHoweverSlow) {
+  constexpr WordRounding r{32, true, false, 0.0};
+  std::mt19937_64 random{20261129};
+  for (int fastest = 8; fastest <= 28; fastest += 2) {
+    const double most = std::ldexp(1.0, fastest - 20);
+    const BoundedVector w{bounds::detail::split({most, 0.0}, {most, 0.0}), 20, false, &r};
+    for (int of_u = 10; of_u <= 26; of_u += 4) {
+      const ExponentOfU link{of_u};
+      const bounds::Products p = bounds::products(w, link);
+      double worst = 0.0;
+      for (int k = 0; k < 2000; ++k) {
+        std::uniform_int_distribution<std::int64_t> any(-(std::int64_t{1} << fastest), std::int64_t{1} << fastest);
+        const std::int64_t product = any(random) * any(random);
+        const double exact = std::ldexp(static_cast<double>(product), of_u - 40);
+        worst = std::fmax(worst, std::fabs(std::nearbyint(exact) - exact));
+      }
+      EXPECT_LE(worst, p.rounding / r.ulp(-of_u) * std::ldexp(1.0, 2 * of_u) + 1e-9);
+      EXPECT_LE(p.rounding, r.ulp(of_u));
+    }
+  }
+}
+
+// About an axis that keeps its direction nothing is rounded; any that does not has the rounding of its entries.
+TEST(Spins, RoundTheThirdColumnOfAnAxisThatMoves) {
+  constexpr WordRounding r{32, true, false, 0.0};
+  const ExponentOfU link{18};
+  for (const double w_across : {0.0, 0.25, 4.0})
+    for (const double dw_across : {0.0, 0.25, 4.0}) {
+      const BoundedVector w{bounds::detail::split({w_across, 0.0}, {2.0, 0.0}), 20, false, &r};
+      const BoundedVector dw{bounds::detail::split({dw_across, 0.0}, {2.0, 0.0}), 18, false, &r};
+      const bounds::Spin u = bounds::rotation_acceleration(w, dw, bounds::products(w, link), link);
+      EXPECT_GE(u.entry, r.store(18));
+      EXPECT_EQ(u.axis.across.error > 0.0, w_across > 0.0 || dw_across > 0.0) << w_across << ' ' << dw_across;
+    }
 }
 
 TEST(ConstantBodies, AreAsLargeAsTheirEntries) {

@@ -5,6 +5,7 @@
 #include <axial/fixed/dynamics/enclosure.hpp>
 #include <cmath>
 #include <host_sim/figures/exhaustive/fixed_states.hpp>
+#include <limits>
 
 using namespace axial;
 
@@ -132,4 +133,53 @@ TEST(Enclosure, ProvesNothingOfWordsThatDoNotFit) {
   steep.shift[0] = detail::Enclosure<1>::least_shift - 1;
   steep.set_defects(0, made, error);
   EXPECT_FALSE(steep.enclose());
+}
+
+namespace {
+
+struct Words {
+  std::int32_t raw = 0;
+};
+struct PublishedAnswer {
+  Words values[1];
+  struct {
+    Words values[1];
+  } bound;
+};
+struct Corrected {
+  std::int64_t correction[1], bound[1];
+};
+
+}  // namespace
+
+// Words of an answer as fine as the system's, coarser, and finer ones: what was found plus its correction, and a bound
+// that holds what moving them rounds. What its words do not hold is unknown, and the answer stays.
+TEST(Enclosure, IsPublishedInWordsOfTheAnswer) {
+  constexpr std::int64_t loose[] = {std::int64_t{1} << 40};
+  exhaustive::Random random(9);
+  for (int k = 0; k < 20000; ++k) {
+    const int down = static_cast<int>(random.between(-40, 40));
+    const std::int64_t x = random.between(-1000000, 1000000) * (std::int64_t{1} << random.between(0, 10));
+    const Corrected system{{random.between(-1000, 1000)}, {random.between(1, 100000)}};
+    PublishedAnswer answer{};
+    answer.values[0].raw = 77;
+    const bool known = k % 7 != 0;
+    const bool tight = detail::publish_in_words<1>(
+        answer, system, loose, known, [&](int) { return x; }, [&](int) { return down; });
+    const double exact = std::ldexp(static_cast<double>(x + system.correction[0]), -down);
+    const double bound = std::ldexp(static_cast<double>(system.bound[0]), -down);
+    constexpr double most = 2147483647.0;
+    if (!known || std::fabs(exact) > most || bound > most) {
+      EXPECT_FALSE(tight) << down;
+      EXPECT_EQ(answer.values[0].raw, 77) << down;
+      EXPECT_EQ(answer.bound.values[0].raw, std::numeric_limits<std::int32_t>::max()) << down;
+      continue;
+    }
+    if (std::fabs(exact) > most - 4.0 || bound > most - 4.0) continue;  // either
+    EXPECT_TRUE(tight) << down;
+    const double off = std::fabs(exact - answer.values[0].raw);
+    EXPECT_LE(off, 1.0) << down;
+    EXPECT_GE(answer.bound.values[0].raw, bound + off - 1e-9) << down;
+    EXPECT_LE(answer.bound.values[0].raw, bound + (down > 0 ? 2.0 : 0.0)) << down;
+  }
 }

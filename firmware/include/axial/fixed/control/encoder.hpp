@@ -131,7 +131,8 @@ struct LinearEncoder {
 namespace detail {
 template <class Drive, class Values, int i>
 struct CountsAUnit {
-  static constexpr double value = power_of_two(-Values::exponent(i)) / Drive::effort_a_count;
+  static constexpr double effort = Drive::effort_a_count > 0.0 ? Drive::effort_a_count : 1.0;  // current_command() says
+  static constexpr double value = power_of_two(-Values::exponent(i)) / effort;
 };
 }  // namespace detail
 
