@@ -99,7 +99,7 @@ template <class All>
 double gain_over_float(const All& all) {
   double fixed = 0.0, in_float = 0.0;
   for (const JointError& joint : all) {
-    if (!(joint.largest > 0.0)) continue;
+    if (joint.largest <= 0.0) continue;
     host_sim::note_size(fixed, joint.fixed / joint.largest);
     host_sim::note_size(in_float, joint.in_float / joint.largest);
   }

@@ -44,7 +44,7 @@ Recovery recover(const Case& situation, Controller& controller, const Watch& wat
     for (std::size_t i = 0; i < q.size(); ++i) {
       const double off = q[i] - wanted.q[i], push = situation.push.empty() ? 0.0 : situation.push[i];
       if (std::fabs(off) > recovered) r.seconds = ticks * tick;
-      note_size(r.overshoot, beyond(off, push));
+      if (const double past = beyond(off, push); !(past <= 0.0)) note_size(r.overshoot, past);
       note_size(r.effort, static_cast<double>(answer.tau[i]) / limits[i]);
     }
     r.least = std::min(r.least, answer.count), r.most = std::max(r.most, answer.count);
