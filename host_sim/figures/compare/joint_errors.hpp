@@ -32,7 +32,7 @@ class JointErrors {
   [[nodiscard]] double rms() const {
     double sum = 0.0;
     for (std::size_t i = 0; i < worst_.size(); ++i)
-      if (largest_[i] > 0.0) sum += squares_[i] / (largest_[i] * largest_[i]);
+      if (!(largest_[i] <= 0.0)) sum += squares_[i] / (largest_[i] * largest_[i]);
     return std::sqrt(sum / (static_cast<double>(states_) * static_cast<double>(worst_.size())));
   }
 

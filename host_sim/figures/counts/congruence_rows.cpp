@@ -6,7 +6,6 @@
 #include <host_sim/tools/analysis/largest.hpp>
 #include <oracle/compare.hpp>
 
-#include <cmath>
 #include <cstdio>
 #include <memory>
 

@@ -137,14 +137,14 @@ class Comparison {
     compare_poses(q, answer.at("poses"));
     const Values ours = torque(reference_.gravity, q, qd, qdd), theirs = answer.at("torque");
     for (std::size_t k = 0; k < movers_.size(); ++k)
-      note_size(figures_.torque, std::abs(ours[k] - theirs.at(k))), note_size(torque_scale_, std::abs(theirs[k]));
+      note_size(figures_.torque, ours[k] - theirs.at(k)), note_size(torque_scale_, theirs[k]);
     const Values none(movers_.size());
     for (std::size_t l = 0; l < movers_.size(); ++l) {
       Values unit = none;
       unit[l] = 1.0;
       const Values column = torque(KDL::Vector::Zero(), q, none, unit), other = answer.at("mass_matrix").at(l);
       for (std::size_t k = 0; k < movers_.size(); ++k)
-        note_size(figures_.mass_matrix, std::abs(column[k] - other.at(k))), note_size(mass_scale_, std::abs(other[k]));
+        note_size(figures_.mass_matrix, column[k] - other.at(k)), note_size(mass_scale_, other[k]);
     }
   }
   KDL::Frame pose_of(const KDL::JntArray& q, std::size_t link) {
@@ -164,7 +164,7 @@ class Comparison {
         square += std::pow(ours.p.data[k] - theirs.at(k), 2), length = std::max(length, std::abs(theirs[k]));
       note_size(figures_.pose, std::sqrt(square) / length);
       for (std::size_t k = 0; k < 9; ++k)
-        note_size(figures_.pose, std::abs(ours.M.data[k] - theirs.at(3 + k)));
+        note_size(figures_.pose, ours.M.data[k] - theirs.at(3 + k));
     }
   }
   /// In the first state: mass, centre of mass, inertia about it, in axes of the root.

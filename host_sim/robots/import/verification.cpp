@@ -129,7 +129,7 @@ class Comparison {
   }
   void compare(const KDL::Frame& ours, const KDL::Frame& other) {
     for (int i = 0; i < 9; ++i)
-      note_size(pose_, std::abs(ours.M.data[i] - other.M.data[i]));
+      note_size(pose_, ours.M.data[i] - other.M.data[i]);
     note_size(pose_, length_of(ours.p - other.p) / std::max(1.0, length_of(other.p)));
   }
   void poses(const Joints& u) {
@@ -145,7 +145,7 @@ class Comparison {
   void torques(const Joints& u, const Joints& ud, const Joints& udd) {
     const auto ours = axial::inverse_dynamics(model_, u, ud, udd), other = torque(torque_, u, ud, udd);
     for (int k = 0; k < g_.drives; ++k)
-      note_size(torque_scale_, std::abs(other[k])), note_size(torque_error_, std::abs(ours[k] - other[k]));
+      note_size(torque_scale_, other[k]), note_size(torque_error_, ours[k] - other[k]);
   }
   void mass_matrix(const Joints& u) {
     const auto ours = axial::mass_matrix(model_, u);
@@ -153,9 +153,9 @@ class Comparison {
       Joints unit{};
       unit[l] = 1.0;
       const auto column = torque(still_, u, Joints{}, unit);
-      note_size(resistance_[l], std::abs(ours(l, l)));
+      note_size(resistance_[l], ours(l, l));
       for (int k = 0; k < g_.drives; ++k)
-        note_size(mass_scale_, std::abs(column[k])), note_size(mass_error_, std::abs(ours(k, l) - column[k]));
+        note_size(mass_scale_, column[k]), note_size(mass_error_, ours(k, l) - column[k]);
     }
   }
 

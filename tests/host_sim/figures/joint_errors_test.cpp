@@ -30,6 +30,7 @@ TEST(JointErrors, WhatIsNoNumberIsNoSmallError) {
     errors.add(0, of_the_value ? none : 1.0, of_the_value ? 1.0 : none), errors.add(1, 1.0, 1.0);
     errors.add(0, 1.0, 1.0), errors.add(1, 1.0, 1.0);
     EXPECT_FALSE(errors.worst() <= 1e9) << of_the_value;
+    EXPECT_FALSE(errors.rms() <= 1e9) << of_the_value;
   }
 }
 TEST(JointErrors, OfFinerNumbersAreNotThoseOfDouble) {

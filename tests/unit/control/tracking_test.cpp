@@ -221,7 +221,7 @@ TYPED_TEST(Track, RefusesNegativeGains) {
     }
 }
 
-// Gains of 0 are gains: without feedback the feed-forward is left, with one of both it is damped or held.
+// Gains of 0 are gains: of stiffness, of damping, of both.
 TYPED_TEST(Track, TakesGainsOfNothing) {
   using C = TypeParam;
   const auto q = C::position(0.55);
