@@ -1,6 +1,7 @@
 #include <hal/fault_report.hpp>
 
 #include <cstring>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -31,6 +32,20 @@ TEST(FaultReport, NoBitChangesUnseen) {
     std::memcpy(&report, raw, sizeof report);
     EXPECT_FALSE(sound(report)) << "bit " << bit % 32 << " of word " << bit / 32;
   }
+}
+
+TEST(FaultReport, NoTwoWordsChangePlacesUnseen) {
+  constexpr std::size_t words = sizeof(FaultReport) / sizeof(std::uint32_t);
+  for (std::size_t first = 0; first < words; ++first)
+    for (std::size_t second = first + 1; second < words; ++second) {
+      FaultReport report = example(FaultReport::fresh);
+      std::uint32_t raw[words];
+      std::memcpy(raw, &report, sizeof report);
+      if (raw[first] == raw[second]) continue;
+      std::swap(raw[first], raw[second]);
+      std::memcpy(&report, raw, sizeof report);
+      EXPECT_FALSE(sound(report)) << "words " << first << " and " << second;
+    }
 }
 
 TEST(FaultReport, IsToldOnce) {

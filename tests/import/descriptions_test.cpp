@@ -105,6 +105,37 @@ TEST(Urdf, ChainsHoldTheJointsBesideThem) {
   EXPECT_NE(imported.robot.notes[0].find("elbow"), std::string::npos);
 }
 
+// A rod of 1 kg on a slide along z, on a link of 1 kg whose centre is at the origin.
+TEST(Urdf, HeldJointsStandAtTheirNearestLimit) {
+  const auto com_with = [](const std::string& limits, const std::string& mimic, bool hold_mimic) {
+    const std::string body =
+        "<inertial><mass value='1'/><inertia ixx='0.01' iyy='0.01' izz='0.01' ixy='0' ixz='0' iyz='0'/></inertial>";
+    const std::string text =
+        "<robot name='r'><link name='base'/><link name='arm'>" + body + "</link><link name='rod'>" + body +
+        "</link><joint name='turn' type='continuous'><parent link='base'/><child link='arm'/><axis xyz='0 1 0'/>"
+        "</joint><joint name='slide' type='prismatic'><parent link='arm'/><child link='rod'/><axis xyz='0 0 1'/>" +
+        limits + mimic + "</joint></robot>";
+    Options options;
+    options.reading.hold_mimic = hold_mimic;
+    if (!hold_mimic) options.reading.tip = "arm";
+    const auto result = import_text(text, "r.urdf", options);
+    EXPECT_TRUE(result.figures.good()) << limits << mimic;
+    EXPECT_EQ(result.imported.robot.size(), 1);
+    const auto& com = result.imported.robot.links[0].parameters.com;
+    return std::hypot(com[0], std::hypot(com[1], com[2]));
+  };
+  const auto limit = [](const std::string& lower, const std::string& upper) {
+    return "<limit lower='" + lower + "' upper='" + upper + "' velocity='1' effort='1'/>";
+  };
+  EXPECT_NEAR(com_with(limit("0.1", "0.4"), "", false), 0.05, 1e-12);
+  EXPECT_NEAR(com_with(limit("-0.4", "-0.2"), "", false), 0.1, 1e-12);
+  EXPECT_NEAR(com_with(limit("-0.4", "0.2"), "", false), 0.0, 1e-12);
+  const std::string mimic = "<mimic joint='turn' multiplier='2' offset='0.9'/>";
+  EXPECT_NEAR(com_with(limit("0.1", "0.4"), mimic, true), 0.2, 1e-12);
+  EXPECT_NEAR(com_with(limit("0.1", "1.4"), mimic, true), 0.45, 1e-12);
+  EXPECT_NEAR(com_with("<limit velocity='1' effort='1'/>", mimic, true), 0.45, 1e-12) << "without limits";
+}
+
 TEST(Urdf, MimicJointsAreHeldWhereAsked) {
   std::string text = arms::urdf;
   const std::string axis = "<axis xyz=\"0 1 1\"/>";

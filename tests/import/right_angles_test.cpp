@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace {
 
 using importer::Options;
@@ -76,6 +78,36 @@ TEST(NearlyRight, UrdfSnapsExactly) {
   EXPECT_TRUE(says(notes(snapped), "the farthest by 0.0008"));
   EXPECT_EQ(fore(snapped).alpha.sin, 0.0);
   EXPECT_TRUE(says(description::header(snapped.imported.robot, {}), "prismatic().a(0.25)"));
+}
+
+/// An arm whose elbow's frame is turned by so much about x.
+std::string mjcf_with(const std::string& roll) {
+  const std::string body = "<inertial pos='0.1 0 0' mass='1' diaginertia='0.01 0.01 0.01'/>";
+  return "<mujoco><compiler angle='radian'/><worldbody><body name='upper'>" + body +
+         "<joint name='shoulder' axis='0 0 1'/><body name='fore' pos='0.3 0 0' euler='" + roll + " 0 0'>" + body +
+         "<joint name='elbow' axis='0 0 1'/></body></body></worldbody></mujoco>";
+}
+
+// What is made exact is further from what is written than angles that are read as right without being asked.
+TEST(NearlyRight, MjcfSnapsExactly) {
+  const auto read = [](const std::string& roll, bool snap) {
+    Options options;
+    options.reading.snap = snap;
+    const auto result = importer::import_text(mjcf_with(roll), "arm.xml", options);
+    EXPECT_TRUE(result.figures.good()) << roll;
+    EXPECT_LE(result.figures.changed_angle, result.figures.changed_angle_bound);
+    return result;
+  };
+  const auto written = read("1.5738", false), snapped = read("1.5738", true), beyond = read("1.5763", true);
+  EXPECT_TRUE(says(warnings(written), "joint 'elbow': its axis or frame is 0.003 rad off a multiple of 90 degrees"));
+  EXPECT_TRUE(says(warnings(written), "--snap"));
+  EXPECT_FALSE(says(warnings(snapped) + warnings(beyond), "off a multiple"));
+  EXPECT_NE(fore(written).alpha.cos, 0.0);
+  EXPECT_NEAR(written.figures.changed_angle, 0.0, 1e-15);
+  EXPECT_EQ(fore(snapped).alpha.cos, 0.0);
+  EXPECT_NEAR(snapped.figures.changed_angle, -std::cos(1.5738), 1e-9);
+  EXPECT_NE(fore(beyond).alpha.cos, 0.0) << "meant so";
+  EXPECT_NEAR(beyond.figures.changed_angle, 0.0, 1e-15);
 }
 
 TEST(NearlyRight, IsWithinFiveThousandths) {

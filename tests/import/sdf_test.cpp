@@ -296,6 +296,24 @@ TEST(Sdf, WhatIsIgnoredIsSaid) {
   EXPECT_TRUE(says(said(tree), "links that nothing carries are left out: loose"));
 }
 
+TEST(Sdf, AnglesThatAreNearlyRightAreMadeSoWhereAsked) {
+  const auto text =
+      standing(link("upper", "<pose>0 0 0.1 0 0 0</pose>") + link("fore", "<pose>0.3 0 0.1 1.5738 0 0</pose>") +
+               joint("shoulder", "revolute", "base", "upper") + joint("elbow", "revolute", "upper", "fore"));
+  for (const bool snap : {false, true}) {
+    Options options;
+    options.reading.snap = snap;
+    const auto result = imported(text, options);
+    EXPECT_TRUE(result.figures.good());
+    ASSERT_EQ(result.imported.robot.size(), 2);
+    EXPECT_EQ(result.imported.robot.links[1].parameters.alpha.cos == 0.0, snap);
+    EXPECT_EQ(
+        says(description::lines(result.imported.warnings, false), "joint 'elbow': its axis or frame is 0.003 rad"),
+        !snap);
+    EXPECT_NEAR(result.figures.changed_angle, snap ? -std::cos(1.5738) : 0.0, 1e-9);
+  }
+}
+
 // What follows is refused where it moves, and held beside the chain.
 TEST(Sdf, JointsOfOtherKindsAreHeldBesideTheChain) {
   importer::ReadingOptions options;

@@ -1,4 +1,4 @@
-// What becomes of motions: every scenario of host_sim/plants/simulation inside its gates, and the plant's parts.
+// What becomes of motions: every scenario of host_sim/plants/simulation inside its gates.
 #include <host_sim/plants/simulation/reference.hpp>
 #include <host_sim/plants/simulation/rows.hpp>
 
@@ -43,64 +43,7 @@ std::vector<MotionScenario> quick_scenarios() {
 INSTANTIATE_TEST_SUITE_P(All, MotionScenarios, testing::ValuesIn(quick_scenarios()),
                          [](const auto& info) { return info.param.name; });
 
-Values<double> pushed_into_a_stop(Method method, double h) {
-  const auto links = robot_links("planar2r");
-  Surroundings surroundings;
-  surroundings.stops = {1e6, 1e3};
-  const Plant plant(robot_model("planar2r"), links, surroundings,
-                    [](const auto&, Values<double>& tau, auto&) { tau[0] = 200.0, tau[1] = -80.0; });
-  Motion<double> x;
-  run(method, plant.model(), x, h, std::lround(2.0 / h), std::cref(plant), [](const auto&) {});
-  return x.q;
-}
-
-void plant_of_nobody(const Instant<double>&, Values<double>&, Stiffness<double>&) {}
-
 }  // namespace
-
-TEST(Plant, HasTheNominalArmOfTheScenarios) {
-  const auto arm = cases::nominal_arm();
-  const Model model = sprung_arm(0.0, nominal_pose());
-  Values<double> q{};
-  for (int i = 0; i < 6; ++i)
-    q[i] = arm.q[static_cast<std::size_t>(i)];
-  const auto mine = axial::gravity_torque(model, q, {});
-  const auto theirs = oracle::recursive_inverse_dynamics(arm.chain, arm.q, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0});
-  for (int i = 0; i < 6; ++i)
-    EXPECT_NEAR(mine[i], theirs[static_cast<std::size_t>(i)], 1e-13);
-}
-
-// Explicitly at 20 us, implicitly at 1 ms, where stops of 1e6 N m/rad are far beyond every explicit limit.
-TEST(Plant, RestsAgainstItsEndStops) {
-  const auto links = robot_links("planar2r");
-  const auto finely = pushed_into_a_stop(Method::rk4, 2e-5),
-             coarsely = pushed_into_a_stop(Method::linearly_implicit, 1e-3);
-  for (const auto& q : {finely, coarsely}) {
-    EXPECT_NEAR(q[0], links[0].position_max, 1e-3);
-    EXPECT_NEAR(q[1], links[1].position_min, 1e-3);
-    EXPECT_GT(q[0], links[0].position_max) << "a stop is a spring";
-  }
-  EXPECT_NEAR(finely[0], coarsely[0], 1e-6);
-  EXPECT_NEAR(finely[1], coarsely[1], 1e-6);
-}
-
-TEST(Plant, StandsOnTheGroundWithItsWeight) {
-  Surroundings surroundings;
-  surroundings.ground = Ground{};
-  const Plant plant(leg(), surroundings,
-                    [](const Instant<double>& at, Values<double>& tau, Stiffness<double>& stiffness) {
-                      for (const int i : {1, 2}) {
-                        tau[i] = -400.0 * (at.q[i] - (i == 1 ? 2.2 : -1.2)) - 20.0 * at.qd[i];
-                        stiffness.stiffness[i] = 400.0, stiffness.damping[i] = 20.0;
-                      }
-                    });
-  Motion<double> x;
-  x.q = {0.45, 2.2, -1.2};
-  run(Method::rk4, plant.model(), x, 2e-5, 50'000, std::cref(plant), [](const auto&) {});
-  EXPECT_NEAR(plant.ground_force(x.q, x.qd).z, 2.75 * 9.8125, 0.05);
-  const auto nothing = Plant(leg(), Surroundings{}, plant_of_nobody).ground_force(x.q, x.qd);
-  EXPECT_EQ(std::fabs(nothing.x) + std::fabs(nothing.y) + std::fabs(nothing.z), 0.0) << "there is no ground";
-}
 
 TEST(References, AgreeWithEachOtherAndTheLibrary) {
   if (!has_references()) GTEST_SKIP() << "no SUNDIALS here: ./axial motion installs it";

@@ -22,27 +22,6 @@ constexpr int steps_a_tick = 4;
 
 double length(const Point& v) { return std::sqrt(axial::dot(v, v)); }
 
-/// A link with a body fixed to it, about the link's own centre of mass (parallel axes).
-axial::LinkParameters carrying(axial::LinkParameters link, const axial::PayloadBody<double>& load) {
-  const double mass = link.mass + load.mass;
-  const Point own{link.com[0], link.com[1], link.com[2]},
-      centre = (1.0 / mass) * (link.mass * own + load.mass * load.com);
-  const auto add = [&](const Point& at, double m) {
-    const Point r = at - centre;
-    const double r2 = axial::dot(r, r);
-    link.inertia_com[0] += m * (r2 - r.x * r.x), link.inertia_com[1] += m * (r2 - r.y * r.y);
-    link.inertia_com[2] += m * (r2 - r.z * r.z), link.inertia_com[3] -= m * r.x * r.y;
-    link.inertia_com[4] -= m * r.x * r.z, link.inertia_com[5] -= m * r.y * r.z;
-  };
-  const auto& j = load.inertia_com;
-  const double entries[] = {j.xx, j.yy, j.zz, j.xy, j.xz, j.yz};
-  for (int i = 0; i < 6; ++i)
-    link.inertia_com[i] += entries[i];
-  add(own, link.mass), add(load.com, load.mass);
-  link.mass = mass, link.com[0] = centre.x, link.com[1] = centre.y, link.com[2] = centre.z;
-  return link;
-}
-
 std::vector<axial::LinkParameters> plant_links(const Session& session) {
   auto links = simulation::robot_links(session.robot);
   for (auto& link : links)  // grease: a fiftieth of the effort at the largest speed
@@ -50,7 +29,7 @@ std::vector<axial::LinkParameters> plant_links(const Session& session) {
     link.viscous = 0.02 * link.effort_limit / link.speed_limit;
   auto load = axial::apps::gripper;  // the tool of both robots is the last link's frame
   load.mass *= session.gripper;
-  links.back() = carrying(links.back(), load);
+  links.back() = simulation::carrying(links.back(), load);
   return links;
 }
 

@@ -97,6 +97,27 @@ Model model_of(const std::string& robot, const std::vector<axial::LinkParameters
 
 std::vector<std::string> robot_names() { return names_where(false); }
 
+axial::LinkParameters carrying(axial::LinkParameters link, const axial::PayloadBody<double>& load) {
+  using Point = axial::Vec3<double>;
+  const double mass = link.mass + load.mass;
+  const Point own{link.com[0], link.com[1], link.com[2]};
+  const Point centre = (1.0 / mass) * (link.mass * own + load.mass * load.com);
+  const auto& j = load.inertia_com;
+  const double added[] = {j.xx, j.yy, j.zz, j.xy, j.xz, j.yz};
+  for (int i = 0; i < 6; ++i)
+    link.inertia_com[i] += added[i];
+  const auto shift = [&](const Point& from, double m) {  // parallel axes: m (r . r - r r^T)
+    const Point r = from - centre;
+    const double squares[] = {
+        r.y * r.y + r.z * r.z, r.x * r.x + r.z * r.z, r.x * r.x + r.y * r.y, -r.x * r.y, -r.x * r.z, -r.y * r.z};
+    for (int i = 0; i < 6; ++i)
+      link.inertia_com[i] += m * squares[i];
+  };
+  shift(own, link.mass), shift(load.com, load.mass);
+  link.mass = mass, link.com[0] = centre.x, link.com[1] = centre.y, link.com[2] = centre.z;
+  return link;
+}
+
 DrivenModel driven_model(const std::string& robot) { return driven_model_of(robot, find(robot).links); }
 
 DrivenModel driven_model_of(const std::string& robot, const std::vector<axial::LinkParameters>& links) {

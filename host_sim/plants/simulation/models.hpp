@@ -28,6 +28,9 @@ std::vector<axial::LinkParameters> robot_links(const std::string& robot);
 Model model_of(const std::string& robot, const std::vector<axial::LinkParameters>& links);
 std::vector<std::string> robot_names();
 
+/// A link with a body fixed to it, in the link's frame.
+axial::LinkParameters carrying(axial::LinkParameters link, const axial::PayloadBody<double>& load);
+
 /// Robots whose joints share drives.
 ///@{
 DrivenModel driven_model(const std::string& robot);

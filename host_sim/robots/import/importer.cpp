@@ -185,12 +185,28 @@ void say_rotors(description::Description& robot) {
                              std::string(description::no_rotors) + ", where a joint has no armature: " + without);
 }
 
+/// Joints that --snap alone would turn, in a file of which the reader names none.
+std::vector<Finding> nearly_right_joints(SourceTree source, const axial::GravityVector& gravity,
+                                         const ReadingOptions& options) {
+  const auto near = nearness_of(options, source.length_digit);
+  to_mdh(source, gravity, {near.angle, true, near.length});
+  std::map<std::string, double> turns;  // of joints, rad
+  for (const auto& change : source.changes)
+    if (change.of == Change::Of::joint_turn) turns[change.name] = std::hypot(turns[change.name], change.read);
+  std::vector<Finding> found;
+  for (const auto& [joint, turn] : turns)
+    if (turn > near.of_joints()) found.push_back(nearly_right_joint(joint, turn));
+  return found;
+}
+
 /// Of a format that has an engine of its own, which `program` runs.
 Result import_engine_tree(const EngineTree& read, const std::string& format, const std::string& parts,
                           const std::vector<std::string>& program, const std::string& from, const Options& options) {
   const auto gravity = options.gravity.value_or(read.gravity);
   auto source = read.tree;  // what of it is near a special value becomes it
   auto imported = described(source, gravity, from, options);
+  for (const auto& joint : nearly_right_joints(read.tree, gravity, options.reading))
+    imported.warnings.push_back(joint);
   auto& robot = imported.robot;
   robot.source = source_of(source, from, format, parts);
   robot.assumptions.insert(robot.assumptions.begin(), read.assumptions.begin(), read.assumptions.end());

@@ -46,6 +46,10 @@ int digits(const std::string& number) {
 
 }  // namespace
 
+Finding nearly_right_joint(const std::string& name, double off) {
+  return nearly("", "joint '" + name + "': its axis or frame", off);
+}
+
 void LengthDigit::see(const std::string& written, double length) {
   digits_ = std::max(digits_, digits(written)), longest_ = std::max(longest_, std::abs(length));
 }

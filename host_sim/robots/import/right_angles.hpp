@@ -22,6 +22,9 @@ struct Nearness {
   bool changes() const { return of_joints() > 0.0; }
 };
 
+/// A joint whose axis or frame is that far off one that would be taken for right with --snap.
+description::Finding nearly_right_joint(const std::string& name, double off);
+
 /// How fine lengths are written: the longest over 10 to as many digits as any has, at most 1e-6 m.
 class LengthDigit {
  public:

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -88,30 +91,50 @@ TEST(PickAndPlace, UtilisationSlowsTheCycle) {
   EXPECT_GT(plan(slow, limits).size(), plan(cycle(), limits).size());
 }
 
+/// What is said of a cycle that cannot be planned; nothing of one that can.
+std::string refusal_of(const Cycle& bad, const std::vector<JointLimits>& of = limits) {
+  try {
+    plan(bad, of);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
 TEST(PickAndPlace, RefusesAWayPointOutsideTheLimits) {
-  Cycle bad = cycle();
-  bad.way_points[1].q[2] = 0.11;
-  EXPECT_THROW(plan(bad, limits), std::runtime_error);
-  bad.way_points[1].q[2] = std::nan("");
-  EXPECT_THROW(plan(bad, limits), std::runtime_error);
+  for (std::size_t i = 0; i < limits.size(); ++i)
+    for (const double wrong : {limits[i].position_min - 0.01, limits[i].position_max + 0.01, std::nan("")}) {
+      Cycle bad = cycle();
+      bad.way_points[1].q[i] = wrong;
+      EXPECT_EQ(refusal_of(bad), "way-point '" + bad.way_points[1].name + "': joint " + std::to_string(i + 1) +
+                                     " is outside its position limits");
+    }
 }
 
 TEST(PickAndPlace, RefusesAWrongNumberOfJoints) {
   Cycle bad = cycle();
   bad.way_points[0].q.pop_back();
-  EXPECT_THROW(plan(bad, limits), std::runtime_error);
+  EXPECT_EQ(refusal_of(bad), "way-point '" + bad.way_points[0].name + "' has 2 joints, the robot has 3");
 }
 
 TEST(PickAndPlace, RefusesAMoveWithoutAWay) {
   Cycle bad = cycle();
   bad.way_points[1].q = bad.way_points[0].q;
-  EXPECT_THROW(plan(bad, limits), std::runtime_error);
+  EXPECT_EQ(refusal_of(bad), "way-point '" + bad.way_points[1].name + "' repeats the one before; give that a dwell");
+  bad.way_points.resize(1);
+  EXPECT_EQ(refusal_of(bad), "a cycle needs at least two way-points");
 }
 
 TEST(PickAndPlace, RefusesJointsWithoutLimits) {
-  auto unlimited = limits;
-  unlimited[1].acceleration = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(plan(cycle(), unlimited), std::runtime_error);
+  EXPECT_EQ(refusal_of(cycle()), "");
+  for (std::size_t i = 0; i < limits.size(); ++i)
+    for (double JointLimits::*limit : {&JointLimits::speed, &JointLimits::acceleration}) {
+      auto unlimited = limits;
+      unlimited[i].*limit = std::numeric_limits<double>::infinity();
+      EXPECT_EQ(refusal_of(cycle(), unlimited),
+                "joint " + std::to_string(i + 1) + " of " + cycle().robot +
+                    " declares no speed or acceleration limit to plan a trajectory with");
+    }
 }
 
 }  // namespace

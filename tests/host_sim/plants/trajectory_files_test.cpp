@@ -53,6 +53,9 @@ TEST(TrajectoryFiles, SaysWhatIsWrong) {
   EXPECT_NE(error_of(".csv", "header\n0,0,0,0,0,0,nan\n").find("line 2"), std::string::npos);
   EXPECT_NE(error_of(".csv", "header\n").find("no set-points"), std::string::npos);
   EXPECT_NE(error_of(".csv", "header\n0,1.1,0,0,0,0,0\n").find("joint 1 is outside"), std::string::npos);
+  EXPECT_NE(error_of(".csv", "header\n0,0,0,0,0,0,0\n0.5,0,-1.6,0,0,0,0\n")
+                .find("joint 2 is outside its position limits at 0.5"),
+            std::string::npos);
 }
 
 TEST(TrajectoryFiles, SaysThatAFileIsMissing) {

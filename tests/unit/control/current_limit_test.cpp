@@ -270,6 +270,14 @@ TYPED_TEST(CurrentLimit, ARatingThatMeansNothingLetsNothingThrough) {
     EXPECT_EQ((current_limits<Arm, TypeParam>({turning, sliding}, none).status.joint), 0);
 }
 
+TYPED_TEST(CurrentLimit, ARatingWhosePeakIsHardlyAboveTheContinuousCurrentIsOne) {
+  for (const double peak : {2.0, 2.01, 3.0, 3.99}) {
+    const auto limits = current_limits<Arm, TypeParam>({turning, turning.peak_current(peak)}, period);
+    EXPECT_TRUE(limits.status.ok()) << peak;
+    EXPECT_NEAR(allowed_effort(limits.joints[1], TypeParam(0)), 5.0 * peak, 1e-4) << peak;
+  }
+}
+
 TEST(CurrentLimitOf, APeakTimeIsWhatAColdWindingStands) {
   for (const double ratio : {1.01, 1.5, 3.0, 20.0}) {
     const auto rating = DriveRating()
