@@ -281,6 +281,33 @@ struct Belt : BeltLinks {
                    link(1.0).a(0.25).driven_by(1, -0.7).drive_limits(-2, 2, 3, 25));
 };
 
+struct BentLinks {
+  static constexpr Link link(double theta) {
+    return revolute()
+        .alpha_deg(180)
+        .theta_deg(theta)
+        .mass(2)
+        .com(0.12, 0, -0.03)
+        .inertia_com(0.01, 0.03, 0.04)
+        .speed_limit(4)
+        .acceleration_limit(25)
+        .effort_limit(60);
+  }
+};
+/// The closed form's arm with its second joint off a quarter turn.
+struct BentScara : BentLinks {
+  static constexpr auto chain = axial::chain(gravity(0, 0, -9.81), link(90), link(25).a(0.35),
+                                             prismatic()
+                                                 .a(0.3)
+                                                 .mass(1.2)
+                                                 .com(0.04, 0, -0.1)
+                                                 .inertia_com(0.004, 0.005, 0.002)
+                                                 .position_limits(-0.2, 0.2)
+                                                 .speed_limit(1)
+                                                 .acceleration_limit(10)
+                                                 .effort_limit(50));
+};
+
 template <class R, class... More>
 using Feels = Scene<R, Gravity, RotorInertia, More...>;
 
@@ -345,6 +372,7 @@ TEST(RecordedBounds, OfTheClosedForm) {
   Recorded recorded;
   using S = Feels<robots::Scara>;
   put_bound<S, Fixed32>(recorded, "scara", "closed_form", algorithm::closed_form);
+  put_bound<Feels<BentScara>, Fixed32>(recorded, "bent scara", "closed_form", algorithm::closed_form);
   put_bound<S, Fixed32>(recorded, "scara", "closed_form_separation", algorithm::closed_form_separation);
   put_bound<S, Fixed16>(recorded, "scara 16", "closed_form", algorithm::closed_form);
 }
