@@ -64,6 +64,37 @@ TEST(Couplings, OfAFourBarAreItsLinearLaw) {
   EXPECT_EQ(g.ratio[1][0], -0.5);
   EXPECT_EQ(g.ratio[1][1], 1.0);
 }
+TEST(Couplings, NameAJointOnceAndOneThatHasADrive) {
+  const auto refusal = [](const std::string& text) {
+    try {
+      importer::import_text(text, "arm", {});
+    } catch (const description::Refused& refused) {
+      return std::string(refused.what());
+    }
+    return std::string();
+  };
+  const auto rods = four_bar.substr(four_bar.find("<transmission"));
+  EXPECT_NE(refusal(changed(changed(four_bar, "</robot>", rods), "\"rods\"", "\"bars\""))
+                .find("is in transmission 'bars' too"),
+            std::string::npos);
+  EXPECT_NE(refusal(changed(follower, "</robot>", rods)).find("'elbow' mimics 'shoulder' and has drives"),
+            std::string::npos);
+}
+TEST(Couplings, OfAJointThatDoesNotMoveLeaveTheOtherAsItIs) {
+  for (const std::string still : {"flange", "knee"}) {
+    const auto result = importer::import_text(
+        changed(four_bar, "<joint name=\"shoulder\"><role>", "<joint name=\"" + still + "\"><role>"), "arm", {});
+    EXPECT_TRUE(result.figures.good());
+    const auto g = description::drive_matrix(result.imported.robot);
+    for (int i = 0; i < 2; ++i)
+      for (int k = 0; k < 2; ++k)
+        EXPECT_EQ(g.ratio[i][k], i == k ? 1.0 : 0.0);
+    const auto& notes = result.imported.robot.notes;
+    EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [&](const auto& note) {
+      return note.find("joint '" + still + "' does not move here: the other one is taken as its own") != note.npos;
+    }));
+  }
+}
 TEST(Couplings, ThatAreWrongAreSeen) {
   const auto imported = importer::import_text(four_bar, "arm", {}).imported;
   const auto reference =

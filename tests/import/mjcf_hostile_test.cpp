@@ -101,6 +101,15 @@ TEST(MjcfBroken, WrongUnitsAreSaid) {
       importer::import_text(changed(arms::mjcf, {"quat=\"0.7 0.7 0.1 0\"", "euler=\"90 0 0\"", ""}), "arm.xml", {});
   expect_says(description::lines(result.imported.warnings, false), "link 'fore': euler is '90 0 0', more than a turn");
   expect_says(message_of(changed(arms::mjcf, {"-1.5 1.25", "-90000 90000", ""})), "");
+  for (const auto& [turn, is_more] :
+       {std::pair{"6.283", false}, {"-6.283", false}, {"6.2833", true}, {"-6.2833", true}}) {
+    const std::string euler = std::string("euler=\"0 ") + turn + " 0\"";
+    const auto turned =
+        importer::import_text(changed(arms::mjcf, {"quat=\"0.7 0.7 0.1 0\"", euler.c_str(), ""}), "arm.xml", {});
+    EXPECT_EQ(description::lines(turned.imported.warnings, false).find("more than a turn") != std::string::npos,
+              is_more)
+        << turn;
+  }
 }
 
 /// A folder of files for as long as it lives.

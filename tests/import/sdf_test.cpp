@@ -283,7 +283,9 @@ TEST(Sdf, DefaultsOfTheFormatAreWarnings) {
   };
   EXPECT_TRUE(says(warnings(""), "link 'l': has no mass and inertia: in an SDF these are 1 kg"));
   EXPECT_TRUE(says(warnings("<inertial><mass>2</mass></inertial>"), "link 'l': has no inertia"));
-  EXPECT_TRUE(says(warnings("<pose>0 0 0 90 0 0</pose>"), "more than a turn: angles are radians"));
+  for (const std::string turn : {"90", "6.2833", "-6.2833"})
+    EXPECT_TRUE(says(warnings("<pose>0 0 0 0 " + turn + " 0</pose>"), "more than a turn: angles are radians")) << turn;
+  EXPECT_FALSE(says(warnings("<pose>0 0 0 6.283 -6.283 6.283</pose>"), "more than a turn"));
 }
 
 TEST(Sdf, WhatIsIgnoredIsSaid) {

@@ -85,6 +85,28 @@ TEST(PickAndPlace, DwellsAsLongAsAsked) {
   EXPECT_LE(ticks, 52);  // the moves before and after touch the way-point too
 }
 
+// Positions that torque rates can be asked of have two derivatives more, and are asked for by name.
+TEST(PickAndPlace, IsSmoothWhereAsked) {
+  for (const SetPoint& point : plan(cycle(), limits))
+    EXPECT_TRUE(point.q3.empty() && point.q4.empty());
+  Cycle smooth = cycle();
+  smooth.smooth = true;
+  const Trajectory trajectory = plan(smooth, limits);
+  const double h = smooth.tick;
+  double most = 0.0;
+  for (std::size_t k = 1; k + 1 < trajectory.size(); ++k) {
+    const SetPoint &before = trajectory[k - 1], &here = trajectory[k], &after = trajectory[k + 1];
+    ASSERT_EQ(here.q3.size(), here.q.size());
+    ASSERT_EQ(here.q4.size(), here.q.size());
+    for (std::size_t i = 0; i < here.q.size(); ++i) {
+      most = std::fmax(most, std::fabs(here.q3[i]));
+      EXPECT_NEAR(here.q3[i], (after.qdd[i] - before.qdd[i]) / (2.0 * h), 5.0) << k << ", " << i;
+      EXPECT_NEAR(here.qdd[i], (after.qd[i] - before.qd[i]) / (2.0 * h), 0.05) << k << ", " << i;
+    }
+  }
+  EXPECT_GT(most, 50.0);
+}
+
 TEST(PickAndPlace, UtilisationSlowsTheCycle) {
   Cycle slow = cycle();
   slow.utilisation = 0.5;
