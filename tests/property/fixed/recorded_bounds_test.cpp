@@ -18,9 +18,12 @@
 #include <robots/puma560.hpp>
 #include <robots/scara.hpp>
 
+#include "recorded_robots.hpp"
+
 namespace {
 
 using namespace axial;
+using namespace property::recorded;
 using nlohmann::json;
 
 /// A sum of logarithms in which every number has a weight of its own: a factor of any of them, or two that change
@@ -32,13 +35,13 @@ class Digest {
     sum_ += (1.0 + 0.01 * count_++) * std::log2(kept) + (number < 0.0 ? 0.5 : 0.0);
   }
   void add(int number) { sum_ += (1.0 + 0.01 * count_++) * number; }
-  /// Of a struct that holds nothing but such numbers.
-  template <class Number = double, class Numbers>
+  /// Of a struct that holds nothing but doubles.
+  template <class Numbers>
   void add_all(const Numbers& numbers) {
-    static_assert(std::is_trivially_copyable_v<Numbers> && sizeof(Numbers) % sizeof(Number) == 0);
-    std::vector<Number> all(sizeof(Numbers) / sizeof(Number));
+    static_assert(std::is_trivially_copyable_v<Numbers> && sizeof(Numbers) % sizeof(double) == 0);
+    std::vector<double> all(sizeof(Numbers) / sizeof(double));
     std::memcpy(all.data(), &numbers, sizeof(Numbers));
-    for (const Number number : all)
+    for (const double number : all)
       add(number);
   }
   [[nodiscard]] double value() const { return sum_; }
@@ -109,7 +112,7 @@ void put_analysis(Recorded& recorded, const std::string& name, const char* recur
       detail::analysed<typename Errors::Joint, typename Errors::Base, typename Errors::A, Recursion>(Wanted::errors));
 }
 
-/// What is certified of an algorithm's answers: each where they are few.
+/// What is certified of an algorithm's answers.
 template <class S, class T, class Algorithm>
 void put_bound(Recorded& recorded, const std::string& name, const char* algorithm, Algorithm asked) {
   const auto bound = error_bound<S, T>(asked);
@@ -162,151 +165,6 @@ void put_all(Recorded& recorded, const std::string& name) {
   put_motion<S, T>(recorded, name), put_forward<S, T>(recorded, name), put_tool<S, T>(recorded, name),
       put_momenta<S, T>(recorded, name), put_terms<S, T>(recorded, name);
 }
-
-/// A slide, a wrist with rotors, gravity along no axis, all that a chain can declare.
-struct Crane {
-  static constexpr auto chain = axial::chain(gravity(1.0, -3.0, -9.0), payload_limit(1.5, 0.1, 0.02),
-                                             tip_wrench_limit(30.0, 4.0), tool_limit(0.3),
-                                             prismatic()
-                                                 .d(0.2)
-                                                 .alpha_deg(90)
-                                                 .mass(4)
-                                                 .com(0.1, 0, 0.05)
-                                                 .inertia_com(0.03, 0.04, 0.05)
-                                                 .rotor_inertia(2e-5, 900)
-                                                 .viscous(12)
-                                                 .coulomb(7)
-                                                 .position_limits(-0.3, 0.7)
-                                                 .speed_limit(0.8)
-                                                 .acceleration_limit(3)
-                                                 .effort_limit(300),
-                                             revolute()
-                                                 .a(0.35)
-                                                 .alpha_deg(-90)
-                                                 .d(0.12)
-                                                 .mass(2.5)
-                                                 .com(0.15, 0.02, -0.01)
-                                                 .inertia_com(0.02, 0.05, 0.045, 0.002, 0, 0)
-                                                 .rotor_inertia(3e-5, 100)
-                                                 .viscous(0.7)
-                                                 .coulomb(0.9)
-                                                 .spring(4, 0.2)
-                                                 .position_limits(-2.5, 2)
-                                                 .speed_limit(3)
-                                                 .acceleration_limit(20)
-                                                 .effort_limit(60),
-                                             revolute()
-                                                 .a(0.25)
-                                                 .alpha_deg(40)
-                                                 .mass(0.9)
-                                                 .com(0.08, 0.01, 0.03)
-                                                 .inertia_com(0.002, 0.006, 0.005)
-                                                 .rotor_inertia(1e-5, 50)
-                                                 .viscous(0.1)
-                                                 .coulomb(0.3)
-                                                 .speed_limit(6)
-                                                 .acceleration_limit(60)
-                                                 .effort_limit(20),
-                                             axial::tool(0.05, 0.02, 0.15));
-};
-/// A tree: two fingers on a turning palm.
-struct Finger {
-  static constexpr Link finger(double side) {
-    return revolute()
-        .parent(0)
-        .branch_deg(70 * side, 0.06)
-        .a(0.04)
-        .alpha_deg(90)
-        .theta_deg(20)
-        .mass(0.4)
-        .com(0.05, 0.01 * side, 0)
-        .inertia_com(2e-4, 9e-4, 8e-4)
-        .rotor_inertia(5e-7, 200)
-        .position_limits(0, 1.4)
-        .speed_limit(4)
-        .acceleration_limit(30 + 10 * side)
-        .effort_limit(3);
-  }
-};
-struct Hand : Finger {
-  static constexpr auto chain = axial::chain(gravity(0, -9.81, 0), tip_wrench_limit(10.0, 1.0),
-                                             revolute()
-                                                 .d(2.6)
-                                                 .mass(1.1)
-                                                 .com(0, 0.01, 0.05)
-                                                 .inertia_com(2e-3, 2e-3, 1e-3)
-                                                 .rotor_inertia(2e-6, 120)
-                                                 .speed_limit(7)
-                                                 .acceleration_limit(70)
-                                                 .effort_limit(8),
-                                             finger(1), finger(-1));
-};
-
-/// Drives that could move what they carry ten thousand times as fast as is declared.
-struct FeatherLinks {
-  static constexpr Link link(double rotor) {
-    return revolute()
-        .mass(0.02)
-        .com(0.03, 0.01, 0)
-        .inertia_com(2e-5, 3e-5, 2e-5)
-        .rotor_inertia(rotor, 100)
-        .speed_limit(3)
-        .acceleration_limit(20)
-        .effort_limit(90);
-  }
-};
-struct Feather : FeatherLinks {
-  static constexpr auto chain =
-      axial::chain(gravity(0, 0, -9.81), link(2e-8), link(1e-8).a(0.2).alpha_deg(90), link(3e-9).a(0.1).alpha_deg(-60));
-};
-struct BeltLinks {
-  static constexpr Link link(double mass) {
-    return revolute()
-        .mass(mass)
-        .com(0.1, 0.02, 0)
-        .inertia_com(0.01, 0.02, 0.02)
-        .rotor_inertia(2e-5, 80)
-        .viscous(0.4)
-        .coulomb(0.5)
-        .position_limits(-2, 2)
-        .speed_limit(3)
-        .acceleration_limit(25)
-        .effort_limit(40);
-  }
-};
-/// Two joints that share two drives, behind one that has its own.
-struct Belt : BeltLinks {
-  static constexpr auto chain =
-      axial::chain(gravity(0, -9.81, 0), tip_wrench_limit(20.0, 3.0), link(3.0), link(2.0).a(0.3).alpha_deg(90),
-                   link(1.0).a(0.25).driven_by(1, -0.7).drive_limits(-2, 2, 3, 25));
-};
-
-struct BentLinks {
-  static constexpr Link link(double theta) {
-    return revolute()
-        .alpha_deg(180)
-        .theta_deg(theta)
-        .mass(2)
-        .com(0.12, 0, -0.03)
-        .inertia_com(0.01, 0.03, 0.04)
-        .speed_limit(4)
-        .acceleration_limit(25)
-        .effort_limit(60);
-  }
-};
-/// The closed form's arm with its second joint off a quarter turn.
-struct BentScara : BentLinks {
-  static constexpr auto chain = axial::chain(gravity(0, 0, -9.81), link(90), link(25).a(0.35),
-                                             prismatic()
-                                                 .a(0.3)
-                                                 .mass(1.2)
-                                                 .com(0.04, 0, -0.1)
-                                                 .inertia_com(0.004, 0.005, 0.002)
-                                                 .position_limits(-0.2, 0.2)
-                                                 .speed_limit(1)
-                                                 .acceleration_limit(10)
-                                                 .effort_limit(50));
-};
 
 template <class R, class... More>
 using Feels = Scene<R, Gravity, RotorInertia, More...>;
